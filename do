@@ -96,6 +96,7 @@ has_package() {
     libgeos-dev) has_header geos_c.h ;;
     libgeos++-dev) has_header geos/noding/MCIndexNoder.h ;;
     libembree-dev) has_header embree4/rtcore.h || has_header embree3/rtcore.h ;;
+    libppl-dev) has_header ppl.hh || compgen -G "/usr/include/*/ppl.hh" >/dev/null ;;
     libbenchmark-dev) has_header benchmark/benchmark.h ;;
     libtbb-dev) has_header tbb/version.h ;;
     libhwy-dev) has_header hwy/highway.h ;;
@@ -237,7 +238,7 @@ need_clang() {
 }
 need_to_bench() {
   need_to_build_program pkg-config libfcl-dev libccd-dev libeigen3-dev libbullet-dev libqhull-dev libbenchmark-dev \
-    libcgal-dev libembree-dev libgeos-dev libgeos++-dev python3
+    libcgal-dev libembree-dev libgeos-dev libgeos++-dev libppl-dev python3
 }
 
 # --- Building -----------------------------------------------------------------------------------------------------

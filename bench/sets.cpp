@@ -9,8 +9,7 @@
 //     contestant is the median over its rounds of its mean per call, in processor time of its thread, one thread each.
 //     Whoever takes long takes part in fewer rounds, at least three, and answers fewer of the inputs.
 //   - Each library may prepare objects of its own outside of the loop: discs, polygons, edges, boxes. What is built
-//   over
-//     the set to answer (trees, sorted boxes) is timed.
+//     over the set to answer (trees, sorted boxes) is timed.
 //   - Peers are asked by every way that they offer (see peers/set_peer.h). Of each library the fastest way that is
 //     right on all inputs of the row counts. Where none is right the fastest wrong one is shown with "!", and does
 //     not count.

@@ -69,6 +69,13 @@ std::vector<Given> given_options(const CLI::App& verb, std::span<const std::stri
 
 std::string unknown(const CLI::App& verb, const std::string& word) {
   std::string text = "there is no option " + io::quote(word);
+  std::string others;  // verbs that have it
+  for (const CLI::App* other : verbs_of(*verb.get_parent())) {
+    if (other->get_option_no_throw(word) != nullptr) others += (others.empty() ? "" : ", ") + other->get_name();
+  }
+  if (!others.empty()) {
+    return fmt::format("{} has no option {}; these verbs have it: {}", verb.get_name(), io::quote(word), others);
+  }
   const std::string meant = did_you_mean(word, names_of_options(verb));
   if (!meant.empty() || word.starts_with("--")) return text + meant;
   return text + "; a file of that name is " + io::quote("./" + word);

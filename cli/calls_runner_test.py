@@ -25,9 +25,11 @@ def step(text):
 
 class Runner(unittest.TestCase):
     def test_what_is_so(self):
-        for text, facts in (('{run = "hello", out = ["ell", "lo"]}', 3), ('{run = "a", out = {is = "a\\n", lines = 1}}', 3),
-                            ("""{run = "'{\\"a\\": [1, 2]}'", out = {json = ["a.length = 2", "a[*] > 0", "b absent"]}}""", 5),
-                            ("""{run = "'{\\"a\\": [{\\"b\\": 1}, {\\"b\\": 2}]}'", out = {json = ['a[b=2].length = 1']}}""", 2),
+        for text, facts in (('{run = "hello", out = ["ell", "lo"]}', 3),
+                            ('{run = "a", out = {is = "a\\n", lines = 1}}', 3),
+                            ("""{run = "'{\\"a\\": [1, 2]}'", out = {json = ["a.length = 2", "a[*] > 0", "b absent"]}}""",
+                             5),
+                            ("""{run = "'[{\\"b\\": 1}, {\\"b\\": 2}]'", out = {json = ['[b=2].length = 1']}}""", 2),
                             ('{for = {a = [1, 2], b = ["x", "y"]}, run = "$a $b", out = {is = "$a $b\\n"}}', 8),
                             ('{files = {a = "q"}, file = {a = {is = "q"}}, run = "", absent = ["b"]}', 4)):
             code, out = step(text)
@@ -50,7 +52,8 @@ class Runner(unittest.TestCase):
         for text, part in (('{run = "a", uot = ["x"]}', "there is no key 'uot'"), ('{out = ["x"]}', "'out' needs 'run'"),
                            ('{run = "a", out = {hass = ["x"]}}', "there is no key 'hass'"), ("", "nothing was checked"),
                            ('{run = "$a"}', "there is no variable 'a'"), ('{run = "a", out = {json = ["a is 1"]}}', ""),
-                           ('{run = "a", for = {b = []}}', "'for' has no turn"), ('{run = "a", shell = "a"}', "excludes"),
+                           ('{run = "$b", for = {b = []}}', "'for' has no turn"), ('{run = "a", let = {b = "c"}}', "nothing uses"),
+                           ('{run = "a", for = [{b = 1}]}', "nothing uses the variable 'b'"), ('{run = "a", shell = "a"}', "excludes"),
                            ("""{run = "'{}'", out = {json = ["a == 1"]}}""", "is no fact"),
                            ('{for = {a = {glob = "cases/*.none", least = 1}}, run = "$a"}', "0 files, and 1 are expected"),
                            ('{run = "a", files = {b = "{}"}, edit = {b = ["a.c = 1"]}}', "there are 0 such places")):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the calls of the program that cli/calls/*.toml list, and checks what they say of each.
 
-    calls_test.py [--jobs N] [--only PART] [SUBJECT...]     all subjects, on all cores, if none is named; or files *.toml
+    calls_test.py [--jobs N] [--only PART] [--stop] [SUBJECT...]     subjects, or files *.toml; all if none is named
 
 A file holds tests, a test holds steps, a step is a call with what must be so. Tests run side by side, each in a new
 folder with a link `cases` to the cases; the steps of a test share that folder, in their order. Unknown keys, unknown
@@ -39,7 +39,8 @@ call wrote; `check = "name"` a function of calls/checks.py, for what no key can 
 or `unsanitized = "why"`: it is left out with a scale below 0.05, or of an instrumented program.
 
 A text is checked by parts that it has, or by a table: has, has_not, is, starts, ends, lines (their number), matches (a
-pattern for each line), same_as (the output of the step "first", or a file), json (facts), json_lines (facts of the list of its lines).
+pattern for each line), same_as (the output of the step "first", or a file), json (facts), json_lines (facts of the list
+of its lines).
 
 A fact is `PATH = JSON`; also !=, <, <=, >, >=, has (a part of a text; of another value, of its JSON), starts, ends,
 `is number`, absent, present. A path is like pairs[0].a; [*] is every element, and there must be one; [a="cube"] those
@@ -139,7 +140,7 @@ def rows_of(loop, variables):
     if isinstance(loop, list):
         rows = loop
     else:
-        choices = [files_of(v) if isinstance(v, dict) else v for v in loop.values()]
+        choices = [files_of(v) if isinstance(v, dict) else filled(v, variables) for v in loop.values()]
         rows = [dict(zip(loop, values)) for values in itertools.product(*choices)]
     if not rows:
         raise Wrong("'for' has no turn")
@@ -434,8 +435,17 @@ def listed(value):
     return [value] if isinstance(value, str) else value
 
 
+def check_names(lets, loop, text, where):
+    """A variable that nothing uses is a slip."""
+    names = set(lets).union(*loop) if isinstance(loop, list) else {*lets, *loop}
+    for name in names:
+        if not re.search(r"\$\{?%s\b" % name, text):
+            raise Wrong("%s: nothing uses the variable '%s'" % (where, name))
+
+
 def check_step(step, where):
     known(step, STEP_KEYS, where)
+    check_names(step.get("let", {}), step.get("for", {}), json.dumps(step), where)
     if "run" in step and "shell" in step:
         raise Wrong(where + ": 'run' excludes 'shell'")
     if not ("run" in step or "shell" in step):
@@ -452,6 +462,7 @@ def tests_of(subject):
         data = tomllib.load(stream)
     known(data, FILE_KEYS, path)
     lets = with_lets({"source": ROOT}, data.get("let", {}))
+    check_names(data.get("let", {}), {}, json.dumps(data), path)
     found, names = [], set()
     for test in data.get("test", []):
         where = "%s: %s" % (os.path.basename(path), test.get("name"))
@@ -460,6 +471,7 @@ def tests_of(subject):
             raise Wrong(where + ": each test has a name of its own")
         names.add(test["name"])
         steps = test.get("step", [])
+        check_names(test.get("let", {}), test.get("for", {}), json.dumps(test), where)
         for k, step in enumerate(steps):
             check_step(step, "%s: step %d" % (where, k))
         for variables in rows_of(test["for"], lets) if "for" in test else [lets]:
@@ -494,6 +506,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many tests run side by side")
     parser.add_argument("--only", default="", help="tests whose name has this part")
+    parser.add_argument("--stop", action="store_true", help="run no more tests after one that fails")
     parser.add_argument("subjects", nargs="*")
     options = parser.parse_args()
     if not PROGRAM:
@@ -502,7 +515,13 @@ def main():
     subjects = options.subjects or sorted(n[:-5] for n in os.listdir(FOLDER) if n.endswith(".toml"))
     tests = [test for subject in subjects for test in tests_of(subject) if options.only in test[0]]
     with concurrent.futures.ThreadPoolExecutor(max(1, min(options.jobs, os.cpu_count()))) as pool:
-        done = list(pool.map(lambda test: run_test(*test), tests))
+        runs = [pool.submit(run_test, *test) for test in tests]
+        done = []
+        for one in runs:
+            done.append(one.result())
+            if options.stop and done[-1] and done[-1].faults:
+                pool.shutdown(cancel_futures=True)
+                break
     run = [one for one in done if one]
     faults = [fault for one in run for fault in one.faults]
     for fault in faults:

@@ -201,7 +201,7 @@ class Outputs(InFolder):
                         "-")
         for choice in (("--layer", layers[0]), ("--across-layers",)):
             done = self.run_here("segments", board, "--centre-lines", "--certificate", "-", *choice)
-            self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 2)
+            self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 3)
         self.write("p.%s.json" % layers[-1], "")
         self.expect_refused("is the same file as standard output",
                             "segments '%s' --centre-lines --certificate p.json >> 'p.%s.json'" % (board, layers[-1]))
@@ -255,7 +255,7 @@ class Streams(InFolder):
     def test_notes_stay_where_standard_output_is_a_proof(self):
         done = self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-")
         self.assertIn(b"bent.obj is not exactly convex", done.stderr)
-        self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 2)
+        self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 3)
         self.assertEqual(self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-", "--quiet").stderr, b"")
 
     def test_verify_is_quiet(self):

@@ -38,19 +38,17 @@ std::string words_of(const CLI::Option& option) { return fmt::format("{}", fmt::
 
 constexpr const char* shells = "bash zsh fish";
 
-// "a, b (of lists), or c": the words, or nothing where the text is no such list.
+// Each word once of "a, b" or of "of lines: a, b; of circles: b, c".
 std::string words_listed(std::string_view text) {
-  std::string words;
+  std::vector<std::string> words;
   while (!text.empty()) {
-    if (text.starts_with("or ")) text.remove_prefix(3);
-    const std::size_t size = std::min(text.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), text.size());
-    words += (words.empty() ? "" : " ") + std::string(text.substr(0, size));
-    text.remove_prefix(size);
-    if (text.starts_with(" (")) text.remove_prefix(std::min(text.find(')') + 1, text.size()));
-    if (size == 0 || (!text.empty() && !text.starts_with(", "))) return "";
-    text.remove_prefix(std::min<std::size_t>(2, text.size()));
+    const std::size_t size = std::min(text.find_first_of(",:;"), text.size());
+    const std::string word(text.substr(0, size));
+    const bool names_a_kind = size < text.size() && text[size] == ':';
+    if (!names_a_kind && std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+    text.remove_prefix(std::min(size + 2, text.size()));
   }
-  return words;
+  return fmt::format("{}", fmt::join(words, " "));
 }
 
 // What may stand for the value of an option, where that is known.

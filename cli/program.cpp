@@ -3,6 +3,7 @@
 #include <cli/program.h>
 #include <cli/words.h>
 
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 #include <sunder/base/error.h>
@@ -89,7 +90,7 @@ int complain(const Asked& asked, int code, const std::string& text,
              std::string_view kind = kind_of(ErrorCode::bad_call), const std::string& place = "") {
   ask::print_error(text);
   if (!asked.json || ask::is_output_in_use() || prints_over_input(asked.words)) return code;
-  ask::Json report = ask::error_report(asked.verb, kind, place, text);
+  Json report = ask::error_report(asked.verb, kind, place, text);
   if (asked.verb.empty()) report["verb"] = nullptr;
   try {
     print(ask::to_text(report));
@@ -118,6 +119,7 @@ int complain_of_verb(const CLI::App& program, const Asked& asked, const std::str
   const std::vector<std::string> known = names_of_verbs(program);
   std::vector<std::string> first = known;
   first.emplace_back("help");
+  first.emplace_back("version");
   return complain(
       asked, exit_code::bad,
       fmt::format("{}{}; verbs are {}; see sunder --help", what, did_you_mean(word, first), fmt::join(known, ", ")));
@@ -169,7 +171,7 @@ int run_program(const CLI::App& program, const Asked& asked) {
   const std::string& first = asked.words[0];
   if (first == "help" || first == "--help" || first == "-h") return help(program, asked);
   if (first == "--completion" || first.starts_with("--completion=")) return complete(program, asked);
-  const bool is_version = first == "--version", is_manual = first == "--man";
+  const bool is_version = first == "--version" || first == "-V" || first == "version", is_manual = first == "--man";
   if (!is_version && !is_manual) {
     return first.starts_with('-') ? complain_of_option(program, asked)
                                   : complain_of_verb(program, asked, "there is no verb " + io::quote(first), first);
@@ -224,12 +226,12 @@ void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) 
     require_apart(*app);
     if (is_taken) ask::leave_standard_output();
   });
-  app->callback([run = verb.run, &code] { code = run(); });
+  app->callback([&verb, &code] { code = ask::run_call(verb); });
 }
 
 // For help and completion; run_program() obeys them.
 void add_options(CLI::App& program) {
-  program.set_version_flag("--version", fmt::format("sunder {}", version));
+  program.set_version_flag("-V,--version", fmt::format("sunder {}", version));
   program.add_option("--completion", "print a script that completes calls in bash, zsh or fish")->type_name("SHELL");
   program.add_flag("--man")->description("print the manual page");
   program.footer(fmt::format("Exit code: 0 or 1, the answer: sunder help VERB tells which; {}", other_codes));

@@ -88,9 +88,21 @@ class ProofsPage(unittest.TestCase):
             top = json.load(stream)
         made = {(s["question"], s["verdict"], tuple(claim["claim"] for claim in s["claims"])) for s in top["statements"]}
         self.assertEqual(made, row.wanted)
-        self.assertEqual("left_out" in top, row.has_left_out)
+        self.assertEqual(bool(top["left_out"]), row.has_left_out)
         self.assertEqual(self.said_by_python(proof), self.said_by_program(proof))
+        self.look_at_inputs(top, proof)
         os.remove(proof)
+
+    def look_at_inputs(self, top, proof):
+        """The program makes the same tables again of the inputs, and says of each what the tables are made of."""
+        against = [word for given in top["inputs"] for word in ("--against", given["name"])]
+        done = run(PROGRAM, "verify", proof, *against)
+        self.assertEqual(done.returncode, 0, done)
+        self.assertIn("made of these files: this program", done.stdout)
+        self.assertTrue(top.get("said") or any("said" in entry for entry in top["tables"].get("bodies", []) +
+                                               top["tables"].get("polytopes", [])), top["call"])
+        python = [sys.executable, os.path.join(ROOT, "verifier", "python", "sunder_verify"), "--quiet", proof]
+        self.assertIn("of files with these digests", run(*python, *against).stdout)
 
     def said_by_python(self, proof):
         with open(proof, "rb") as stream:

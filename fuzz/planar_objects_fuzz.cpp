@@ -55,10 +55,17 @@ void check(std::string_view text, std::string_view place, bool drop_z) {
   require(!file.objects.empty() && !file.format.empty());
   for (const std::string& remark : file.remarks) check_line(remark);
   std::uint32_t line = 0;
+  const PlanarObject* first = nullptr;
   for (const PlanarObject& object : file.objects) {
     check_line(object.name);
     require(object.line >= line);
     line = object.line;
+    check_line(object.problem.empty() ? "none" : object.problem);
+    if (!object.problem.empty()) {
+      require(object.vertices.empty());
+      continue;
+    }
+    if (first == nullptr) first = &object;
     for (const sunder::Point2& p : object.vertices) require(std::isfinite(p.x) && std::isfinite(p.y));
     if (!object.unbounded()) {
       check_bounded(object);
@@ -66,12 +73,12 @@ void check(std::string_view text, std::string_view place, bool drop_z) {
     }
     require(object.vertices.size() == 2);
     const auto through = sunder::planar::Line::through(object.vertices[0], object.vertices[1]);  // throws where equal
-    const PlanarObject& first = file.objects.front();
-    if (first.unbounded() || first.vertices.size() > 100) continue;
-    const auto hull = sunder::planar::ConvexPolygon::hull_of(first.vertices);
+    if (first->unbounded() || first->vertices.size() > 100) continue;
+    const auto hull = sunder::planar::ConvexPolygon::hull_of(first->vertices);
     const auto cut = sunder::planar::polygon_line(hull, through);
     require(cut.kind == sunder::planar::polygon_line_by_scan(hull, {}, through).kind);
   }
+  require(first != nullptr);
 }
 
 }  // namespace

@@ -142,6 +142,7 @@ auto meet_many(const std::vector<const typename Kind::Object*>& a, const Doubles
       std::vector<solid::Pose> poses(2 * std::min(block, count));
       std::vector<solid::PlacedPair> pairs(std::min(block, count));
       for (std::size_t begin = 0; begin < count; begin += block) {
+        may_be_interrupted(10 * block);
         const std::size_t length = std::min(block, count - begin);
         for (std::size_t k = 0; k < length; ++k) {
           poses[2 * k] = pose_a(begin + k);
@@ -152,6 +153,7 @@ auto meet_many(const std::vector<const typename Kind::Object*>& a, const Doubles
       }
     } else {
       for (std::size_t k = 0; k < count; ++k) {
+        may_be_interrupted(5);
         meet[k] = intersect(object_a(k), pose_a(k), object_b(k), pose_b(k)).meet();
       }
     }

@@ -43,9 +43,10 @@ std::string proof_of(const std::vector<PolygonRings>& parts, PolygonRule rule,
     file.begin_table("polygons");
     planar::write_parts(file, parts);
     file.end_table();
+    planar::ValidClaims claims(file, parts, 0, rule);
     bool stated = defects.empty();
-    if (stated) planar::write_valid(file, parts, 0, rule);
-    for (const PolygonDefect& defect : defects) stated |= planar::write_defect(file, parts, 0, rule, defect);
+    if (stated) claims.write_valid();
+    for (const PolygonDefect& defect : defects) stated |= claims.write_defect(defect);
     if (!stated) throw Error(ErrorCode::bad_call, "these defects have no proof that a file can hold", "certificate");
   });
 }

@@ -50,7 +50,10 @@ nb::list exact_corners(const Region& region) {
 template <class Given>
 Region region_of(const planar::Region& region, const Given& given, std::function<std::string()> text) {
   Region result{{region.cost, std::move(text)}, name_of(region.kind), region.sides, {}};
-  for (const auto& [i, j] : planar::corners(region)) result.corners.push_back(exact_corner(given[i], given[j]));
+  for (const auto& [i, j] : planar::corners(region)) {
+    may_be_interrupted(10);
+    result.corners.push_back(exact_corner(given[i], given[j]));
+  }
   return result;
 }
 

@@ -283,6 +283,7 @@ class Robot {
       chain.found = {};
       chain.follower.forget();
       for (std::size_t k = chain.begin; k < chain.end; ++k) {
+        may_be_interrupted(100);
         try {
           motion_.place(values_.subspan(k * columns_, columns_), chain.links);
           std::uint32_t number = 0;

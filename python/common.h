@@ -3,6 +3,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/base/interruption.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/near/set_question.h>
 #include <sunder/number/dyadic.h>
@@ -155,16 +156,24 @@ struct YesNo : Answer {
 template <class Write>
 std::string file_of(const Write& write) {
   std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  ClaimsWriter file([&](std::string_view piece) {
+    may_be_interrupted(static_cast<std::uint32_t>(piece.size()));
+    text += piece;
+  });
   write(file);
   file.end();
   return text;
 }
 
-// Runs without the interpreter's lock. `work` touches nothing of Python.
+// Runs without the interpreter's lock, and heeds signals: what a handler raises, as KeyboardInterrupt, ends it. `work`
+// touches nothing of Python.
 template <class Work>
 auto unlocked(const Work& work) {
   const nb::gil_scoped_release release;
+  const Interruptible interruptible([] {
+    const nb::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  });
   return work();
 }
 

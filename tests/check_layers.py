@@ -12,6 +12,8 @@ L4  The core (base to scene) does not print, does not touch files, does not end 
     multiply-add, no change of the rounding mode.
 L5  Sources are ASCII, end with a newline, and hold no tab.
 L6  No source is over 600 lines without a line "// long because: ...".
+L7  No line of a comment's list is a word or two that a formatter left over: what follows a full line, and is indented
+    as an entry is, begins one.
 
 Tests beside the sources (x_test.cpp, x_test.h) are held to L1, L2, L5 and L6.
 Exit code 0: in order. 1: not, one line for each finding. 2: nothing was found to check.
@@ -93,6 +95,9 @@ def without_comments_and_strings(text):
     """The C++ text with comments and literals blanked, lines kept."""
     pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"([^(\n]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'', re.DOTALL)
     return pattern.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+
+# One or two words alone.
+LEFT_OVER = re.compile(r"// {3,5}[a-z]+( [a-z]+)?$")
 
 
 def place_of(path):
@@ -189,6 +194,9 @@ def check_file(root, path):
     test = re.search(r"_test\.(h|cpp)$", path) is not None
     if path.startswith("sunder/") and layer not in LAYERS:
         yield 1, "L1: the file is in no layer"
+    for number in range(2, len(lines) + 1):
+        if len(lines[number - 2]) > 100 and re.match(r"// {3,}", lines[number - 2]) and LEFT_OVER.match(lines[number - 1]):
+            yield number, "L7: a line of a list with nothing but %r" % lines[number - 1][2:].strip()
     bare = without_comments_and_strings(text).split("\n")
     for number, line in enumerate(lines, 1):
         match = INCLUDE.match(line)

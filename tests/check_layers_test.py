@@ -75,6 +75,7 @@ BAD = {
     "a tab": ("sunder/base/x.h", "\tint x;\n", "L5"),
     "a carriage return": ("sunder/base/x.h", "int x;\r\n", "L5"),
     "no newline at the end": ("cli/x.h", "int x;", "L5"),
+    "a broken list": ("sunder/base/x.h", "//   A1. " + "word " * 22 + "by\n//   the\n//       end.\nint x;\n", "L7"),
     "a long file": ("sunder/base/x.h", "int x;\n" * 601, "L6"),
     "a long file without a reason": ("sunder/base/x.h", "// long because: \n" + "int x;\n" * 601, "L6"),
 }

@@ -78,6 +78,8 @@ def is_so(found, how, value):
     if how in ORDERS:
         return not isinstance(found, bool) and isinstance(found, (int, float)) and ORDERS[how](found, value)
     if how == "has":
+        if isinstance(found, list) and any(isinstance(entry, str) and value in entry for entry in found):
+            return True
         return value in (found if isinstance(found, str) else json.dumps(found, ensure_ascii=False))
     if how == "starts":
         return isinstance(found, str) and found.startswith(value)

@@ -69,3 +69,21 @@ def bends_of_three(count):
 def far(count, at):
     """Values of one joint, of which one is too large."""
     return "j\n" + "".join("1e308\n" if k == at else "1\n" for k in range(count))
+
+
+def through_one_point(count):
+    """Segments that cross in the origin, as CSV; no two on one line."""
+    return "x1,y1,x2,y2\n" + "".join("%d,%d,%d,%d\n" % (-count, -k, count, k) for k in range(count))
+
+
+def flower(petals):
+    """A ring that comes to the origin once for each petal."""
+    ring = []
+    for k in range(petals):
+        turns = [2 * math.pi * (k + part) / petals for part in (0, 0.5)]
+        ring += [(0, 0)] + [(math.cos(t), math.sin(t)) for t in turns]
+    return "POLYGON ((%s))\n" % ", ".join("%r %r" % p for p in ring + [(0, 0)])
+
+
+def letters(count):
+    return "x" * count

@@ -1,6 +1,7 @@
 // sunder hull of half-spaces of two to six dimensions.
 #include <sunder/ask/hull_polytope.h>
 #include <sunder/ask/report.h>
+#include <sunder/ask/said_of.h>
 
 #include <sunder/io/file.h>
 #include <sunder/io/text.h>
@@ -111,8 +112,10 @@ int run_half_space_hull(const HullCall& call, const polytope::Polytope& half_spa
   const bool is_written = !call.out.empty() && is_bounded;
   if (is_written) io::write_file_atomically(call.out, table_of(answer.found, half_spaces.dimension()));
   if (!call.certificate.empty()) {
-    write_proof(call.certificate, {inputs, {}},
-                [&](ClaimsWriter& claims) { add_claims(claims, name, half_spaces, answer); });
+    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
+      claims.say(said_of_file(Said::Source::half_spaces, inputs, call.file));
+      add_claims(claims, name, half_spaces, answer);
+    });
   }
   const int code = is_bounded ? exit_code::no : exit_code::yes;
   if (call.json) {
@@ -120,6 +123,7 @@ int run_half_space_hull(const HullCall& call, const polytope::Polytope& half_spa
     json["objects"].push_back(object_of(call, half_spaces));
     json["region"] = json_of(answer);
     json["out"] = is_written ? Json(call.out) : Json(nullptr);
+    if (!call.certificate.empty()) json["not_proved"] = Json::array();
     print(to_text(json));
     return code;
   }

@@ -1,6 +1,7 @@
 #include <sunder/ask/hull_polytope.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/report.h>
+#include <sunder/ask/said_of.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
@@ -104,13 +105,17 @@ int run_polytope_hull(const HullCall& call) {
   const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
   if (!call.out.empty()) io::write_file_atomically(call.out, table_of(hull));
   if (!call.certificate.empty()) {
-    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) { write_hull(claims, name, points, hull); });
+    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
+      claims.say(said_of_file(Said::Source::points, inputs, call.file));
+      write_hull(claims, name, points, hull);
+    });
   }
   if (call.json) {
     Json json = envelope("hull", name_of_hull(hull.dimension));
     json["objects"].push_back(object_of(call, points));
     json["hull"] = json_of(points, hull);
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
+    if (!call.certificate.empty()) json["not_proved"] = Json::array();
     print(to_text(json));
     return exit_code::no;
   }

@@ -14,10 +14,23 @@ constexpr std::size_t piece = std::size_t{1} << 16;
 
 // The text of the report before and behind the items of the list.
 std::pair<std::string, std::string> around(Json report, std::string_view list) {
-  report[std::string(list)] = Json::array();
+  report[list] = Json::array();
   const std::string text = to_text(report), opening = fmt::format("\n  {}: [", quoted_json(list));
   const std::size_t middle = text.find(opening) + opening.size();
   return {text.substr(0, middle), text.substr(middle)};
+}
+
+// What a collection begins with.
+std::string opening_of(const io::CoordinateSystems& systems) {
+  const io::CoordinateSystem* const only = systems.only();
+  std::string crs;
+  if (only != nullptr && !only->urn.empty()) {
+    crs = fmt::format(R"("crs":{{"type":"name","properties":{{"name":{}}}}},)", quoted_json(only->urn));
+  } else if (!systems.declared().empty() && (only == nullptr || !only->is_assumed)) {
+    note(fmt::format("the GeoJSON written names no coordinate system: {}",
+                     only == nullptr ? "those read differ" : "that of " + only->name));
+  }
+  return fmt::format(R"({{"type":"FeatureCollection",{}"features":[)", crs);
 }
 
 }  // namespace
@@ -50,7 +63,7 @@ ListReport::ListReport(std::pair<std::string, std::string> around)
 ListReport::ListReport(const Json& report, std::string_view list) : ListReport(around(report, list)) {}
 
 void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
-  std::string opening = to_line(head);
+  std::string opening = head.on_one_line();
   opening.pop_back();  // "}"
   list_.add(fmt::format("{}, {}: [", opening, quoted_json(key)));
   ListStream items("", "      ", [this](std::string_view text) { list_.append(text); });
@@ -60,9 +73,8 @@ void ListReport::add_list(const Json& head, std::string_view key, const std::fun
 
 void ListReport::close() { list_.close((list_.count() == 0 ? "" : "\n  ") + closing_); }
 
-GeojsonFile::GeojsonFile(const std::string& name)
-    : file_(name),
-      list_(R"({"type":"FeatureCollection","features":[)", "", [this](std::string_view text) { file_.write(text); }) {}
+GeojsonFile::GeojsonFile(const std::string& name, const io::CoordinateSystems& systems)
+    : file_(name), list_(opening_of(systems), "", [this](std::string_view text) { file_.write(text); }) {}
 
 void GeojsonFile::close() {
   list_.close("\n]}\n");
@@ -73,7 +85,7 @@ std::string quoted_json(std::string_view text) {
   const bool is_plain =
       std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
   if (is_plain) return fmt::format("\"{}\"", text);
-  return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_string(text);
 }
 
 }  // namespace sunder::ask

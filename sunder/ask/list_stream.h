@@ -54,10 +54,12 @@ class ListReport {
   std::string closing_;
 };
 
-// A file that is a GeoJSON FeatureCollection, one feature on each line; whole, or not there.
+// A file that is a GeoJSON FeatureCollection, one feature on each line; whole, or not there. It has a "crs" where the
+// inputs declare one system, and it has a code; else a note tells that it has none. Where nothing is declared, or CRS84
+// is GeoJSON's own, it needs none.
 class GeojsonFile {
  public:
-  explicit GeojsonFile(const std::string& name);
+  GeojsonFile(const std::string& name, const io::CoordinateSystems& systems);
   void add(std::string_view feature) { list_.add(feature); }
   std::uint64_t count() const { return list_.count(); }
   void close();

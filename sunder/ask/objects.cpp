@@ -12,17 +12,27 @@ namespace sunder::ask {
 std::string departure_text(const MeshBody& object) {
   if (!object.departure) return "";
   const auto& [depth, at_least, volume] = *object.departure;
-  std::string text = depth == 0 ? "no edge is below the hull"
-                                : fmt::format("the deepest edge is {} {} below the hull",
+  std::string text = depth == 0 ? "no edge lies below the hull"
+                                : fmt::format("the deepest edge lies {} {} below the hull",
                                               at_least ? "at least about" : "about", about(depth));
   if (volume) {
-    text +=
-        fmt::format(", which holds about {} more than the mesh, of {}", about(volume->missing), about(volume->hull));
+    text += fmt::format("; the hull's volume is about {}, of which the mesh lacks about {}", about(volume->hull),
+                        about(volume->missing));
   }
   return text;
 }
 
+void note_remarks(const std::vector<const MeshBody*>& objects) {
+  std::vector<std::string> told;
+  for (const MeshBody* object : objects) {
+    if (object->inner_vertices == 0) continue;
+    std::string text = object->file + ": " + io::inner_vertices_text(object->inner_vertices);
+    if (std::find(told.begin(), told.end(), text) == told.end()) note(told.emplace_back(std::move(text)));
+  }
+}
+
 void note_hulls(const std::vector<const MeshBody*>& objects) {
+  note_remarks(objects);
   std::vector<std::string> files;
   const MeshBody *first = nullptr, *deepest = nullptr;
   for (const MeshBody* object : objects) {
@@ -39,14 +49,14 @@ void note_hulls(const std::vector<const MeshBody*>& objects) {
   };
   const std::string departure = deepest == nullptr ? "" : departure_text(*deepest);
   if (files.size() == 1) {
-    note(fmt::format("{} is not exactly convex ({}): its hull stands for it{}{}", files[0], first->why_hull,
+    note(fmt::format("{} is not exactly convex ({}), so its convex hull is used{}{}", files[0], first->why_hull,
                      departure.empty() ? "" : "; ", departure));
     return;
   }
   std::string list;
   for (const std::string& file : files) list += (list.empty() ? "" : ", ") + name(file);
-  note(fmt::format("{} meshes are not exactly convex, and their hulls stand for them: {}{}", files.size(), list,
-                   departure.empty() ? "" : fmt::format("; of {}, {}", name(deepest->file), departure)));
+  note(fmt::format("{} meshes are not exactly convex, so their convex hulls are used: {}{}", files.size(), list,
+                   departure.empty() ? "" : fmt::format("; in {}, {}", name(deepest->file), departure)));
 }
 
 const char* dimension_name(int dimension) {

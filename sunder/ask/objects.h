@@ -15,7 +15,10 @@ using io::MeshBody;
 // By how much the mesh departs from its hull: "deepest edge about 0.5 below the hull, ...". Empty where not known.
 std::string departure_text(const MeshBody& object);
 
-// Says on standard error which hulls stand for meshes: one line, however many there are.
+// Notes what the readers of the files remark, each once.
+void note_remarks(const std::vector<const MeshBody*>& objects);
+
+// Notes that, and of which meshes the hulls are used: one line, however many there are.
 void note_hulls(const std::vector<const MeshBody*>& objects);
 
 // "body", "polygon", "segment", "point".

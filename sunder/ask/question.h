@@ -9,9 +9,11 @@
 //   answer(), yes()             the word in the report; is the exit code 1?
 //   text()                      for people: all but the lines below
 //   cost(), cost_text()         counted; in words
+//   not_proved()                what of all this a proof does not say, in words
 //   add_to(report)              to the report in JSON
 #pragma once
 
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
@@ -37,6 +39,7 @@ Json report_of(const Question& question) {
   Json json = envelope(Question::verb, question.answer(), question.call.method);
   json["cost"] = to_json(question.cost());
   question.add_to(json);
+  if (question.call.proves()) json["not_proved"] = question.not_proved();
   return json;
 }
 
@@ -52,7 +55,7 @@ int answer(Question& question) {
     print(to_text(report_of(question)));
   } else {
     print_for_people(question.text() + titled("cost", question.cost_text()) + file_line("proof", call.certificate) +
-                     file_line("picture", call.svg));
+                     (call.proves() ? not_proved_line(question.not_proved()) : "") + file_line("picture", call.svg));
   }
   return question.yes() ? exit_code::yes : exit_code::no;
 }

@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/report.h>
 
 #include <sunder/base/error.h>
@@ -5,6 +6,7 @@
 #include <sunder/io/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +19,11 @@
 
 namespace sunder::ask {
 
+struct Spoken {
+  std::vector<std::string> notes;
+  bool is_quiet = false, leaves_output = false, has_printed = false, is_silent = false;
+};
+
 namespace {
 
 constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
@@ -28,59 +35,40 @@ constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
 
 constexpr std::size_t text_width = 120;
 
-// What has been said in this call, and whether anything is to be.
-struct Said {
-  std::vector<std::string> notes;
-  bool is_quiet = false, leaves_output = false, has_printed = false;
-} said;
+Spoken said;
 
 bool is_flat(const Json& json) {
-  return std::none_of(json.begin(), json.end(), [](const Json& item) { return item.is_structured(); });
-}
-
-std::string compact(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
-// `json` on one line, with blanks: {"a": 1, "b": [2, 3]}.
-std::string on_one_line(const Json& json) {
-  if (!json.is_structured()) return compact(json);
-  std::string text;
-  for (const auto& [key, item] : json.items()) {
-    text += text.empty() ? "" : ", ";
-    text += json.is_object() ? compact(Json(key)) + ": " + on_one_line(item) : on_one_line(item);
-  }
-  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+  return std::none_of(json.items().begin(), json.items().end(), [](const Json& item) { return item.is_structured(); });
 }
 
 void append(const Json& json, std::size_t indent, std::string& text) {
-  if (!json.is_structured() || json.empty()) {
-    text += compact(json);
-    return;
-  }
-  const bool small =
-      is_flat(json) || std::all_of(json.begin(), json.end(), [](const Json& item) { return is_flat(item); });
-  if (small && indent > 0) {
-    std::string line = on_one_line(json);
-    if (line.size() + indent <= text_width) {
+  const std::span<const Json> items = json.items();
+  const bool small = is_flat(json) || std::all_of(items.begin(), items.end(), is_flat);
+  if (json.empty() || (small && indent > 0)) {
+    std::string line = json.on_one_line();
+    if (json.empty() || line.size() + indent <= text_width) {
       text += line;
       return;
     }
   }
-  const bool object = json.is_object();
   const std::string margin(indent + 2, ' ');
-  text += object ? "{\n" : "[\n";
-  bool first = true;
-  for (const auto& [key, item] : json.items()) {
-    text += (first ? "" : ",\n") + margin;
-    if (object) text += compact(Json(key)) + ": ";
-    append(item, indent + 2, text);
-    first = false;
+  text += json.is_object() ? "{\n" : "[\n";
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    text += (k == 0 ? "" : ",\n") + margin;
+    if (json.is_object()) text += json_string(json.keys()[k]) + ": ";
+    append(items[k], indent + 2, text);
   }
-  text += "\n" + std::string(indent, ' ') + (object ? "}" : "]");
+  text += "\n" + std::string(indent, ' ') + (json.is_object() ? "}" : "]");
 }
 
 }  // namespace
 
+Silence::Silence() : before_(std::make_unique<Spoken>(said)) { said.is_quiet = said.is_silent = true; }
+
+Silence::~Silence() { said = std::move(*before_); }
+
 void print(std::string_view text) {
+  if (said.is_silent) return;
   said.has_printed = true;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
@@ -132,7 +120,8 @@ Allowed allowed_by(std::string_view name, std::span<const Allowed> those) {
               fmt::format("there is nothing named {} to allow; there are {}", io::quote(name), known), "--allow");
 }
 
-PairMethod pair_method(const std::string& name) { return method_by(name, pair_methods); }
+PairMethod pair_method(const std::string& name, std::string_view more) { return method_by(name, pair_methods, more); }
+std::string pair_method_names() { return method_names(pair_methods); }
 
 Json envelope(const Json& verb, const Json& answer, const Json& method) {
   return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},
@@ -151,6 +140,26 @@ Json to_json(const Cost& cost) {
 
 Json to_json(const Point3& p) { return Json::array({p.x, p.y, p.z}); }
 
+Json to_json(const io::CoordinateSystems& systems) {
+  Json json = Json::array();
+  for (const auto& [system, files, first] : systems.declared()) {
+    json.push_back({{"name", system.name}, {"assumed", system.is_assumed}, {"files", files}});
+  }
+  return json;
+}
+
+std::string systems_line(const io::CoordinateSystems& systems) {
+  return systems.declared().empty() ? "" : titled("crs", systems.text());
+}
+
+void add_systems(const io::CoordinateSystems& systems, Json& report) {
+  if (!systems.declared().empty()) report["coordinate_systems"] = to_json(systems);
+}
+
+void note_systems(const io::CoordinateSystems& systems) {
+  for (const std::string& remark : systems.remarks()) note(remark);
+}
+
 Json to_json(const LeftOutList& list) {
   Json json = Json::array();
   for (const LeftOutList::Kind& kind : list.kinds()) {
@@ -165,12 +174,10 @@ std::string to_text(const Json& json) {
   return text + "\n";
 }
 
-std::string to_line(const Json& json) { return on_one_line(json); }
-
 void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write) {
   io::OutputFile out(file);
   ClaimsWriter claims([&](std::string_view text) { out.write(text); });
-  claims.add_origin(origin);
+  claims.add_origin(by_this_call(origin));
   write(claims);
   claims.end();
   out.commit();
@@ -185,6 +192,10 @@ std::string titled(std::string_view title, std::string value) {
 
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause) {
   return file.empty() ? "" : titled(title, io::one_line(file).append(clause));
+}
+
+std::string not_proved_line(std::span<const std::string> words) {
+  return words.empty() ? "" : titled("not proved", fmt::format("{}", fmt::join(words, "; ")));
 }
 
 std::string about(double x) { return fmt::format("{:.4g}", x == 0 ? 0.0 : x); }

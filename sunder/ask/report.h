@@ -1,8 +1,10 @@
 // What the verbs share: methods and rules by name, the JSON envelope, and output.
 #pragma once
 
+#include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/coordinate_system.h>
 #include <sunder/io/left_out.h>
 #include <sunder/io/pose_text.h>
 #include <sunder/io/text.h>
@@ -10,11 +12,10 @@
 #include <sunder/planar/set/contact_rule.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
-#include <nlohmann/json.hpp>
-
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,6 +61,20 @@ void leave_standard_output();
 // Has standard output another use, or has anything been printed, a part of a report perhaps?
 bool is_output_in_use();
 
+struct Spoken;  // what has been said in this call, and whether anything is to be
+
+// While one is alive, nothing is printed; what has been said is then as it was before.
+class Silence {
+ public:
+  Silence();
+  ~Silence();
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::unique_ptr<Spoken> before_;
+};
+
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
 
@@ -70,15 +85,21 @@ struct Named {
   Method* method;
 };
 
+// "automatic, gjk, scan": for help texts and errors.
+template <class Methods>
+std::string method_names(const Methods& methods) {
+  std::string names;
+  for (const auto& m : methods) names.append(names.empty() ? "" : ", ").append(m.name);
+  return names;
+}
+
 // Throws Error bad_call that lists all names, and what they are for.
 template <class Methods>
 auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
-  std::string known;
   for (const auto& m : methods) {
     if (m.name == name) return m.method;
-    known += (known.empty() ? "" : ", ") + std::string(m.name);
   }
-  refuse_method(name, known.append(what_for));
+  refuse_method(name, method_names(methods).append(what_for));
 }
 
 inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
@@ -86,13 +107,11 @@ inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoi
 // The contacts that --allow names. Throws Error bad_call that lists those that may be allowed.
 Allowed allowed_by(std::string_view name, std::span<const Allowed> those = all_allowed);
 
-// A method for pair questions by its name: automatic, gjk, scan. Throws Error bad_call that names all.
+// A method for two bodies by its name. Throws Error bad_call that names all, and `more`.
 using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
                                          const solid::ConvexPolyhedron&, const solid::Pose&);
-PairMethod pair_method(const std::string& name);
-
-// JSON. Objects keep the order in which they are made.
-using Json = nlohmann::ordered_json;
+PairMethod pair_method(const std::string& name, std::string_view more = "");
+std::string pair_method_names();
 
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
 Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr);
@@ -101,13 +120,11 @@ Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr
 Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
-Json to_json(const LeftOutList& list);  // [{"kind", "count", "of": [...]}], with all owners
+Json to_json(const io::CoordinateSystems& systems);  // [{"name", "assumed", "files": [...]}]
+Json to_json(const LeftOutList& list);               // [{"kind", "count", "of": [...]}], with all owners
 
 // The text of a report: indented, with short lists and objects on one line; ends with a line feed.
 std::string to_text(const Json& json);
-
-// On one line, with blanks: an entry of a list that is written as it comes.
-std::string to_line(const Json& json);
 
 // A certificate file: its origin, and the statements that `write` writes; whole, or not there.
 void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write);
@@ -117,6 +134,15 @@ std::string titled(std::string_view title, std::string value);
 
 // The same of a file that was written; empty where there is none. clause: what is said of it.
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause = "");
+
+// Of the coordinate systems of what was read: a line for people; in a report "coordinate_systems"; what is to be noted.
+// Empty where none is declared.
+std::string systems_line(const io::CoordinateSystems& systems);
+void add_systems(const io::CoordinateSystems& systems, Json& report);
+void note_systems(const io::CoordinateSystems& systems);
+
+// What an answer says and its proof does not, in words; empty where there is nothing.
+std::string not_proved_line(std::span<const std::string> words);
 
 // "about" numbers for people: four digits.
 std::string about(double x);

@@ -2,6 +2,7 @@
 #include <sunder/ask/hull_polytope.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/report.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/io/file.h>
@@ -17,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace sunder::ask {
 
@@ -34,14 +36,21 @@ int run(const HullCall& call) {
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
   const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
+  note_remarks({&object});
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) io::write_file_atomically(call.out, io::to_text(format, hull));
   if (!call.certificate.empty()) {
     write_proof(call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
+      const bool is_of_points = object.shape == io::BodyShape::points;
+      claims.say(said_of_file(is_of_points ? Said::Source::points : Said::Source::vertices, inputs, call.file, "",
+                              missing_of(object, left_out)));
       solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, hull);
     });
   }
 
+  std::vector<std::string> not_proved;
+  if (object.shape == io::BodyShape::convex) not_proved.emplace_back("exactly convex");
+  if (object.shape == io::BodyShape::hull) not_proved.emplace_back("not exactly convex");
   const auto [low, high] = hull.box();
   if (call.json) {
     Json json = envelope("hull", dimension_name(hull.dimension()));
@@ -52,6 +61,7 @@ int run(const HullCall& call) {
     json["objects"].push_back(std::move(told));
     if (!left_out.empty()) json["left_out"] = to_json(left_out);
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
+    if (!call.certificate.empty()) json["not_proved"] = not_proved;
     print(to_text(json));
     return exit_code::no;
   }
@@ -64,7 +74,9 @@ int run(const HullCall& call) {
   if (object.shape == io::BodyShape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
   if (object.departure) text += fmt::format("            {}\n", departure_text(object));
   if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
-  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
+  if (!call.certificate.empty()) {
+    text += fmt::format("  proof     {}\n", io::one_line(call.certificate)) + not_proved_line(not_proved);
+  }
   print_for_people(text);
   return exit_code::no;
 }

@@ -1,5 +1,6 @@
 // sunder info FILE...: what is in a file?
 #include <sunder/ask/objects.h>
+#include <sunder/ask/packages_option.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
@@ -9,6 +10,7 @@
 #include <sunder/io/foreign.h>
 #include <sunder/io/lines.h>
 #include <sunder/io/mesh.h>
+#include <sunder/io/packages.h>
 #include <sunder/io/planar_objects.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
@@ -20,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace sunder::ask {
@@ -28,7 +32,7 @@ namespace sunder::ask {
 namespace {
 
 struct Call {
-  std::vector<std::string> files;
+  std::vector<std::string> files, packages;
   bool formats = false;
   bool json = false;
 };
@@ -37,7 +41,7 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 15> formats{
+constexpr std::array<Format, 17> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
@@ -49,8 +53,10 @@ constexpr std::array<Format, 15> formats{
      {"URDF", ".urdf", "read", "robots: links with meshes, boxes, cylinders and the like, joints with limits"},
      {"scene", ".json", "read", "for `sunder scene`: bodies of parts, poses, pairs that may meet"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
+     {"CSV with WKT", ".csv", "read", "a geometry of WKT in each line, in a column wkt, geometry, geom or the_geom"},
      {"WKT", ".wkt", "read", "lines and polygons, a geometry on each line; their edges are segments"},
      {"GeoJSON", ".geojson", "read", "lines and polygons; their edges are segments"},
+     {"GeoJSONL", ".geojsonl", "read", "the same, an object of GeoJSON on each line; also .geojsons, .ndjson, .jsonl"},
      {"KiCad board", ".kicad_pcb", "read", "tracks by layer and net; arcs as polylines"},
      {"certificate", ".json", "write, verify", "proofs: docs/claims.md"}}};
 
@@ -60,6 +66,18 @@ struct Info {
   Json json;
 
   void add(std::string_view title, const std::string& words) { text += fmt::format("  {:<6}  {}\n", title, words); }
+  void add_systems(const std::string& file, std::span<const io::SystemOfFile> of_file) {
+    io::CoordinateSystems systems(true);
+    systems.add(file, of_file);
+    if (systems.declared().empty()) return;
+    ask::add_systems(systems, json);
+    std::string names;
+    for (const auto& [system, files, first] : systems.declared()) {
+      names += (names.empty() ? "" : ", ") + system.name;
+    }
+    add("crs", names);
+    for (const std::string& remark : systems.remarks()) add("remark", remark);
+  }
 };
 
 const char* type_name(io::JointType type) {
@@ -82,14 +100,52 @@ bool is_robot(const std::string& file, std::string_view bytes) {
 // Has the file an ending of a format of the plane, read or not? Of standard input, by the content.
 bool is_planar(const std::string& file, std::string_view bytes) {
   if (file == "-") return !io::mesh_format_of_content(bytes);
-  constexpr std::array<std::string_view, 14> foreign{".kicad_pcb", ".shp", ".dbf", ".kml", ".kmz",  ".gml", ".gpx",
-                                                     ".dxf",       ".dwg", ".gds", ".oas", ".gpkg", ".fgb", ".gz"};
+  constexpr std::array<std::string_view, 22> foreign{
+      ".kicad_pcb", ".shp",  ".dbf", ".kml", ".kmz", ".gml", ".gpx", ".gz",  ".dxf", ".dwg", ".gds",
+      ".oas",       ".gpkg", ".fgb", ".gbr", ".gtl", ".gbl", ".gko", ".drl", ".def", ".lef", ".brd"};
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
-Json shape_json(const io::CollisionShape& shape) {
+// Where the meshes of a robot are, as sunder scene would find them.
+class MeshFiles {
+ public:
+  MeshFiles(const std::string& robot, const io::Packages& packages)
+      : folder_(std::filesystem::path(robot).parent_path()), packages_(packages) {}
+
+  // Nothing where it is not found.
+  std::optional<std::string> file_of(const std::string& mesh) {
+    try {
+      std::string file = io::resolve_mesh(mesh, folder_, packages_).string();
+      found_ += 1;
+      return file;
+    } catch (const Error& error) {
+      if (missing_++ == 0) problem_ = error.what();
+      return std::nullopt;
+    }
+  }
+
+  // "3 of 4 meshes are there; the first that is not: ..". Empty where there are none.
+  std::string text() const {
+    const std::uint64_t all = found_ + missing_;
+    if (all == 0) return "";
+    if (missing_ == 0) return all == 1 ? "the mesh is there" : fmt::format("all {} meshes are there", all);
+    return fmt::format("{} of {} are there; {}{}", found_, all == 1 ? "1 mesh" : fmt::format("{} meshes", all),
+                       missing_ == 1 ? "the one that is not: " : "the first that is not: ", problem_);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  const io::Packages& packages_;
+  std::uint64_t found_ = 0, missing_ = 0;
+  std::string problem_;
+};
+
+Json shape_json(const io::CollisionShape& shape, MeshFiles& meshes) {
   switch (shape.kind) {
-    case io::ShapeKind::mesh: return {{"mesh", shape.mesh}};
+    case io::ShapeKind::mesh: {
+      const std::optional<std::string> file = meshes.file_of(shape.mesh);
+      return {{"mesh", shape.mesh}, {"file", file ? Json(io::one_line(*file)) : Json(nullptr)}};
+    }
     case io::ShapeKind::box: return {{"box", shape.size}};
     case io::ShapeKind::sphere: return {{"sphere", {{"radius", shape.radius}}}};
     case io::ShapeKind::cylinder:
@@ -98,7 +154,7 @@ Json shape_json(const io::CollisionShape& shape) {
   return {{std::string(name_of(shape.kind)), {{"radius", shape.radius}, {"length", shape.length}}}};
 }
 
-Info describe_robot(const std::string& file, std::string_view bytes) {
+Info describe_robot(const std::string& file, std::string_view bytes, const io::Packages& packages) {
   const io::Robot robot = io::parse_urdf(bytes, file);
   Info info;
   const std::string shown = io::one_line(file);
@@ -109,6 +165,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
   if (!left_out.empty()) info.json["left_out"] = to_json(left_out);
   info.text = fmt::format("{}: URDF robot {} of {} and {}\n", shown, robot.name, count_of(robot.links.size(), "link"),
                           count_of(robot.joints.size(), "joint"));
+  MeshFiles meshes(file, packages);
   std::size_t width = 0;
   for (const io::Link& link : robot.links) width = std::max(width, link.name.size());
   for (const io::Joint& joint : robot.joints) width = std::max(width, joint.name.size());
@@ -117,7 +174,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
     Json shapes = Json::array();
     std::string list;
     for (const io::CollisionShape& shape : link.shapes) {
-      shapes.push_back(shape_json(shape));
+      shapes.push_back(shape_json(shape, meshes));
       list += (list.empty() ? "" : ", ") + (shape.kind == io::ShapeKind::mesh
                                                 ? std::filesystem::path(shape.mesh).filename().string()
                                                 : std::string(name_of(shape.kind)));
@@ -144,6 +201,7 @@ Info describe_robot(const std::string& file, std::string_view bytes) {
     info.text += fmt::format("  joint  {:<{}}  {} to {}, {}{}\n", joint.name, width, parent, child,
                              type_name(joint.type), range);
   }
+  if (const std::string found = meshes.text(); !found.empty()) info.add("meshes", found);
   if (!left_out.empty()) info.text += fmt::format("  not read: {}\n", left_out.text());
   return info;
 }
@@ -195,7 +253,8 @@ Info describe_scene(const std::string& file, std::string_view bytes) {
 }
 
 Info describe_mesh(const std::string& file, std::string_view bytes) {
-  const io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
+  io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
+  const std::uint64_t inner = io::drop_inner_vertices(mesh);
   const MeshBody object = io::body_of_mesh(mesh, file, false);
   const auto [low, high] = object.hull.box();
   const LeftOutList left_out(file, mesh.left_out);
@@ -211,6 +270,7 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
       object.mesh_vertices < mesh.vertices.size() ? fmt::format(" ({} in use)", object.mesh_vertices) : "";
   info.add("holds", fmt::format("{} vertices{}, {}, {}", mesh.vertices.size(), in_use,
                                 count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part")));
+  if (inner > 0) info.add("", io::inner_vertices_text(inner));
   info.add("shape", object.shape == io::BodyShape::convex ? "exactly convex"
                     : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
                                                           : "a set of points");
@@ -228,6 +288,7 @@ enum class Table { segments, objects, circles, half_planes, triples };
 Table table_of(std::string_view text, const std::string& file) {
   io::CsvReader reader(text, file);
   if (!reader.next()) return Table::segments;
+  if (!io::geometry_column(reader.fields()).empty()) return Table::segments;
   std::vector<std::string> names;
   for (const std::string_view field : reader.fields()) names.push_back(io::in_small_letters(field));
   const auto has = [&](std::initializer_list<const char*> needed) {
@@ -256,12 +317,15 @@ Info describe_rows(const std::string& file, std::string_view text, const io::Tri
   const std::size_t rows = io::parse_triples(text, file, kind).rows.size();
   Info info = info_of(file, "CSV", count_of(rows, "row") + " of " + what, ask);
   info.json["rows"] = rows;
+  info.add_systems(file, std::array{io::SystemOfFile{io::system_beside(file), {}}});
   return info;
 }
 
 Info describe_objects(const std::string& file, std::string_view text) {
-  const io::PlanarFile objects = io::parse_planar_objects(text, file, true);
+  io::PlanarFile objects = io::parse_planar_objects(text, file, true);
+  objects.declare(io::system_beside(file));
   Info info = info_of(file, objects.format, count_of(objects.objects.size(), "object"), "sunder pair");
+  info.add_systems(file, objects.systems());
   info.json["objects"] = Json::array();
   for (const io::PlanarObject& object : objects.objects) {
     info.json["objects"].push_back({{"name", object.name}, {"shape", name_of(object.kind)}});
@@ -270,8 +334,9 @@ Info describe_objects(const std::string& file, std::string_view text) {
 }
 
 Info describe_lines(const std::string& file, std::string_view text) {
-  const io::LineFile lines =
+  io::LineFile lines =
       io::parse_lines(text, file, {.drop_z = true, .points = true, .leave_out = true, .keep_broken = true});
+  if (lines.format != "GeoJSON") lines.declare(io::system_beside(file));
   const auto count_points = [](std::span<const planar::Segment> segments) {
     const auto is_point = [](const planar::Segment& s) { return s.a == s.b; };
     return static_cast<std::size_t>(std::count_if(segments.begin(), segments.end(), is_point));
@@ -290,7 +355,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
   };
   add(polygons, fmt::format("{} of {} and {}", count_of(polygons, "polygon"), count_of(lines.rings.size(), "ring"),
                             count_of(in_rings, "edge")));
-  add(others, count_of(others, polygons > 0 ? "segment of lines" : "segment"));
+  add(others, count_of(others, "segment") + (polygons > 0 ? " of lines" : ""));
   add(points, count_of(points, "point"));
   add(lines.broken.size(), count_of(lines.broken.size(), "ring") + " that are open or have no area");
   const LeftOutList left_out(file, lines.left_out);
@@ -299,6 +364,7 @@ Info describe_lines(const std::string& file, std::string_view text) {
                       polygons > 0 ? "sunder polygons, simple, kernel, region, segments"
                       : others > 0 ? "sunder segments"
                                    : "sunder pair");
+  info.add_systems(file, lines.systems);
   info.json["features"] = lines.features.size();
   info.json["polygons"] = polygons;
   info.json["rings"] = lines.rings.size();
@@ -335,9 +401,9 @@ Info describe_planar(const std::string& file, std::string_view text) {
   return describe_lines(file, text);
 }
 
-Info describe(const std::string& file) {
+Info describe(const std::string& file, const io::Packages& packages) {
   const std::string bytes = io::read_file(file);
-  if (is_robot(file, bytes)) return describe_robot(file, bytes);
+  if (is_robot(file, bytes)) return describe_robot(file, bytes, packages);
   if (is_scene(file, bytes)) return describe_scene(file, bytes);
   return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
 }
@@ -355,8 +421,9 @@ int run(const Call& call) {
       text += fmt::format("{:<12} {:<10} {:<14} {}\n", f.name, f.endings, f.access, f.what);
     }
   }
+  const io::Packages packages = packages_of(call.packages);
   for (const std::string& file : call.files) {
-    Info info = describe(file);
+    Info info = describe(file, packages);
     json["objects"].push_back(std::move(info.json));
     text += info.text;
   }
@@ -372,6 +439,7 @@ Verb info_verb() {
           "What is in these files? Which formats are read?",
           codes_of_reports,
           {{"FILE", &call->files, "meshes, sets of points, robots, scenes, files of the plane", ""},
+           package_option(call->packages),
            {"--formats", &call->formats, "list the formats that are in"},
            json_option(call->json)},
           [call] { return run(*call); }};

@@ -1,6 +1,7 @@
 // sunder section FILE --plane P: what a body and planes have in common, as polygons.
 #include <sunder/ask/objects.h>
 #include <sunder/ask/question.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -136,7 +137,8 @@ class SectionQuestion {
   }
 
   std::string certificate() const {
-    return claims_text({inputs_, left_out_.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(inputs_, left_out_.texts()), [&](ClaimsWriter& file) {
+      file.say(said_of_mesh(*body_, inputs_, left_out_));
       solid::SectionClaims claims(file, body_->name, body_->hull, pose_);
       for (const Result& result : results_) claims.add(result.plane, result.section);
     });
@@ -165,7 +167,7 @@ class SectionQuestion {
     const std::string what = io::one_line(body_->name);
     return drawing.text(
         call.title_or("What do " + what + " and " + count_of(results_.size(), "plane") + " have in common?"),
-        answer_text());
+        answer_text() + left_out_.clause() + (is_of_hull() ? fmt::format("; said of {}", hull_text) : ""));
   }
 
   const char* answer() const { return met() > 0 ? "some" : "none"; }
@@ -174,8 +176,14 @@ class SectionQuestion {
   std::string text() const {
     std::string text = fmt::format("{}: {}{}\n", body_->file, answer_text(), left_out_.clause());
     text += first_of(results_.size(), 10, [&](std::size_t k) { return titled(results_[k].name, told(results_[k])); });
-    if (body_->shape == io::BodyShape::hull) text += titled("said of", "the hull of the mesh, which is not convex");
+    if (is_of_hull()) text += titled("said of", hull_text);
     return text + file_line("written", call.out);
+  }
+
+  std::vector<std::string> not_proved() const {
+    const auto is_polygon = [](const Result& result) { return result.section.kind == SectionKind::polygon; };
+    if (std::any_of(results_.begin(), results_.end(), is_polygon)) return {"the area"};
+    return {};
   }
 
   Cost cost() const { return cost_; }
@@ -185,7 +193,7 @@ class SectionQuestion {
 
   void add_to(Json& json) const {
     json["objects"].push_back(to_json(*body_));
-    json["said_of"] = body_->shape == io::BodyShape::hull ? "hulls" : "bodies";
+    json["said_of"] = is_of_hull() ? "hulls" : "bodies";
     if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
     json["count"] = met();
     json["sections"] = Json::array();
@@ -196,6 +204,10 @@ class SectionQuestion {
   const SectionCall call;
 
  private:
+  static constexpr const char* hull_text = "the hull of the mesh, which is not convex";
+
+  bool is_of_hull() const { return body_->shape == io::BodyShape::hull; }
+
   // As parse_planes has it, or a file with a plane.
   void add_planes(const std::string& text) {
     if (!std::string_view(text).ends_with(".json")) {
@@ -305,7 +317,7 @@ Verb section_verb() {
             .required = true},
            {"--pose", &call->pose, fmt::format("where the body is: {}", pose_forms), "POSE"},
            {"-o,--out", &call->out, "write the sections here: .obj, or .wkt", "FILE"},
-           {"--method", &call->method, "automatic, scan", "NAME"},
+           {"--method", &call->method, method_names(methods), "NAME"},
            {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
            {"--leave-out", &call->leave_out, leave_out_help},
            {"--svg", &call->svg, "draw the sections here, each seen from where its normal points to", "FILE"},

@@ -1,4 +1,6 @@
-// sunder verify FILE...: are the certificates true?
+// sunder verify FILE...: are the certificates true? And are they made of these files?
+#include <sunder/ask/call_words.h>
+#include <sunder/ask/made_again.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 
@@ -13,6 +15,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,9 +38,9 @@ struct File {
   bool is_set = false;
   std::vector<std::pair<std::string, std::uint64_t>> accepted;  // how many of each verdict; "apart" or "none" first
   std::vector<std::size_t> refused;                             // numbers of statements
-  std::vector<InputFile> made_of, not_made_of;                  // of the files that it is held against
+  std::optional<std::string> not_made_of;  // where it is held against files: what shows that it is not; empty: it is
 
-  bool holds() const { return result.accepted() && not_made_of.empty(); }
+  bool holds() const { return result.accepted() && not_made_of.value_or("").empty(); }
 };
 
 bool is_pair(const StatementResult& result) {
@@ -45,11 +48,12 @@ bool is_pair(const StatementResult& result) {
 }
 
 // Throws Error bad_file where it cannot be read. against: is it made of these? Their names do not count.
-File verify(const std::string& name, const InputFiles& against, bool no_limit) {
+File verify(const std::string& name, std::span<const GivenInput> against, bool no_limit) {
   using sunder_verifier::Limit;
   File file;
   file.name = io::one_line(name);
-  file.result = sunder_verifier::verify_text(io::read_file(name), file.name, no_limit ? Limit::none : Limit::by_size);
+  const std::string bytes = io::read_file(name);
+  file.result = sunder_verifier::verify_text(bytes, file.name, no_limit ? Limit::none : Limit::by_size);
   if (!file.result.readable) {
     // The verifier's line begins with the place already.
     std::string text = file.result.error;
@@ -72,11 +76,10 @@ File verify(const std::string& name, const InputFiles& against, bool no_limit) {
     if (known == file.accepted.end()) known = file.accepted.insert(known, {io::one_line(statements[i].verdict), 0});
     ++known->second;
   }
-  const auto& named = file.result.inputs;
-  for (const InputFile& input : against) {
-    const bool is_named =
-        std::any_of(named.begin(), named.end(), [&](const auto& known) { return known.sha256 == input.sha256; });
-    (is_named ? file.made_of : file.not_made_of).push_back(input);
+  if (!against.empty() && file.result.failed_form.empty()) {
+    InputFiles inputs;
+    for (const auto& [input, sha256] : file.result.inputs) inputs.push_back({input, sha256});
+    file.not_made_of = difference_made_again(bytes, inputs, file.result.call, against);
   }
   return file;
 }
@@ -108,6 +111,16 @@ std::string counts_text(const File& file) {
   return text.empty() ? "" : fmt::format(" ({})", text);
 }
 
+// That reading is this program's has to be said: the checker knows tables only.
+std::string against_text(const File& file) {
+  const std::string& difference = *file.not_made_of;
+  std::string text = difference.empty()
+                         ? "  made of these files: this program, not the checker, reads the same tables from them, by\n"
+                         : fmt::format("  not made of these files: {}\n", difference);
+  if (!file.result.call.empty()) text += fmt::format("    {}\n", call_text(file.result.call));
+  return text;
+}
+
 std::string human_text(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   if (!result.failed_form.empty())
@@ -117,14 +130,13 @@ std::string human_text(const File& file) {
                                  count_of(result.statements.size(), file.is_set ? "statement" : "pair"),
                                  file.is_set && result.statements.size() <= most_told ? "" : counts_text(file));
   text += proved_text(file);
-  for (const InputFile& input : file.made_of) text += fmt::format("  made of {}\n", io::one_line(input.name));
-  for (const InputFile& input : file.not_made_of) {
-    text += fmt::format("  not made of {}: it names no file with its SHA-256, {}\n", io::one_line(input.name),
-                        input.sha256);
-  }
+  if (file.not_made_of) text += against_text(file);
   for (const std::string& what : result.left_out) text += fmt::format("  left out: {}\n", io::one_line(what));
   for (const sunder_verifier::FileInput& input : result.inputs) {
     text += fmt::format("  of {}, SHA-256 {}\n", io::one_line(input.name), input.sha256);
+  }
+  if (!result.call.empty() && !file.not_made_of) {
+    text += fmt::format("  said to be made by {}\n", call_text(result.call));
   }
   const std::size_t told = std::min(file.refused.size(), most_refused);
   for (const std::size_t i : std::span(file.refused).first(told)) {
@@ -147,8 +159,12 @@ Json report(const File& file) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     json["inputs"].push_back({{"file", input.name}, {"sha256", input.sha256}});
   }
-  for (const InputFile& input : file.made_of) json["made_of"].push_back(input.name);
-  for (const InputFile& input : file.not_made_of) json["not_made_of"].push_back(input.name);
+  if (!result.call.empty()) json["call"] = result.call;
+  if (file.not_made_of) {
+    json["against"] = {{"answer", file.not_made_of->empty() ? "made of these" : "not made of these"},
+                       {"read_by", "the program"}};
+    if (!file.not_made_of->empty()) json["against"]["why"] = *file.not_made_of;
+  }
   for (const StatementResult& statement : result.statements) {
     if (statement.accepted) json["proved"].push_back(statement.sentence);
   }
@@ -188,9 +204,9 @@ void not_checked(const std::vector<std::string>& names, const Error& error, Outc
 // Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
 int run(const Call& call) {
   Outcome outcome;
-  InputFiles against;
+  std::vector<GivenInput> against;
   try {
-    for (const std::string& name : call.against) io::read_file(name, &against);
+    for (const std::string& name : call.against) against.push_back(read_given(name));
   } catch (const Error& error) {
     not_checked(call.files, error, outcome);
   }
@@ -220,7 +236,10 @@ Verb verify_verb() {
           "Are these certificates true? Checked without the library.",
           "0 all accepted; 1 some refused",
           {{"FILE", &call->files, "certificate files", "", true},
-           {"--against", &call->against, "refuse what is not made of this file, too: its SHA-256 is not named", "FILE"},
+           {"--against", &call->against,
+            "refuse what is not made of these files: give all inputs that it names, in their order; the program reads "
+            "them again by the call that it names",
+            "FILE"},
            {"--no-limit", &call->no_limit, "check files that take long, too"},
            json_option(call->json)},
           [call] { return run(*call); }};

@@ -1,4 +1,6 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/error.h>
+#include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 
 #include <algorithm>
@@ -12,22 +14,10 @@ namespace {
 
 constexpr std::size_t kept = 1 << 16;       // bytes that wait to be given away
 constexpr std::size_t most_of_text = 4000;  // characters
-constexpr std::array<std::string_view, 5> parts{"", "inputs", "left_out", "tables", "statements"};
+constexpr int inputs_part = 1, call_part = 2, left_out_part = 3, said_part = 4, tables_part = 5, statements_part = 6;
+constexpr std::array<std::string_view, 7> parts{"", "inputs", "call", "left_out", "said", "tables", "statements"};
 
-// The length of the UTF-8 character that begins at text[i]; 0 where none does.
-std::size_t utf8_length(std::string_view text, std::size_t i) {
-  const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
-  const unsigned first = byte(i), second = byte(i + 1);
-  if (first < 0x80) return 1;
-  const std::size_t length = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if (byte(i + k) >> 6 != 2) return 0;
-  }
-  // Longer than need be, surrogates, beyond the last character.
-  if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f)) return 0;
-  if ((first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f)) return 0;
-  return length;
-}
+bool is_object(int part) { return part == said_part || part == tables_part; }
 
 void append_double(std::string& text, double x) {
   std::array<char, 40> digits;
@@ -77,26 +67,15 @@ std::string cut_text(const std::string& text) {
   return characters <= most_of_text ? text : text.substr(0, end) + dots;
 }
 
-std::string json_string(std::string_view text) {
-  std::string out = "\"";
-  for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
-    const char c = text[i];
-    length = utf8_length(text, i);
-    if (length != 1) {
-      out += length == 0 ? "\\ufffd" : text.substr(i, length);
-    } else if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      constexpr char digits[] = "0123456789abcdef";
-      out += "\\u00";
-      out += digits[static_cast<unsigned char>(c) >> 4];
-      out += digits[static_cast<unsigned char>(c) & 15];
-    } else {
-      out += c;
-    }
-  }
-  return out + '"';
+std::string json_double(double x) {
+  std::string text;
+  append_double(text, x);
+  return text;
+}
+
+void require_entries(std::size_t count) {
+  if (count > 0) return;
+  throw Error(ErrorCode::bad_shape, "nothing is left to prove something of; leave the proof out, or give more");
 }
 
 // ---- Structure.
@@ -131,41 +110,57 @@ void ClaimsWriter::close(std::string_view what) {
   is_first_ = false;
 }
 
-// Ends the part of the file that is open, and begins another.
+// Ends the part of the file that is open, and begins the next ones up to this: each is there but for `said`.
 void ClaimsWriter::go_to(int part) {
-  if (part_ == part) return;
-  if (part_ == 0) text_ += "{\"sunder_certificate\": 2";
-  if (part_ < 3 && part == 4) go_to(3);
-  if (part_ > 0) text_ += part_ == 3 ? "}" : "]";
-  text_ += ",\n \"";
-  text_ += parts[static_cast<std::size_t>(part)];
-  text_ += part == 3 ? "\": {" : "\": [";
-  part_ = part;
-  is_first_ = true;
+  while (part_ < part) {
+    text_ += part_ == 0 ? "{\"sunder_certificate\": 3" : is_object(part_) ? "}" : "]";
+    part_ += part_ + 1 == said_part && part != said_part ? 2 : 1;
+    text_ += ",\n \"";
+    text_ += parts[static_cast<std::size_t>(part_)];
+    text_ += is_object(part_) ? "\": {" : "\": [";
+    is_first_ = true;
+  }
 }
 
 void ClaimsWriter::add_origin(const Origin& origin) {
   for (const InputFile& file : origin.inputs) add_input(file.name, file.sha256);
+  for (const std::string& word : origin.call) add_call(word);
   for (const std::string& what : origin.left_out) add_left_out(what);
+  for (const SaidOfRows& said : origin.said) add_said(said);
 }
 
 void ClaimsWriter::add_input(const std::string& name, const std::string& sha256) {
   SUNDER_REQUIRE(!name.empty());
-  go_to(1);
+  go_to(inputs_part);
   begin_entry();
   text("name", cut_text(name));
   text("sha256", sha256);
   end_entry();
 }
 
+void ClaimsWriter::add_call(const std::string& word) {
+  go_to(call_part);
+  next();
+  text_ += json_string(cut_text(word));
+}
+
+void ClaimsWriter::add_said(const SaidOfRows& said) {
+  go_to(said_part);
+  key(said.table, true);
+  append_list(text_, said.parts, [](std::string& text, const std::pair<std::uint64_t, Said>& part) {
+    text.append("[").append(std::to_string(part.first)).append(", ").append(part.second.json()).append("]");
+  });
+  is_first_ = false;
+}
+
 void ClaimsWriter::add_left_out(const std::string& what) {
-  go_to(2);
+  go_to(left_out_part);
   next(true);
   text_ += json_string(cut_text(what));
 }
 
 void ClaimsWriter::begin_table(std::string_view name) {
-  go_to(3);
+  go_to(tables_part);
   key(name, true);
   text_ += '[';
   is_first_ = true;
@@ -176,16 +171,22 @@ void ClaimsWriter::add_row(std::span<const double> numbers) {
   append_list(text_, numbers, append_double);
 }
 
-void ClaimsWriter::end_table() { close("]"); }
+void ClaimsWriter::end_table() {
+  require_entries(is_first_ ? 0 : 1);
+  close("]");
+}
 
 void ClaimsWriter::begin_rows() { open("[", true); }
 
 void ClaimsWriter::end_rows() { close("]"); }
 
 void ClaimsWriter::begin_statement(std::string_view question) {
-  go_to(4);
+  go_to(statements_part);
   open("{", true);
   text("question", question);
+  if (notes_.empty()) return;
+  key("said");
+  text_.append("[").append(std::exchange(notes_, "")).append("]");
 }
 
 void ClaimsWriter::begin_claims() { begin_list("claims"); }
@@ -213,7 +214,7 @@ void ClaimsWriter::weights_claim(std::string_view kind, std::span<const Weight> 
 void ClaimsWriter::end_statement() { close("]}"); }
 
 void ClaimsWriter::end() {
-  go_to(4);
+  go_to(statements_part);
   text_ += "]}\n";
   flush(0);
 }
@@ -229,7 +230,12 @@ std::string claims_text(const Origin& origin, const std::function<void(ClaimsWri
 
 // ---- Members and entries.
 
-void ClaimsWriter::begin_entry() { open("{", true); }
+void ClaimsWriter::begin_entry() {
+  open("{", true);
+  if (part_ != tables_part || said_.empty()) return;
+  key("said");
+  text_ += std::exchange(said_, "");
+}
 
 void ClaimsWriter::end_entry() { close("}"); }
 

@@ -1,11 +1,14 @@
 // The writer of certificate files (docs/claims.md): tables, then statements with the claims that prove them. Numbers
 // are exact. It writes as it goes, and keeps nothing but what it has not yet given away.
-// None throws, but for want of memory, or what the sink throws. Cost: linear in what is written.
+// Throws only std::bad_alloc, what the sink throws, and what end_table() says. Cost: linear in what is written.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/certificate/said.h>
 #include <sunder/number/dyadic.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -25,7 +28,8 @@ struct Weight {
   Dyadic value;
 };
 
-// Calls follow the file: first what was left out, then tables, then statements, each with its members, then its claims.
+// Calls follow the file: inputs, the call, what was left out, what is said of rows, then tables, then statements, each
+// with its members, then its claims.
 class ClaimsWriter {
  public:
   explicit ClaimsWriter(TextSink sink) : sink_(std::move(sink)) {}
@@ -33,11 +37,20 @@ class ClaimsWriter {
   void add_origin(const Origin& origin);
   // What the tables were made of. Requires a name.
   void add_input(const std::string& name, const std::string& sha256);
+  // A word of the call that made it, as far as this says how inputs are read. Requires a text.
+  void add_call(const std::string& word);
   // What the file does not speak of. Cut to 4,000 characters, and then ends in "...".
   void add_left_out(const std::string& what);
+  // What the entries of a table of rows are made of. Each table comes once.
+  void add_said(const SaidOfRows& said);
+
+  // What is said of the next entry that begin_entry() begins in a table; of the next statement. Notes add up.
+  void say(const Said& said) { said_ = said.json(); }
+  void note(const SaidNote& note) { notes_ += (notes_.empty() ? "" : ", ") + note.json(); }
 
   void begin_table(std::string_view name);
   void add_row(std::span<const double> numbers);
+  // Throws as require_entries(), of the entries of the table.
   void end_table();
   // An entry that is a list of rows, each an add_row().
   void begin_rows();
@@ -91,8 +104,9 @@ class ClaimsWriter {
 
   TextSink sink_;
   std::string text_;
-  bool is_first_ = true;  // of the object or list that is open
-  int part_ = 0;          // 0: nothing yet, 1: inputs, 2: left out, 3: tables, 4: statements
+  bool is_first_ = true;      // of the object or list that is open
+  int part_ = 0;              // of the file; 0: nothing yet
+  std::string said_, notes_;  // of what comes next
 };
 
 // The file as one text: write(file) writes all but its end.
@@ -101,7 +115,10 @@ std::string claims_text(const Origin& origin, const std::function<void(ClaimsWri
 // The text, or its beginning and "...": at most 4,000 characters, where a byte that is not UTF-8 counts as one.
 std::string cut_text(const std::string& text);
 
-// A string of JSON, with its quotes. What is not UTF-8 becomes the replacement character.
-std::string json_string(std::string_view text);
+// Throws Error bad_shape where a proof would be about nothing: checkers refuse such statements.
+void require_entries(std::size_t count);
+
+// The double as a string of JSON.
+std::string json_double(double x);
 
 }  // namespace sunder

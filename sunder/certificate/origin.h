@@ -1,5 +1,8 @@
-// Where the tables of a certificate file come from (docs/claims.md, `inputs` and `left_out`). Neither is proved.
+// Where the tables of a certificate file come from (docs/claims.md, `inputs`, `call`, `left_out` and
+// `said`). Nothing of it is proved.
 #pragma once
+
+#include <sunder/certificate/said.h>
 
 #include <string>
 #include <vector>
@@ -18,6 +21,8 @@ using InputFiles = std::vector<InputFile>;
 struct Origin {
   InputFiles inputs{};                  // all that the tables were made of
   std::vector<std::string> left_out{};  // what of these the file does not speak of, in words
+  std::vector<std::string> call{};      // the words of the call that say how these are read
+  std::vector<SaidOfRows> said{};       // what the entries of tables of rows are made of
 };
 
 }  // namespace sunder

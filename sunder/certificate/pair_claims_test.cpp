@@ -127,7 +127,7 @@ TEST(PairClaimsTest, DoublesAreExact) {
   EXPECT_EQ(written.pairs.add_placed("first", 0, pose), 4u);
   EXPECT_FALSE(written.pairs.states_something());
   const json file = written.end();
-  EXPECT_EQ(file.at("sunder_certificate"), 2);
+  EXPECT_EQ(file.at("sunder_certificate"), 3);
   EXPECT_EQ(file.at("statements").size(), 0u);
   const json& bodies = file.at("tables").at("bodies");
   ASSERT_EQ(bodies.size(), 5u);

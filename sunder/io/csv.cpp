@@ -120,6 +120,18 @@ bool are_names(const CsvReader::Fields& fields, std::size_t count) {
   return ('a' <= first[0] && first[0] <= 'z') || first[0] == '_';
 }
 
+std::string geometry_column(const CsvReader::Fields& names) {
+  if (!are_names(names, 1)) return {};
+  std::vector<std::string> small;
+  for (const std::string_view name : names) small.push_back(in_small_letters(name));
+  const auto has = [&](const char* name) { return std::find(small.begin(), small.end(), name) != small.end(); };
+  if (has("x1") && has("y1") && has("x2") && has("y2")) return {};
+  for (const char* known : {"wkt", "geometry", "geom", "the_geom"}) {
+    if (has(known)) return known;
+  }
+  return {};
+}
+
 std::string CsvTable::needed_text() const { return fmt::format("{}", fmt::join(columns_.needed, ",")); }
 
 std::string CsvTable::known_text(const CsvReader::Fields& names) const {
@@ -228,7 +240,7 @@ void CsvTable::check_count(const CsvReader& reader) const {
 }
 
 double CsvTable::number(const CsvReader& reader, std::size_t needed) const {
-  const std::string_view word = reader.fields()[at_[needed]];
+  const std::string_view word = field(reader, needed);
   double value = 0;
   if (const char* problem = parse_number(word, value)) reader.fail(fmt::format("{} {}", quote(word), problem));
   return value;

@@ -71,6 +71,10 @@ class CsvReader {
 // Is this a record of names? None of the first `count` fields is a number, and the first begins as names do.
 bool are_names(const CsvReader::Fields& fields, std::size_t count);
 
+// The column of geometries as WKT, by its name in small letters: wkt, geometry, geom, the_geom; empty where the record
+// has no such name, or also x1,y1,x2,y2.
+std::string geometry_column(const CsvReader::Fields& names);
+
 // What columns a file has to have, in the order in which they stand where no names say otherwise.
 struct CsvColumns {
   std::vector<std::string_view> needed;   // "x1", "y1", "x2", "y2"
@@ -97,7 +101,8 @@ class CsvTable {
   void check_count(const CsvReader& reader) const;
 
   double number(const CsvReader& reader, std::size_t needed) const;  // needed: which of the columns
-  std::string name(const CsvReader& reader) const;                   // empty where there is none
+  std::string_view field(const CsvReader& reader, std::size_t needed) const { return reader.fields()[at_[needed]]; }
+  std::string name(const CsvReader& reader) const;  // empty where there is none
   bool groups() const { return group_column_ != none; }
   std::string_view group(const CsvReader& reader) const;  // requires groups(); throws Error bad_file where it is empty
   PropertyValues properties(const CsvReader& reader) const;  // all as text

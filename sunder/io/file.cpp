@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/io/file.h>
 #include <sunder/io/sha256.h>
 #include <sunder/io/text.h>
@@ -64,10 +65,52 @@ struct Unfinished {
 std::array<Unfinished, 16> unfinished;
 constexpr std::size_t no_slot = unfinished.size();
 
+const GivenFiles* given_files = nullptr;
+
 }  // namespace
+
+GivenFiles::GivenFiles(std::vector<File> files, Write write) : files_(std::move(files)), write_(std::move(write)) {
+  SUNDER_REQUIRE(given_files == nullptr);
+  given_files = this;
+}
+
+GivenFiles::~GivenFiles() { given_files = nullptr; }
+
+const GivenFiles* GivenFiles::now() { return given_files; }
+
+const std::string* GivenFiles::bytes_of(const fs::path& name) const {
+  const std::string wanted = name == standard_input ? "-" : name.string();
+  const auto found = std::find_if(files_.begin(), files_.end(), [&](const File& file) { return file.name == wanted; });
+  return found == files_.end() ? nullptr : found->bytes;
+}
+
+fs::path GivenFiles::name_with_end(const fs::path& end) const {
+  const std::vector<fs::path> wanted(end.begin(), end.end());
+  fs::path result;
+  for (const File& file : files_) {
+    const fs::path name = file.name;
+    const std::vector<fs::path> parts(name.begin(), name.end());
+    if (parts.size() < wanted.size() || !std::equal(wanted.rbegin(), wanted.rend(), parts.rbegin())) continue;
+    if (!result.empty()) return {};
+    result = name;
+  }
+  return result;
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code ignored;
+  if (given_files == nullptr) return fs::is_regular_file(path, ignored);
+  return given_files->bytes_of(path) != nullptr;
+}
 
 std::string read_file(const fs::path& path, InputFiles* inputs) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
+  if (given_files != nullptr) {
+    const std::string* bytes = given_files->bytes_of(path);
+    if (bytes == nullptr) fail_path(path, "is none of the files that are given; give all");
+    if (inputs != nullptr) add_to(*inputs, path, *bytes);
+    return *bytes;
+  }
   const fs::path source = path == "-" ? standard_input : path;
   std::error_code problem;
   const fs::file_status status = fs::status(source, problem);
@@ -96,6 +139,13 @@ std::string read_file(const fs::path& path, InputFiles* inputs) {
   return bytes;
 }
 
+void require_regular(const fs::path& path) {
+  std::error_code problem;
+  const fs::file_status status = fs::status(path, problem);
+  if (!fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status)) return;
+  fail_path(path, "is a pipe or a device, and a file that another one names is a regular file; copy it to one");
+}
+
 OutputFile::Slot::Slot() : number_(no_slot) {
   for (std::size_t k = 0; k < unfinished.size() && number_ == no_slot; ++k) {
     if (!unfinished[k].taken.exchange(true)) number_ = k;
@@ -118,6 +168,7 @@ void OutputFile::Slot::set(const std::string& name) {
 
 OutputFile::OutputFile(const fs::path& path) : path_(path) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
+  if (given_files != nullptr) return;
   if (path == "-") {
     errno = 0;
     if (const int copy = dup(STDOUT_FILENO); copy >= 0) file_.reset(fdopen(copy, "wb"));
@@ -165,12 +216,14 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view text) {
+  if (given_files != nullptr) return given_files->write(path_, text);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size()) return;
   fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));
 }
 
 void OutputFile::commit() {
+  if (given_files != nullptr) return;
   errno = 0;
   if (std::fclose(file_.release()) != 0) {
     fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));

@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunder::io {
 
@@ -19,6 +21,45 @@ namespace sunder::io {
 // inputs: where given, the name and the SHA-256 of what was read are added, unless they stand there already; standard
 // input, by either name, is named "-". Costs about as much as reading text.
 std::string read_file(const std::filesystem::path& path, InputFiles* inputs = nullptr);
+
+// For files that other files name: throws Error bad_file where it is a pipe or a device, so that no name in a file
+// makes a call wait for the one or read the other. What does not exist is left to who reads it.
+void require_regular(const std::filesystem::path& path);
+
+// Is there a regular file of this name?
+bool is_file(const std::filesystem::path& path);
+
+// While one of these is alive, files have other names: read_file and is_file know the names given here, and no others;
+// and what an OutputFile takes goes to `write` with its name, and to no file. So an answer is made again from files
+// that are elsewhere now, and nothing else is read or written.
+// One at a time. Threads that read and write meanwhile are started, and waited for, within its life.
+class GivenFiles {
+ public:
+  struct File {
+    std::string name;          // "-": standard input
+    const std::string* bytes;  // which outlive it
+  };
+  using Write = std::function<void(const std::filesystem::path& name, std::string_view text)>;
+
+  GivenFiles(std::vector<File> files, Write write);
+  ~GivenFiles();
+  GivenFiles(const GivenFiles&) = delete;
+  GivenFiles& operator=(const GivenFiles&) = delete;
+
+  // The one that is alive; null: none is, and names are those of files.
+  static const GivenFiles* now();
+
+  // Null: there is none of that name.
+  const std::string* bytes_of(const std::filesystem::path& name) const;
+  // The name that ends with these folders and this file: "robots/arm/link.stl" ends with "arm/link.stl". Empty where
+  // none does, or several do.
+  std::filesystem::path name_with_end(const std::filesystem::path& end) const;
+  void write(const std::filesystem::path& name, std::string_view text) const { write_(name, text); }
+
+ private:
+  std::vector<File> files_;
+  Write write_;
+};
 
 // A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
 // (what was there before stays, and no other file is left behind).

@@ -166,5 +166,39 @@ TEST_F(File, TellsWhyItCannotWrite) {
   EXPECT_EQ(file_count(), 0u);
 }
 
+TEST_F(File, GivenFilesHaveTheirNamesAndNoOthers) {
+  std::ofstream(folder_ / "there") << "on the disk";
+  const std::string first = "one", second = "two";
+  std::string written;
+  {
+    const GivenFiles given({{"a/b/link.stl", &first}, {"-", &second}, {"c/link.stl", &second}},
+                           [&](const fs::path& name, std::string_view text) {
+                             EXPECT_EQ(name, folder_ / "out");
+                             written += text;
+                           });
+    InputFiles inputs;
+    EXPECT_EQ(read_file("a/b/link.stl", &inputs), "one");
+    EXPECT_EQ(read_file("/dev/stdin", &inputs), "two");
+    ASSERT_EQ(inputs.size(), 2u);
+    EXPECT_EQ(inputs[0].name, "a/b/link.stl");
+    EXPECT_EQ(inputs[1].name, "-");
+    EXPECT_TRUE(is_file("-"));
+    EXPECT_FALSE(is_file(folder_ / "there"));
+    expect_error([&] { read_file(folder_ / "there"); }, (folder_ / "there").string(), "none of the files");
+    EXPECT_EQ(GivenFiles::now(), &given);
+    EXPECT_EQ(given.name_with_end("b/link.stl"), "a/b/link.stl");
+    EXPECT_EQ(given.name_with_end("link.stl"), "");    // of two
+    EXPECT_EQ(given.name_with_end("x/link.stl"), "");  // of none
+    OutputFile out(folder_ / "out");
+    out.write("a ");
+    out.write("proof");
+    out.commit();
+  }
+  EXPECT_EQ(GivenFiles::now(), nullptr);
+  EXPECT_EQ(written, "a proof");
+  EXPECT_EQ(file_count(), 1u);
+  EXPECT_EQ(read_file(folder_ / "there"), "on the disk");
+}
+
 }  // namespace
 }  // namespace sunder::io

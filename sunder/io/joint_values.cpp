@@ -69,9 +69,10 @@ JointValues read_joint_values(const std::string& file, InputFiles* inputs) {
   return joints;
 }
 
-std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(const std::string& file) {
+std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(const std::string& file,
+                                                                                InputFiles* inputs) {
   std::vector<std::pair<std::string, std::array<std::string, 2>>> pairs;
-  for (const auto& [place, line] : lines_of(file, nullptr)) {
+  for (const auto& [place, line] : lines_of(file, inputs)) {
     const std::size_t between = line.find_first_of(" \t,");
     const std::size_t second = line.find_first_not_of(" \t,", between);
     if (between == std::string::npos || second == std::string::npos) {

@@ -27,7 +27,8 @@ JointValues parse_joint_values(std::string_view text, const std::string& place);
 JointValues read_joint_values(const std::string& file, InputFiles* inputs = nullptr);
 
 // A file with two names a line, with blanks or a comma between them; '#' starts a comment. Each with its place,
-// "FILE:7". Throws Error.
-std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(const std::string& file);
+// "FILE:7". inputs: as of read_file. Throws Error.
+std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(const std::string& file,
+                                                                                InputFiles* inputs = nullptr);
 
 }  // namespace sunder::io

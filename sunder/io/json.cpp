@@ -37,14 +37,16 @@ std::string beginning(std::string text) {
 
 }  // namespace
 
-nlohmann::json parse_json(std::string_view text, std::string_view place) {
+nlohmann::json parse_json(std::string_view text, std::string_view place, std::uint32_t line) {
   try {
     return nlohmann::json::parse(text, refuser_of_repeated_keys(place));
   } catch (const nlohmann::json::exception& error) {  // not JSON, or a number beyond the doubles
     const std::string what = error.what();
     std::size_t at = what.find(" at line ");
     if (at == std::string::npos) at = what.find("] ") + 1;
-    fail_file(place, "is not JSON that can be read: " + beginning(one_line(what.substr(at + 1))));
+    const std::string why = "is not JSON that can be read: " + beginning(one_line(what.substr(at + 1)));
+    if (line > 0) fail_line(place, line, why);
+    fail_file(place, why);
   }
 }
 

@@ -64,4 +64,14 @@ std::vector<std::string> LeftOutList::texts() const {
   return texts;
 }
 
+std::vector<std::string> LeftOutList::texts_of(const std::string& file) const {
+  const std::string owner = one_line(std::filesystem::path(file).filename().string());
+  std::vector<std::string> texts;
+  for (const Kind& kind : kinds_) {
+    if (std::find(kind.of.begin(), kind.of.end(), owner) == kind.of.end()) continue;
+    texts.push_back(kind.of.size() == 1 ? counted(kind.count, kind.name) : "some of " + counted(kind.count, kind.name));
+  }
+  return texts;
+}
+
 }  // namespace sunder::io

@@ -40,6 +40,9 @@ class LeftOutList {
   // What a certificate says, kind by kind: "2 cylinders of a, b", "1 sphere of c".
   std::vector<std::string> texts() const;
 
+  // What of this was left out of this file; a number, where it is of no other file, too.
+  std::vector<std::string> texts_of(const std::string& file) const;
+
   struct Kind {
     std::string name;
     std::uint64_t count = 0;

@@ -35,29 +35,6 @@ void add_row(const CsvReader& reader, const CsvTable& table, bool are_intervals,
   builder.add({first, 0}, {second, 0});
 }
 
-void parse_csv(std::string_view text, LineBuilder& builder) {
-  const CsvColumns of_segments{{"x1", "y1", "x2", "y2"}, {}, "segments"},
-      of_intervals{{"low", "high"}, {}, "intervals"};
-  const LineOptions& options = builder.options();
-  std::optional<CsvTable> table;
-  CsvReader reader(text, builder.place(), options.progress);
-  bool are_intervals = false;
-  while (reader.next()) {
-    if (reader.is_first()) {
-      are_intervals = name_intervals(reader.fields());
-      table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group, options.properties);
-      const bool names = table->begin(reader, builder.place(), options.drop_z, true);
-      if (!options.group.empty()) builder.group_by(table->groups() ? GroupBy::field : GroupBy::feature);
-      if (names) continue;
-    }
-    table->check_count(reader);
-    builder.begin_feature(table->name(reader), reader.line());
-    if (!options.properties.empty()) builder.property_values(table->properties(reader));
-    if (table->groups()) builder.group_value(std::string(table->group(reader)));
-    add_row(reader, *table, are_intervals, builder);
-  }
-}
-
 constexpr std::array<std::string_view, 7> read_kinds{
     "LINESTRING", "MULTILINESTRING", "POLYGON", "MULTIPOLYGON", "POINT", "MULTIPOINT", "GEOMETRYCOLLECTION"};
 constexpr std::array<std::string_view, 10> other_kinds{
@@ -69,7 +46,16 @@ bool is_letter(char c) { return 'A' <= upper(c) && upper(c) <= 'Z'; }
 // Geometries in WKT, one after the other.
 class Wkt {
  public:
-  Wkt(std::string_view text, LineBuilder& builder) : rest_(text), size_(text.size()), builder_(builder) {}
+  // line: of the file, on which the text begins.
+  Wkt(std::string_view text, LineBuilder& builder, std::uint32_t line = 1)
+      : rest_(text), size_(text.size()), builder_(builder), line_(line) {}
+
+  // A geometry that is all of the text; its feature has begun.
+  void parse_one() {
+    begun_ = line_;
+    geometry(true, 0);
+    if (skip_blanks()) builder_.fail(fmt::format("{} stands after the geometry", quote(rest_of_line())));
+  }
 
   void parse() {
     builder_.group_by_feature_or_ring();
@@ -84,9 +70,6 @@ class Wkt {
         builder_.fail(fmt::format("{} stands after the geometry", quote(rest_of_line())));
       }
     }
-    if (srids_ == 0) return;
-    builder_.file.remarks.push_back(
-        fmt::format("lines with an SRID: {}; it is passed over: coordinates count as those of a plane", srids_));
   }
 
  private:
@@ -94,8 +77,7 @@ class Wkt {
     if (depth == 100) builder_.fail("has collections nested 100 deep; unpack them");
     std::string type = word();
     if (whole && type == "SRID") {
-      pass_srid();
-      ++srids_;
+      builder_.system(system_by_srid(srid()));
       type = word();
     }
     std::string tag = word();
@@ -163,7 +145,7 @@ class Wkt {
   }
 
   // Behind the "SRID" of "SRID=4326;".
-  void pass_srid() {
+  std::int64_t srid() {
     const bool equals = take('=');
     const std::size_t end = std::min(rest_.find(';'), rest_.size());
     std::int64_t number = 0;
@@ -171,6 +153,7 @@ class Wkt {
       builder_.fail("SRID is not followed by =, a number and a semicolon; write them, or leave SRID out");
     }
     rest_.remove_prefix(end + 1);
+    return number;
   }
 
   // The tag that is written to the type without a blank, as in POLYGONZ, cut off it.
@@ -225,10 +208,16 @@ class Wkt {
 
   // Is the part of a geometry that begins here EMPTY?
   bool empty_part() {
+    if (!is_empty()) return false;
+    builder_.add_nothing();
+    return true;
+  }
+
+  // Takes the word EMPTY, where one stands.
+  bool is_empty() {
     if (!skip_blanks() || !is_letter(rest_[0])) return false;
     const std::string found = word();
     if (found != "EMPTY") builder_.fail(fmt::format("{} stands where '(' or EMPTY is expected", quote(found)));
-    builder_.add_nothing();
     return true;
   }
 
@@ -236,6 +225,7 @@ class Wkt {
     if (several && empty_part()) return;
     builder_.begin_polygon(several);
     list([&] {
+      if (is_empty()) return builder_.add_empty_ring();
       builder_.begin_ring();
       builder_.add_ring(points());
     });
@@ -264,9 +254,62 @@ class Wkt {
   std::string_view rest_;
   std::size_t size_;
   LineBuilder& builder_;
-  std::uint32_t line_ = 1, begun_ = 1, srids_ = 0;
+  std::uint32_t line_, begun_ = 1;
   bool last_was_return_ = false;
 };
+
+// CSV with a geometry in each record, behind the names.
+void parse_geometries(CsvReader& reader, const std::string& column, LineBuilder& builder) {
+  builder.file.format = "CSV with WKT";
+  const CsvColumns columns{{column}, {}, "geometries"};
+  const LineOptions& options = builder.options();
+  const auto& names = reader.fields();
+  const bool by_ring = options.group == "ring" && std::find(names.begin(), names.end(), "ring") == names.end();
+  const std::string group = by_ring ? "" : options.group;
+  CsvTable table(columns, options.name, group, options.properties);
+  table.begin(reader, builder.place(), options.drop_z, true);
+  if (!options.group.empty()) {
+    builder.group_by(by_ring ? GroupBy::ring : table.groups() ? GroupBy::field : GroupBy::feature);
+  }
+  while (reader.next()) {
+    table.check_count(reader);
+    builder.begin_feature(table.name(reader), reader.line());
+    if (!options.properties.empty()) builder.property_values(table.properties(reader));
+    if (table.groups()) builder.group_value(std::string(table.group(reader)));
+    const std::string_view geometry = table.field(reader, 0);
+    if (is_hexadecimal_wkb(geometry)) reader.fail("the geometry is hexadecimal WKB; write WKT: SELECT ST_AsEWKT(geom)");
+    geometry.empty() ? builder.add_nothing() : Wkt(geometry, builder, reader.line()).parse_one();
+  }
+}
+
+void parse_csv(std::string_view text, LineBuilder& builder) {
+  const CsvColumns of_segments{{"x1", "y1", "x2", "y2"}, {}, "segments"},
+      of_intervals{{"low", "high"}, {}, "intervals"};
+  const LineOptions& options = builder.options();
+  std::optional<CsvTable> table;
+  CsvReader reader(text, builder.place(), options.progress);
+  bool are_intervals = false;
+  while (reader.next()) {
+    if (reader.is_first()) {
+      const std::string geometry = geometry_column(reader.fields());
+      if (!geometry.empty()) return parse_geometries(reader, geometry, builder);
+      if (!options.lines) {
+        reader.fail(
+            "CSV has polygons in a column of WKT, named wkt, geometry or geom; for segments, ask sunder segments");
+      }
+      are_intervals = name_intervals(reader.fields());
+      table.emplace(are_intervals ? of_intervals : of_segments, options.name, options.group, options.properties);
+      const bool names = table->begin(reader, builder.place(), options.drop_z, true);
+      if (!options.group.empty()) builder.group_by(table->groups() ? GroupBy::field : GroupBy::feature);
+      if (names) continue;
+    }
+    table->check_count(reader);
+    builder.begin_feature(table->name(reader), reader.line());
+    if (!options.properties.empty()) builder.property_values(table->properties(reader));
+    if (table->groups()) builder.group_value(std::string(table->group(reader)));
+    add_row(reader, *table, are_intervals, builder);
+  }
+}
 
 }  // namespace
 
@@ -277,7 +320,7 @@ LinesFormat lines_format(std::string_view text, std::string_view place) {
   if (ending == ".csv") return LinesFormat::csv;
   if (ending == ".wkt") return LinesFormat::wkt;
   if (ending == ".geojson" || ending == ".json") return LinesFormat::geojson;
-  if (text.starts_with('{') || text.starts_with('[')) return LinesFormat::geojson;
+  if (text.starts_with('{') || text.starts_with('[') || text.starts_with('\x1e')) return LinesFormat::geojson;
   const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
   const bool is_table = line.find(',') < line.find('(');  // names of columns
   return !line.empty() && is_letter(line[0]) && !is_table ? LinesFormat::wkt : LinesFormat::csv;
@@ -308,7 +351,6 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
     Wkt(text, builder).parse();
   } else {
     builder.file.format = "CSV";
-    if (!options.lines) fail_file(place, "CSV has no polygons here; for segments, ask sunder segments");
     parse_csv(text, builder);
   }
   const bool has_fields = builder.file.format != "WKT";
@@ -319,6 +361,7 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
     throw Error(ErrorCode::bad_call, "WKT has no properties to tell of; leave them out", one_line(place));
   }
   builder.tell_of_nothing();
+  if (format != LinesFormat::geojson) builder.rest_in({});
   if (builder.file.segments.empty() && builder.file.broken.empty()) {
     const char* const wanted = options.points ? "objects" : options.lines ? "segments" : "polygons";
     fail_file(place, fmt::format("has no {0}; give a file with {0}", wanted));
@@ -327,7 +370,29 @@ LineFile parse_lines(std::string_view text, std::string_view place, const LineOp
 }
 
 LineFile read_lines(const std::filesystem::path& path, const LineOptions& options) {
-  return parse_lines(read_file(path, options.inputs), path.string(), options);
+  LineFile file = parse_lines(read_file(path, options.inputs), path.string(), options);
+  const auto is_declared = [](const SystemOfFile& s) { return s.system.declared(); };
+  const bool is_known = std::all_of(file.systems.begin(), file.systems.end(), is_declared);
+  if (file.format != "GeoJSON" && !is_known) file.declare(system_beside(path, options.inputs));
+  return file;
+}
+
+void LineFile::declare(const CoordinateSystem& known) {
+  if (!known.declared()) return;
+  const auto is = [](const std::string& id) { return [&](const SystemOfFile& s) { return s.system.id == id; }; };
+  const auto none = std::find_if(systems.begin(), systems.end(), is(""));
+  if (none == systems.end()) return;
+  const auto same = std::find_if(systems.begin(), systems.end(), is(known.id));
+  none->system = known;
+  if (same == systems.end()) return;
+  // Each stands there once: what was not declared goes to the other one.
+  const auto from = static_cast<std::uint32_t>(none - systems.begin()),
+             to = static_cast<std::uint32_t>(same - systems.begin());
+  for (std::uint32_t& s : system) {
+    if (s == from) s = to;
+    if (s > from) --s;
+  }
+  systems.erase(none);
 }
 
 void fail_group(std::string_view file, std::string_view group, std::string_view known) {

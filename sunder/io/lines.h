@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/coordinate_system.h>
 #include <sunder/io/left_out.h>
 #include <sunder/io/property.h>
 #include <sunder/planar/object/segments.h>
@@ -52,12 +53,15 @@ struct BrokenRing {
   std::uint32_t ring = 0;      // how many rings of the file stand before it
   std::uint32_t polygon = 0;   // as of LineRing
   std::uint32_t group = 0;     // a position in groups; meaningless where there are none
+  std::uint32_t line = 0;      // as of LineSource
+  std::string remedy;          // "repeat its first point at its end"
+  bool is_open = false;        // three corners and more, and no end; else too few corners
 };
 
 // Where a segment is from.
 struct LineSource {
   std::uint32_t feature = 0;  // counted from 0
-  std::uint32_t line = 0;     // of the file, from 1; 0 where the format does not tell (GeoJSON)
+  std::uint32_t line = 0;     // of the file, from 1; 0 where the format does not tell (GeoJSON that is one object)
 };
 
 // The edges of a ring: segments[first .. first + count), in its direction.
@@ -88,6 +92,11 @@ struct LineFile {
   std::vector<BrokenRing> broken;     // in the order of the file
   std::string format;                 // for people: "WKT"
   std::vector<PropertyValues> properties;  // of each feature; empty unless some were asked for
+  std::vector<SystemOfFile> systems;       // each once, one that is not declared too; of a board none
+  std::vector<std::uint32_t> system;       // of each feature a position in systems; of a board none
+
+  // Those features are in this system that declare none.
+  void declare(const CoordinateSystem& system);
 };
 
 // Reads the file whole; its format is told by its first letters "(kicad_", by its ending (.csv, .wkt, .geojson, .json,
@@ -95,12 +104,14 @@ struct LineFile {
 //   CSV      x1,y1,x2,y2 and, if there is one, an id; a line is a feature. Where a first line names the columns, these
 //            are found by their names, in any order, and any others may stand beside them; the id is the one named
 //            "name" or "id" (also Name, NAME, ...), else the first other. Names that do not hold these are refused.
-//            Splitting as in csv.h.
+//            Splitting as in csv.h. Or a geometry of WKT in each line, in a column that the first line names wkt,
+//            geometry, geom or the_geom: then columns may be grouped by, and "ring".
 //   WKT      geometries, each beginning on a line of its own: LINESTRING, MULTILINESTRING, POLYGON, MULTIPOLYGON,
 //            GEOMETRYCOLLECTION. Each is a feature, and may go over several lines; source has the first.
-//            "SRID=4326;" before it is passed over, with a remark.
-//   GeoJSON  the same geometries. The first there is of the properties "name", "Name", "NAME", the feature's "id", and
-//            the properties "id", "ID", "Id" names a feature. A key may not stand twice in an object.
+//            "SRID=4326;" before it is its coordinate system.
+//   GeoJSON  the same geometries; also an object on each line, and records of RFC 8142. The first that there is
+//            of the properties "name", "Name", "NAME", the feature's "id", and the properties "id", "ID", "Id" names a
+//            feature. A key may not stand twice in an object.
 //            Also plain JSON that is a list of rings: one polygon, whose rings need not repeat their first point.
 // A feature whose geometry is null or empty has no segments; a remark tells how many there are. Where an own field
 // names features, one without it is named by its number; Error bad_call where none has it, or the format has no fields.
@@ -109,10 +120,16 @@ struct LineFile {
 // Lines of two points or more, and the edges of rings, become segments. A ring must end where it began. A third
 // coordinate is refused unless drop_z. Empty lines are skipped. Messages and names count rings and polygons from 0.
 //
+// Coordinate systems: of WKT the SRID, else that of the .prj beside the file, as of CSV (read_lines only). Of GeoJSON
+// "crs" of the whole, a feature or a geometry, else JSON-FG's "coordRefSys"; where nothing is declared, CRS84 if all
+// numbers of the file are within 180 and 90, else none.
+// JSON-FG: a feature's "place", where it is an object, is its geometry, in the system "coordRefSys", with a remark;
+// the "geometry" of other features is then in another system.
+//
 // Groups: "feature" puts the segments of a feature together, "ring" those of a ring or of an open line (not in CSV).
 // In CSV any column behind the fourth may be named instead, also one named "feature"; in GeoJSON any other property,
-// whose value is text, a number, true or false. Values are the same where they are written the same. Each line and
-// feature must have one.
+// whose value is a number, true, false, or text that is not empty. Values are the same where they are written the same.
+// Each line and feature must have one.
 // Throws Error bad_file: "FILE:LINE: what; remedy"; bad_call where the file has no such group. Cost: linear.
 LineFile read_lines(const std::filesystem::path& path, const LineOptions& options = {});
 

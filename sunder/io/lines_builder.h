@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -46,6 +47,7 @@ class LineBuilder {
     lines_ = polygons_of_feature_ = 0;
     in_ring_ = false;
     file.features.push_back(name.empty() ? std::to_string(file.features.size() + 1) : std::move(name));
+    file.system.push_back(no_system);
     if (group_by_ == GroupBy::feature) begin_group(file.features.back());
   }
 
@@ -54,6 +56,24 @@ class LineBuilder {
 
   // For messages; segments have the line on which their feature begins.
   void at_line(std::uint32_t line) { at_line_ = line; }
+
+  // That of the feature; it may be told again, and then holds.
+  void system(const CoordinateSystem& system) {
+    if (!system.declared()) return;
+    const auto [found, is_new] = systems_.try_emplace(system.id, static_cast<std::uint32_t>(file.systems.size()));
+    if (is_new) file.systems.push_back({system, owner()});
+    file.system.back() = found->second;
+  }
+
+  // To be called at the end: the system of features that declare none; owner of the first of them as above.
+  void rest_in(const CoordinateSystem& system) {
+    const auto first = std::find(file.system.begin(), file.system.end(), no_system);
+    if (first == file.system.end()) return;
+    const auto feature = static_cast<std::size_t>(first - file.system.begin());
+    const auto [found, is_new] = systems_.try_emplace(system.id, static_cast<std::uint32_t>(file.systems.size()));
+    if (is_new) file.systems.push_back({system, fmt::format("feature {}", quote(file.features[feature]))});
+    std::replace(first, file.system.end(), no_system, found->second);
+  }
 
   // Something of another kind: "point", "line".
   void leave_out(const std::string& kind) {
@@ -69,8 +89,21 @@ class LineBuilder {
     if (empty_++ == 0) first_empty_ = owner();
   }
 
+  // A ring that holds nothing: a hole that is none; or an outer ring, behind which nothing may follow.
+  void add_empty_ring() {
+    if (rings_ == 0) {
+      is_hollow_ = true;
+      return add_nothing();
+    }
+    if (empty_rings_++ == 0) first_empty_ring_ = owner();
+  }
+
   // To be called at the end.
   void tell_of_nothing() {
+    if (empty_rings_ > 0) {
+      file.remarks.push_back(
+          fmt::format("holes that are empty: {}, the first of {}; they hold nothing", empty_rings_, first_empty_ring_));
+    }
     if (empty_ == 0) return;
     file.remarks.push_back(
         fmt::format("geometries that are null or empty: {}, the first of {}; they hold nothing", empty_, first_empty_));
@@ -95,11 +128,13 @@ class LineBuilder {
     ++polygons_;
     ++polygons_of_feature_;
     rings_ = 0;
+    is_hollow_ = false;
     several_ = several || polygons_of_feature_ > 1;
   }
 
   // Until the ring is added, errors name it.
   void begin_ring() {
+    if (is_hollow_) fail("the outer ring is empty, and a hole follows; give the outer ring, or leave the polygon out");
     ++rings_;
     in_ring_ = true;
   }
@@ -128,8 +163,10 @@ class LineBuilder {
       if (!options_.keep_broken) fail(what);
       const auto feature = static_cast<std::uint32_t>(file.features.size() - 1);
       if (next_group_) enter_group();
-      file.broken.push_back({feature, fmt::format("{}: {}", ring_name(), what.substr(0, what.find(';'))), points,
-                             static_cast<std::uint32_t>(file.rings.size()), polygons_ - 1, group_});
+      const std::size_t end = what.find("; ");
+      file.broken.push_back({feature, fmt::format("{}: {}", ring_name(), what.substr(0, end)), points,
+                             static_cast<std::uint32_t>(file.rings.size()), polygons_ - 1, group_, line_,
+                             what.substr(end + 2), corners >= 3});
       in_ring_ = false;
       return;
     }
@@ -158,6 +195,8 @@ class LineBuilder {
   LineFile file;
 
  private:
+  static constexpr std::uint32_t no_system = std::numeric_limits<std::uint32_t>::max();
+
   void begin_group(std::string name) {
     next_group_ = std::move(name);
     value_groups_ = false;
@@ -188,12 +227,12 @@ class LineBuilder {
   GroupBy group_by_ = GroupBy::nothing;
   std::uint32_t line_ = 0, at_line_ = 0, group_ = 0;                              // line_: on which the feature begins
   std::uint32_t lines_ = 0, polygons_ = 0, polygons_of_feature_ = 0, rings_ = 0;  // so far; rings: of the polygon
-  bool several_ = false, in_ring_ = false;
-  std::uint64_t empty_ = 0;
-  std::string first_empty_;
-  std::optional<std::string> next_group_;                  // of what comes now, until its first segment
-  bool value_groups_ = false;                              // is it a value, which may have come before?
-  std::unordered_map<std::string, std::uint32_t> groups_;  // by value
+  bool several_ = false, in_ring_ = false, is_hollow_ = false;
+  std::uint64_t empty_ = 0, empty_rings_ = 0;
+  std::string first_empty_, first_empty_ring_;
+  std::optional<std::string> next_group_;                            // of what comes now, until its first segment
+  bool value_groups_ = false;                                        // is it a value, which may have come before?
+  std::unordered_map<std::string, std::uint32_t> groups_, systems_;  // by value; by id
 };
 
 }  // namespace sunder::io

@@ -1,4 +1,5 @@
 #include <sunder/base/error.h>
+#include <sunder/io/csv.h>
 #include <sunder/io/json_internal.h>
 #include <sunder/io/lines_geojson.h>
 #include <sunder/io/text.h>
@@ -7,6 +8,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <vector>
@@ -14,6 +18,37 @@
 namespace sunder::io {
 
 namespace {
+
+// An object of a file that is a sequence of them.
+struct JsonRecord {
+  std::string_view text;
+  std::uint32_t line = 0;
+};
+
+// The lines of newline-delimited GeoJSON, the records of RFC 8142; none where the text is one JSON value.
+std::vector<JsonRecord> records_of(std::string_view text) {
+  constexpr char separator = '\x1e';
+  std::vector<JsonRecord> lines;  // that are not blank
+  for_each_line(text, [&](std::string_view line, std::uint32_t number) { lines.push_back({line, number}); });
+  if (lines.empty()) return {};
+  const std::string_view first = lines[0].text;
+  if (!first.starts_with(separator)) {
+    // An object ends with the line, and the next line begins with one: no JSON value goes on so.
+    const bool several =
+        lines.size() > 1 && first.starts_with('{') && first.ends_with('}') && lines[1].text.starts_with('{');
+    return several ? lines : std::vector<JsonRecord>();
+  }
+  std::vector<JsonRecord> records;  // each goes on up to the next separator
+  for (const auto& [line, number] : lines) {
+    if (line.starts_with(separator)) {
+      records.push_back({line.substr(1), number});
+    } else {
+      std::string_view& record = records.back().text;
+      record = {record.data(), static_cast<std::size_t>(line.data() + line.size() - record.data())};
+    }
+  }
+  return records;
+}
 
 class GeoJson {
  public:
@@ -23,19 +58,19 @@ class GeoJson {
   }
 
   void parse(std::string_view text) {
-    const nlohmann::json top = parse_json(text, builder_.place());
-    if (top.is_array() && !top.empty() && top[0].is_array()) {
-      builder_.group_by_feature_or_ring();
-      builder_.begin_feature({}, 0);
-      builder_.begin_polygon();
-      for (const nlohmann::json& ring : top) add_ring(ring, true);
-    } else if (type_of(top) == "FeatureCollection") {
-      const auto features = top.find("features");
-      if (features == top.end() || !features->is_array()) builder_.fail("the collection has no list \"features\"");
-      for (const nlohmann::json& feature : *features) add_feature(feature);
+    const std::vector<JsonRecord> records = records_of(text);
+    if (!records.empty()) {
+      for (const auto& [record, line] : records) add_top(parse_json(record, builder_.place(), line), line);
     } else {
-      add_feature(top);
+      const nlohmann::json top = parse_json(text, builder_.place());
+      const bool is_rings = top.is_array() && !top.empty() && top[0].is_array();
+      is_rings ? add_rings(top) : add_top(top, 0);
     }
+    if (places_ > 0) {
+      builder_.file.remarks.push_back(
+          fmt::format("geometries out of \"place\" of JSON-FG: {}; axes are taken as they stand", places_));
+    }
+    builder_.rest_in(in_degrees_ ? assumed_crs84() : CoordinateSystem());
     if (!named_ && !builder_.options().name.empty()) fail_name();
     for (const std::string& property : properties_) {
       if (!known_.contains(property)) fail_property(property);
@@ -43,6 +78,93 @@ class GeoJson {
   }
 
  private:
+  // Plain JSON that is a list of rings.
+  void add_rings(const nlohmann::json& rings) {
+    builder_.group_by_feature_or_ring();
+    builder_.begin_feature({}, 0);
+    builder_.begin_polygon();
+    for (const nlohmann::json& ring : rings) add_ring(ring, true);
+    in_degrees_ = false;  // it is no GeoJSON
+  }
+
+  // Of a file, or of a line of one: 0 where the file is one object.
+  void add_top(const nlohmann::json& top, std::uint32_t line) {
+    line_ = line;
+    builder_.at_line(line);
+    const bool several = type_of(top) == "FeatureCollection";
+    const auto features = top.find("features");
+    if (several && (features == top.end() || !features->is_array())) {
+      builder_.fail("the collection has no list \"features\"");
+    }
+    const auto has_place = [](const nlohmann::json& item) { return place_of(item) != nullptr; };
+    const bool places = several ? std::any_of(features->begin(), features->end(), has_place) : has_place(top);
+    const Systems systems = declared(top, {{}, {}, places});
+    if (!several) return add_feature(top, systems);
+    for (const nlohmann::json& feature : *features) add_feature(feature, systems);
+  }
+
+  // What is declared so far: by "crs", and by "coordRefSys", which speaks of "place", where features have one.
+  struct Systems {
+    CoordinateSystem crs, reference;
+    bool places = false;
+
+    const CoordinateSystem& of_geometry() const { return crs.declared() || places ? crs : reference; }
+  };
+
+  // With what this object declares itself.
+  Systems declared(const nlohmann::json& item, Systems systems) const {
+    if (const auto crs = item.find("crs"); crs != item.end()) systems.crs = system_of_crs(*crs);
+    const auto reference = item.find("coordRefSys");
+    if (reference != item.end()) systems.reference = system_by_name(reference_of(*reference));
+    return systems;
+  }
+
+  // null declares none.
+  CoordinateSystem system_of_crs(const nlohmann::json& crs) const {
+    if (crs.is_null()) return {};
+    if (crs.is_string()) return system_by_name(crs.get<std::string>());
+    const auto properties = crs.find("properties");
+    if (crs.is_object() && properties != crs.end() && properties->is_object()) {
+      for (const char* key : {"name", "href", "code"}) {
+        const auto value = properties->find(key);
+        if (value == properties->end()) continue;
+        if (value->is_number_unsigned() && key == std::string_view("code")) {
+          return system_by_name("EPSG:" + value->dump());
+        }
+        if (value->is_string()) return system_by_name(value->get<std::string>());
+      }
+    }
+    builder_.fail(
+        "\"crs\" names no coordinate system; write {\"type\":\"name\",\"properties\":{\"name\":\"EPSG:...\"}}, or "
+        "leave it "
+        "out");
+  }
+
+  // A name, a reference, or a list of these.
+  std::string reference_of(const nlohmann::json& reference) const {
+    if (reference.is_null()) return {};
+    if (reference.is_string()) return reference.get<std::string>();
+    if (reference.is_object() && reference.contains("href") && reference["href"].is_string()) {
+      return reference["href"].get<std::string>();
+    }
+    if (!reference.is_array() || reference.empty()) {
+      builder_.fail("\"coordRefSys\" names no coordinate system; give its URI, or leave it out");
+    }
+    std::string all;
+    for (const nlohmann::json& part : reference) {
+      if (part.is_array()) builder_.fail("\"coordRefSys\" is a list of lists; give URIs");
+      all += (all.empty() ? "" : " + ") + reference_of(part);
+    }
+    return all;
+  }
+
+  // What JSON-FG has beside "geometry"; null where it is none.
+  static const nlohmann::json* place_of(const nlohmann::json& feature) {
+    if (!feature.is_object()) return nullptr;
+    const auto place = feature.find("place");
+    return place != feature.end() && place->is_object() && place->contains("type") ? &*place : nullptr;
+  }
+
   std::string type_of(const nlohmann::json& item) const {
     if (!item.is_object()) builder_.fail("is no GeoJSON: an object with a \"type\" is expected");
     const auto type = item.find("type");
@@ -66,7 +188,12 @@ class GeoJson {
       builder_.fail(fmt::format("has no property {}; give it one{}", quote(group_),
                                 builder_.options().lines ? ", or group by feature or ring" : ""));
     }
-    if (value->is_string()) return value->get<std::string>();
+    if (value->is_string()) {
+      if (value->get_ref<const std::string&>().empty()) {
+        builder_.fail(fmt::format("has no text in the property {}; give one", quote(group_)));
+      }
+      return value->get<std::string>();
+    }
     if (!value->is_number() && !value->is_boolean()) {
       builder_.fail(
           fmt::format("property {} is neither text nor a number, true or false; give it one of these", quote(group_)));
@@ -135,16 +262,30 @@ class GeoJson {
         one_line(builder_.place()));
   }
 
-  void add_feature(const nlohmann::json& item) {
+  void add_feature(const nlohmann::json& item, const Systems& of_all) {
     const bool wrapped = type_of(item) == "Feature";
-    builder_.begin_feature(wrapped ? name_of(item) : std::string(), 0);
+    builder_.begin_feature(wrapped ? name_of(item) : std::string(), line_);
     if (!properties_.empty()) builder_.property_values(properties_of(item, wrapped));
     if (by_name(group_) == GroupBy::field) builder_.group_value(group_of(item, wrapped));
-    if (!wrapped) return add_geometry(item);
+    const Systems systems = declared(item, of_all);
+    if (!wrapped) return add_whole(item, systems.of_geometry());
+    if (const nlohmann::json* place = place_of(item)) {
+      ++places_;
+      return add_whole(*place, systems.reference);
+    }
     const auto geometry = item.find("geometry");
     if (geometry == item.end()) builder_.fail("has no \"geometry\"; give it, or null");
-    if (geometry->is_null()) return builder_.add_nothing();
-    add_geometry(*geometry);
+    if (geometry->is_null()) {
+      builder_.system(systems.crs.declared() ? systems.crs : systems.reference);
+      return builder_.add_nothing();
+    }
+    add_whole(*geometry, declared(*geometry, systems).of_geometry());
+  }
+
+  // The geometry of a feature.
+  void add_whole(const nlohmann::json& geometry, const CoordinateSystem& system) {
+    builder_.system(system);
+    add_geometry(geometry);
   }
 
   void add_geometry(const nlohmann::json& item, int depth = 0) {
@@ -158,6 +299,7 @@ class GeoJson {
     }
     const bool point = type == "Point" || type == "MultiPoint";
     const bool line = type == "LineString" || type == "MultiLineString";
+    if (of_json_fg(type)) return builder_.leave_out(type);
     if (!point && !line && type != "Polygon" && type != "MultiPolygon") {
       builder_.fail(fmt::format("geometry {} is not one of GeoJSON; give lines and polygons", quote(type)));
     }
@@ -180,10 +322,21 @@ class GeoJson {
     }
   }
 
+  // What JSON-FG has more: solids and curves.
+  static bool of_json_fg(const std::string& type) {
+    constexpr std::array<std::string_view, 9> types{"Polyhedron",   "MultiPolyhedron", "Prism",
+                                                    "MultiPrism",   "CircularString",  "CompoundCurve",
+                                                    "CurvePolygon", "MultiCurve",      "MultiSurface"};
+    return std::find(types.begin(), types.end(), type) != types.end();
+  }
+
   void add_polygon(const nlohmann::json& rings, bool several) {
     builder_.begin_polygon(several);
     if (!rings.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
-    for (const nlohmann::json& ring : rings) add_ring(ring, false);
+    for (const nlohmann::json& ring : rings) {
+      const bool is_empty = ring.is_array() && ring.empty();
+      is_empty ? builder_.add_empty_ring() : add_ring(ring, false);
+    }
   }
 
   const nlohmann::json& list(const nlohmann::json& item, const char* key) const {
@@ -200,7 +353,7 @@ class GeoJson {
     builder_.add_ring(points);
   }
 
-  std::vector<Point2> points_of(const nlohmann::json& list) const {
+  std::vector<Point2> points_of(const nlohmann::json& list) {
     if (!list.is_array()) builder_.fail("coordinates are not lists of the depth that the type needs");
     std::vector<Point2> points;
     for (const nlohmann::json& p : list) {
@@ -209,6 +362,7 @@ class GeoJson {
       if (!numbers) builder_.fail("a position is not a list of two numbers");
       builder_.check_dimension(p.size());
       points.push_back({p[0].get<double>(), p[1].get<double>()});
+      in_degrees_ = in_degrees_ && std::fabs(points.back().x) <= 180 && std::fabs(points.back().y) <= 90;
     }
     return points;
   }
@@ -218,6 +372,9 @@ class GeoJson {
   const std::vector<std::string>& properties_;  // that are asked for
   std::set<std::string> known_;                 // properties that a feature has, where some are asked for
   bool named_ = false;                          // has a feature the field that is to name it?
+  std::uint32_t line_ = 0;                      // of the file, where each line is an object
+  std::uint64_t places_ = 0;                    // read of JSON-FG
+  bool in_degrees_ = true;                      // are all numbers within 180 and 90?
 };
 
 }  // namespace

@@ -224,6 +224,17 @@ TEST(LinesTest, ForeignFiles) {
        "this is a gzip archive, which is not read here; unpack it first: gunzip -k a.csv.gz"},
       {"a.csv", "\xff\xfe\x30\x00", "this is UTF-16 text (save it as UTF-8)"},
       {"a.csv", "0\x00,\x00"s, "this is a binary file"},
+      {"a.csv", "\xff\xfe\x00\x00\x30\x00\x00\x00"s, "this is UTF-32 text (save it as UTF-8)"},
+      {"a.csv", "\x00\x00\xfe\xff\x00\x00\x00\x30"s, "this is UTF-32 text (save it as UTF-8)"},
+      {"a.gbr", "%FSLAX46Y46*%\n%MOMM*%\n", "this is a Gerber file, which is not read here; ask about the board"},
+      {"a.gtl", "G04 layer 1*\n%MOIN*%\n", "this is a Gerber file"},
+      {"a.drl", "M48\nMETRIC\n", "this is an Excellon drill file"},
+      {"a.def", "VERSION 5.8 ;\nDIVIDERCHAR \"/\" ;\nDESIGN top ;\n", "this is DEF, which is not read here; write its"},
+      {"a.lef", "VERSION 5.7 ;\nBUSBITCHARS \"[]\" ;\nMACRO a\n", "this is LEF"},
+      {"a.brd", "<?xml version=\"1.0\"?>\n<!DOCTYPE eagle SYSTEM \"eagle.dtd\">\n<eagle version=\"9\">",
+       "this is an Eagle board or schematic, which is not read here; open it in KiCad"},
+      {"a.wkt", "0101000000000000000000F03F0000000000000040\n",
+       "this is hexadecimal WKB, which is not read here; write WKT: SELECT ST_AsEWKT(geom)"},
       {"cube.obj", "# a cube\nv 0 0 0\n",
        "this is a mesh, which is not read here; ask sunder pair, scene, hull or info"},
       {"cube", "ply\nformat", "this is a mesh"}};
@@ -255,7 +266,8 @@ TEST(LinesTest, WktTags) {
   EXPECT_EQ(parse_lines("MULTIPOLYGONZ(((0 0 1,1 0 1,0 1 1,0 0 1)))", "x.wkt", {true, {}}).rings.size(), 1u);
   const LineFile file = parse_lines("srid = 1 ; LINESTRING (0 0, 1 1)\nLINESTRING (0 0, 2 1)", "-");
   EXPECT_EQ(file.segments.size(), 2u);
-  EXPECT_EQ(file.remarks, Names{"lines with an SRID: 1; it is passed over: coordinates count as those of a plane"});
+  EXPECT_TRUE(file.remarks.empty());
+  EXPECT_EQ(file.systems.at(0).system.id, "EPSG:1");
 }
 
 TEST(LinesTest, GeoJson) {
@@ -474,7 +486,7 @@ TEST(LinesTest, WhatIsWrongAndWhere) {
       {"a.json", R"({"type": "Polygon", "coordinates": [[0, 0], [1, 1]]})", "not a list of two numbers"},
       {"a.json", R"({"type": "MultiPolygon", "coordinates": [5]})", "depth"},
       {"a.json", R"({"type": "Polygon", "coordinates": []})", "a.json: has no segments"},
-      {"a.json", R"({"type": "Polygon", "coordinates": [[]]})", "ring 0: fewer than three different corners"},
+      {"a.json", R"({"type": "Polygon", "coordinates": [[]]})", "a.json: has no segments"},
       {"a.json", R"({"type": "Circle", "coordinates": [0, 0]})", "'Circle' is not one of GeoJSON"},
       {"a.json", R"({"type": "Topology", "objects": {}})", "is TopoJSON, which is not read; make GeoJSON of it: ogr"},
       {"a.json", R"({"type": "Feature", "geometry": {"type": "Polygon"}})", "has no list \"coordinates\""},

@@ -29,6 +29,22 @@ std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
+// Does the file lie in the folder of the mesh, or below, when symbolic links are followed? That may be the folder of
+// the mesh's name, or of the file that this is a link to.
+bool is_within_folder_of(const std::filesystem::path& file, const std::filesystem::path& mesh) {
+  namespace fs = std::filesystem;
+  std::error_code problem;
+  const fs::path real = fs::canonical(file, problem);
+  if (problem) return true;  // it is not there: reading tells
+  const auto holds = [&](const fs::path& folder) {
+    const fs::path real_folder = fs::canonical(folder.empty() ? fs::path(".") : folder, problem);
+    return std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first == real_folder.end();
+  };
+  if (holds(mesh.parent_path())) return true;
+  const fs::path real_mesh = fs::canonical(mesh, problem);
+  return !problem && holds(real_mesh.parent_path());
+}
+
 bool is_any_of(std::string_view word, std::initializer_list<std::string_view> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -59,10 +75,13 @@ MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
   const std::optional<MeshFormat> by_content = mesh_format_of_content(bytes), by_name = format_of_ending(place);
   if (by_content && !(by_name && by_content == MeshFormat::obj)) return *by_content;
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
+  if (const ForeignBody known = foreign_body(bytes); !known.what.empty()) {
+    fail_file(place, foreign_text(known, place));
+  }
   std::string_view other = foreign_format(bytes);
   if (bytes.starts_with("#VRML")) other = "VRML of another version than 2.0 in utf8";
   if (bytes.starts_with('{') && by_name != MeshFormat::gltf) other = "JSON";
-  if (bytes.starts_with('<') && by_name != MeshFormat::collada) other = "XML (X3D and URDF are such)";
+  if (bytes.starts_with('<') && by_name != MeshFormat::collada) other = "XML of an unknown kind";
   if (!other.empty()) fail_file(place, fmt::format("this is {}, which is not read; {}", other, remedy));
   if (by_name) return *by_name;
   fail_file(place, fmt::format("no mesh by its first bytes or its ending; {}", remedy));
@@ -93,7 +112,14 @@ Mesh read_mesh(const std::filesystem::path& path, InputFiles* inputs, PartsOf pa
   const std::string place = path.string();
   const MeshFormat format = mesh_format(bytes, place);
   const FileReader read_beside = [&](const std::filesystem::path& name) {
-    return read_file(path.parent_path() / name, inputs);
+    const std::filesystem::path beside = path.parent_path() / name;
+    if (!is_within_folder_of(beside, path)) {
+      fail_file(place, fmt::format("the buffer {} is a symbolic link to a file outside the folder of the mesh; copy "
+                                   "the file there",
+                                   quote(name.string())));
+    }
+    require_regular(beside);
+    return read_file(beside, inputs);
   };
   Mesh mesh =
       format == MeshFormat::gltf ? parse_gltf(bytes, place, read_beside) : parse_mesh(bytes, place, format, parts);

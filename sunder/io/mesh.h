@@ -55,7 +55,8 @@ struct Mesh {
 
 // Reads the file whole, finds its format by its first bytes, then by the ending of its name, and parses it.
 // Coordinates are the doubles nearest to the numbers in the file; of COLLADA, glTF and VRML, these moved by the nodes
-// above them (mesh_formats.h). A glTF's buffers are read, too, where they are files within its folder.
+// above them (mesh_formats.h). A glTF's buffers are read, too, where they are regular files within its
+// folder; a symbolic link that leads out of it is refused.
 // Throws Error bad_file: what is wrong and the remedy, in one line that begins with "FILE:LINE: " (text),
 // "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.
 // Cost: linear in the size of the file, n log n for STL; memory a small multiple of the file, whatever its header says.

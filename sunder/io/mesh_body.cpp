@@ -1,9 +1,13 @@
 #include <sunder/base/names.h>
 #include <sunder/io/mesh_body.h>
 #include <sunder/io/text.h>
+#include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 namespace sunder::io {
@@ -92,8 +96,9 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
 
 // Reads a mesh; what is not read goes into the list.
 Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs,
-                PartsOf parts = PartsOf::objects) {
+                std::uint64_t& inner_vertices, PartsOf parts = PartsOf::objects) {
   Mesh mesh = read_mesh(file, inputs, parts);
+  inner_vertices = drop_inner_vertices(mesh);
   left_out.add(file.string(), mesh.left_out, "mend the file");
   return mesh;
 }
@@ -102,32 +107,69 @@ Mesh read_whole(const std::filesystem::path& file, LeftOutList& left_out, InputF
 
 std::string_view name_of(BodyShape shape) { return name_in<BodyShape::points>({"convex", "hull", "points"}, shape); }
 
+std::uint64_t drop_inner_vertices(Mesh& mesh) {
+  const auto item = std::find_if(mesh.left_out.begin(), mesh.left_out.end(),
+                                 [](const LeftOut& left_out) { return left_out.kind == unused_vertex; });
+  if (item == mesh.left_out.end()) return 0;
+  const std::vector<std::uint32_t> used = used_vertices(mesh);
+  std::vector<Point3> points;
+  points.reserve(used.size());
+  for (const std::uint32_t v : used) points.push_back(mesh.vertices[v]);
+  const solid::ConvexPolyhedron hull(points);
+  std::uint64_t inner = 0;
+  auto next = used.begin();
+  for (std::uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (next != used.end() && *next == v) {
+      ++next;
+      continue;
+    }
+    const solid::ConvexPolyhedron point(std::span(&mesh.vertices[v], 1));
+    inner += polyhedron_polyhedron(hull, solid::Pose(), point, solid::Pose()).meet();
+  }
+  item->count -= inner;
+  if (item->count == 0) mesh.left_out.erase(item);
+  return inner;
+}
+
+std::string inner_vertices_text(std::uint64_t count) {
+  if (count == 0) return "";
+  return count == 1 ? "1 unused vertex lies in the hull of the others, and changes nothing"
+                    : fmt::format("{} unused vertices lie in the hull of the others, and change nothing", count);
+}
+
 MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require_convex) {
   const std::vector<std::uint32_t> used = used_vertices(mesh);
   return hull_of_mesh(without_unused(std::move(mesh), used), {file, used}, require_convex);
 }
 
 MeshBody read_body(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out, InputFiles* inputs) {
-  return body_of_mesh(read_whole(file, left_out, inputs), file, require_convex);
+  std::uint64_t inner_vertices = 0;
+  MeshBody body = body_of_mesh(read_whole(file, left_out, inputs, inner_vertices), file, require_convex);
+  body.inner_vertices = inner_vertices;
+  return body;
 }
 
 HullOfPoints read_hull(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs) {
-  Mesh mesh = read_whole(file, left_out, inputs);
+  std::uint64_t inner_vertices = 0;
+  Mesh mesh = read_whole(file, left_out, inputs, inner_vertices);
   const std::vector<std::uint32_t> used = used_vertices(mesh);
   Mesh small = without_unused(std::move(mesh), used);
   MeshBody body = hull_of_mesh(small, {file, used}, false);
+  body.inner_vertices = inner_vertices;
   return {std::move(body), std::move(small.vertices)};
 }
 
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                                   InputFiles* inputs, PartsOf parts) {
-  const Mesh whole = read_whole(file, left_out, inputs, parts);
+  std::uint64_t inner_vertices = 0;
+  const Mesh whole = read_whole(file, left_out, inputs, inner_vertices, parts);
   std::vector<std::vector<std::uint32_t>> used;
   const std::vector<Mesh> meshes = split_parts(whole, &used);
   std::vector<MeshBody> bodies;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     bodies.push_back(hull_of_mesh(meshes[i], {file, std::move(used[i]), whole.parts[i].first}, require_convex));
     if (meshes.size() > 1 && !meshes[i].name.empty()) bodies.back().name = meshes[i].name;
+    bodies.back().inner_vertices = inner_vertices;
   }
   return bodies;
 }

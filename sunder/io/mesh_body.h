@@ -35,14 +35,26 @@ struct MeshBody {
   std::string why_hull;                           // in words, with numbers of the file; empty unless shape is hull
   std::optional<scene::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
+  std::uint64_t inner_vertices = 0;  // unused ones of the file in the hull of the others: not taken, to be told
 };
 
 // The mesh as one body, without the vertices that are in no polygon. Throws Error bad_shape where convexity is required
 // and missing, naming the reflex edge. Cost: that of the hull.
 MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require_convex);
 
+// The kind of vertices that are in no polygon (Mesh::left_out).
+inline constexpr std::string_view unused_vertex = "unused vertex";
+
+// Drops from mesh.left_out the unused vertices that lie in the closed hull of those in use: without them the mesh, its
+// hull, and every answer are the same. Returns how many these are. Exact. Cost: that of the hull, where there are any.
+std::uint64_t drop_inner_vertices(Mesh& mesh);
+
+// "2 unused vertices lie in the hull of the others, and change nothing"; empty for none.
+std::string inner_vertices_text(std::uint64_t count);
+
 // Reads the file as one body, or as a body for each of its parts; what is not read goes into `left_out`, what is read
-// into `inputs`, where given. Throws Error also where something is not read, and the list has no consent.
+// into `inputs`, where given. Unused vertices in the hull of the others (drop_inner_vertices) are a remark.
+// Throws Error also where something is not read, and the list has no consent.
 MeshBody read_body(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                    InputFiles* inputs = nullptr);
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,

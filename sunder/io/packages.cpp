@@ -23,11 +23,6 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 // The name in the folder's package.xml; nothing where there is none, or none that can be read.
 std::optional<std::string> package_name(const fs::path& folder) {
   const fs::path file = folder / "package.xml";
@@ -116,7 +111,12 @@ fs::path resolve_in_package(const std::string& written, std::string_view inside,
   }
 
   const std::vector<fs::path> above = folders_above(robot_folder);
-  for (const fs::path& folder : folders_of_package(name, above, packages)) candidates.push_back(folder / rest);
+  if (const GivenFiles* given = GivenFiles::now()) {  // the folders of their names need not be there
+    candidates = {given->name_with_end(name / rest), given->name_with_end(rest)};
+    std::erase(candidates, fs::path());
+  } else {
+    for (const fs::path& folder : folders_of_package(name, above, packages)) candidates.push_back(folder / rest);
+  }
   const auto own =
       std::find_if(above.begin(), above.end(), [](const fs::path& folder) { return is_file(folder / "package.xml"); });
   if (own == above.end() || is_model) {
@@ -145,7 +145,8 @@ Packages parse_packages(std::span<const std::string> named, const std::string& s
     if (equals == std::string::npos || equals == 0) fail(quote(word) + " is not of the form NAME=FOLDER");
     const std::string name = word.substr(0, equals);
     const fs::path folder = word.substr(equals + 1);
-    if (!is_folder(folder)) fail(quote(folder.string()) + " is no folder; name the one of package " + quote(name));
+    if (GivenFiles::now() == nullptr && !is_folder(folder))
+      fail(quote(folder.string()) + " is no folder; name the one of package " + quote(name));
     for (const auto& [known, ignored] : packages.named) {
       if (known == name) fail("the package " + quote(name) + " comes twice; name one folder");
     }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -52,6 +53,7 @@ class Csv {
     if (!reader_.next()) return false;
     file_.format = "CSV";
     const CsvReader::Fields& fields = reader_.fields();
+    if (!geometry_column(fields).empty()) return false;
     const bool names_kinds = in_small_letters(fields[0].substr(0, 20)) == "kind";
     if (names_kinds || kind_of(fields[0])) {
       if (names_kinds) check_names();
@@ -192,46 +194,54 @@ std::string take_unbounded(std::string_view text, std::string_view place, bool d
   return rest;
 }
 
-// What lines.h reads.
+// What lines.h reads. A feature that is no object here has its problem.
 void parse_bounded(std::string_view text, std::string_view place, bool drop_z, PlanarFile& file) {
   LineOptions options;
   options.drop_z = drop_z;
-  options.points = options.leave_out = true;
+  options.points = options.leave_out = options.keep_broken = true;
   LineFile lines = parse_lines(text, place, options);
   file.format = std::move(lines.format);
   file.remarks = std::move(lines.remarks);
   file.left_out = std::move(lines.left_out);
-  const auto fail = [&](std::uint32_t feature, std::uint32_t line, const std::string& what) {
-    if (line > 0) fail_line(place, line, what);
-    fail_file(place, fmt::format("feature {}: {}", quote(lines.features[feature]), what));
-  };
-  const bool csv = file.format == "CSV";
-  std::size_t ring = 0;
-  for (std::uint32_t s = 0; s < lines.segments.size();) {
-    const auto [feature, line] = lines.source[s];
-    std::uint32_t end = s + 1;
-    while (!csv && end < lines.segments.size() && lines.source[end].feature == feature) ++end;
-    PlanarObject object{Kind::segment, lines.features[feature], line, {}};
-    const bool is_ring = ring < lines.rings.size() && lines.rings[ring].first == s;
-    if (is_ring) {
-      if (lines.rings[ring].count != end - s) {
-        fail(feature, line, "has holes, or several parts; give one polygon without holes");
-      }
-      ++ring;
+  std::size_t segment = 0, ring = 0, broken = 0;
+  for (std::uint32_t feature = 0; feature < lines.features.size(); ++feature) {
+    const std::size_t first = segment, first_ring = ring, first_broken = broken;
+    const auto& segments = lines.segments;
+    while (segment < segments.size() && lines.source[segment].feature == feature) ++segment;
+    while (ring < lines.rings.size() && lines.rings[ring].first < segment) ++ring;
+    while (broken < lines.broken.size() && lines.broken[broken].feature == feature) ++broken;
+    if (segment == first && broken == first_broken) continue;  // it holds nothing
+    PlanarObject object{Kind::segment, lines.features[feature], 0, {}};
+    object.line = segment > first ? lines.source[first].line : lines.broken[first_broken].line;
+    if (!lines.system.empty()) object.system = lines.systems[lines.system[feature]].system;  // of a board there is none
+    if (broken > first_broken) {
       object.kind = Kind::polygon;
-      for (std::uint32_t k = s; k < end; ++k) object.vertices.push_back(lines.segments[k].a);
-    } else {
-      if (end - s != 1) fail(feature, line, "has several segments; give a point, a segment or a polygon");
-      object.vertices = {lines.segments[s].a};
-      if (lines.segments[s].a == lines.segments[s].b) {
-        object.kind = Kind::point;
-      } else {
-        object.vertices.push_back(lines.segments[s].b);
+      object.problem = fmt::format("{}; {}", lines.broken[first_broken].what, lines.broken[first_broken].remedy);
+    } else if (ring > first_ring) {
+      object.kind = Kind::polygon;
+      if (lines.rings[first_ring].count != segment - first) {
+        object.problem = "has holes, or several parts; give one polygon without holes";
       }
+    } else if (segment - first > 1) {
+      object.problem = "has several segments; give a point, a segment or a polygon";
+    } else if (segments[first].a == segments[first].b) {
+      object.kind = Kind::point;
+    }
+    if (object.problem.empty()) {
+      for (std::size_t k = first; k < segment; ++k) object.vertices.push_back(segments[k].a);
+      if (object.kind == Kind::segment) object.vertices.push_back(segments[first].b);
     }
     file.objects.push_back(std::move(object));
-    s = end;
   }
+}
+
+// Is there an object at all?
+PlanarFile checked(PlanarFile file, std::string_view place) {
+  if (std::none_of(file.objects.begin(), file.objects.end(),
+                   [](const auto& object) { return object.problem.empty(); })) {
+    require_object(file.objects.front(), place);
+  }
+  return file;
 }
 
 }  // namespace
@@ -242,7 +252,15 @@ std::string_view name_of(PlanarObject::Kind kind) {
 
 bool is_planar(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
-  return ending == ".wkt" || ending == ".csv" || ending == ".geojson" || ending == ".json";
+  constexpr std::array<std::string_view, 8> endings{".wkt",      ".csv",      ".geojson", ".json",
+                                                    ".geojsonl", ".geojsons", ".ndjson",  ".jsonl"};
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
+void require_object(const PlanarObject& object, std::string_view place) {
+  if (object.problem.empty()) return;
+  if (object.line > 0) fail_line(place, object.line, object.problem);
+  fail_file(place, fmt::format("feature {}: {}", quote(object.name), object.problem));
 }
 
 PlanarFile parse_planar_objects(std::string_view text, std::string_view place, bool drop_z) {
@@ -253,12 +271,12 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
   if (format == LinesFormat::csv && Csv(text, place, drop_z, file).parse()) return file;
   if (format != LinesFormat::wkt) {
     parse_bounded(text, place, drop_z, file);
-    return file;
+    return checked(std::move(file), place);
   }
   const std::string rest = take_unbounded(text, place, drop_z, file);
   if (file.objects.empty()) {
     parse_bounded(text, place, drop_z, file);
-    return file;
+    return checked(std::move(file), place);
   }
   bool more = false;
   for_each_line(rest, [&](std::string_view, std::uint32_t) { more = true; });
@@ -272,7 +290,27 @@ PlanarFile parse_planar_objects(std::string_view text, std::string_view place, b
 }
 
 PlanarFile read_planar_objects(const std::filesystem::path& path, bool drop_z, InputFiles* inputs) {
-  return parse_planar_objects(read_file(path, inputs), path.string(), drop_z);
+  PlanarFile file = parse_planar_objects(read_file(path, inputs), path.string(), drop_z);
+  const auto is_declared = [](const PlanarObject& object) { return object.system.declared(); };
+  const bool is_known = std::all_of(file.objects.begin(), file.objects.end(), is_declared);
+  if (file.format != "GeoJSON" && !is_known) file.declare(system_beside(path, inputs));
+  return file;
+}
+
+std::vector<SystemOfFile> PlanarFile::systems() const {
+  std::vector<SystemOfFile> all;
+  for (const PlanarObject& object : objects) {
+    const bool is_new =
+        std::none_of(all.begin(), all.end(), [&](const SystemOfFile& s) { return s.system.id == object.system.id; });
+    if (is_new) all.push_back({object.system, fmt::format("feature {}", quote(object.name))});
+  }
+  return all;
+}
+
+void PlanarFile::declare(const CoordinateSystem& system) {
+  for (PlanarObject& object : objects) {
+    if (!object.system.declared()) object.system = system;
+  }
 }
 
 }  // namespace sunder::io

@@ -178,9 +178,40 @@ TEST(PlanarObjectsTest, BadFiles) {
             "some.wkt:1: 'CIRCLE' is not read here; give POINT, LINESTRING, MULTILINESTRING, POLYGON or MULTIPOLYGON");
 }
 
+// What is no object here is refused where it is asked about, not beside others.
+TEST(PlanarObjectsTest, ProblemsOfOthers) {
+  const PlanarFile file = parse_planar_objects(
+      "POINT (1 2)\nPOLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1))\nPOLYGON ((0 0, 9 0, 0 9))\n"
+      "LINESTRING (0 0, 1 1, 2 0)\nSRID=7;POLYGON ((0 0, 9 0, 0 9, 0 0))\n",
+      "some.wkt");
+  ASSERT_EQ(file.objects.size(), 5u);
+  for (const std::size_t i : {1u, 2u, 3u}) {
+    EXPECT_FALSE(file.objects[i].problem.empty()) << i;
+    EXPECT_TRUE(file.objects[i].vertices.empty()) << i;
+    EXPECT_EQ(file.objects[i].line, i + 1);
+    EXPECT_THROW(require_object(file.objects[i], "some.wkt"), Error);
+  }
+  EXPECT_EQ(file.objects[4].vertices.size(), 3u);
+  EXPECT_EQ(file.objects[4].system.id, "EPSG:7");
+  EXPECT_NO_THROW(require_object(file.objects[0], "some.wkt"));
+}
+
+// What is a board by its first letters, whatever its name ends with: tracks, in no coordinate system.
+TEST(PlanarObjectsTest, OfABoardTracks) {
+  const PlanarFile file = parse_planar_objects(
+      "(kicad_pcb (version 20221018) (net 1 \"GND\")\n"
+      "  (segment (start 100 100) (end 110 100) (width 0.25) (layer \"F.Cu\") (net 1)))\n",
+      "board");
+  ASSERT_EQ(file.objects.size(), 1u);
+  EXPECT_EQ(file.objects[0].kind, Kind::segment);
+  EXPECT_EQ(file.objects[0].vertices, (Points{{100, 100}, {110, 100}}));
+  EXPECT_FALSE(file.objects[0].system.declared());
+}
+
 TEST(PlanarObjectsTest, Endings) {
   EXPECT_TRUE(is_planar("a/b.WKT"));
   EXPECT_TRUE(is_planar("b.geojson"));
+  EXPECT_TRUE(is_planar("b.geojsonl"));
   EXPECT_FALSE(is_planar("b.obj"));
   EXPECT_FALSE(is_planar("b"));
 }

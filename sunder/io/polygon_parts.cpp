@@ -9,6 +9,7 @@ planar::MendedRings mend(PolygonParts& parts) {
   for (planar::PolygonRings& rings : parts.rings) changes += planar::mend(rings);
   std::erase_if(parts.rings, [](const planar::PolygonRings& rings) { return rings.empty(); });
   parts.broken.clear();
+  parts.open.clear();
   return changes;
 }
 
@@ -26,6 +27,12 @@ bool PolygonPartsReader::next(PolygonParts& parts) {
     if (broken) {
       const BrokenRing& ring = file_.broken[broken_++];
       if (parts.broken.empty()) parts.broken = ring.what;
+      if (ring.is_open) {
+        parts.open.push_back(
+            {static_cast<std::uint32_t>(parts.rings.size() - 1), static_cast<std::uint32_t>(parts.rings.back().size()),
+             static_cast<std::uint32_t>(ring.points.size() - 1), ring.points.back(), ring.points.front()});
+      }
+      if (parts.line == 0) parts.line = ring.line;
       parts.rings.back().push_back(ring.points);
       parts.group = ring.group;
     } else {

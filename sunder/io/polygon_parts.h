@@ -11,12 +11,20 @@
 
 namespace sunder::io {
 
+// A ring that does not end where it began.
+struct OpenRing {
+  std::uint32_t part = 0, ring = 0;  // positions in PolygonParts::rings
+  std::uint32_t edge = 0;            // that would close it: from `last` to `first`
+  Point2 last, first;
+};
+
 // The parts of a feature.
 struct PolygonParts {
   std::uint32_t feature = 0, line = 0, group = 0;
   std::uint32_t first_ring = 0;  // position in the file's rings of the first that is not broken
   std::vector<planar::PolygonRings> rings;
   std::string broken;  // the first ring that is none
+  std::vector<OpenRing> open;
 };
 
 // Mends the rings of each part, also broken ones; parts without an area are left out.

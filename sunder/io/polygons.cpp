@@ -55,6 +55,7 @@ class Reader {
   }
 
   PolygonsInput read() {
+    input_.systems = CoordinateSystems(request_.mixed_crs);
     if (is_strict()) input_.skipped_kind = "not strictly simple feature";
     for (const std::string& name : request_.files) read_file(name);
     if (!input_.skipped.empty() && !request_.skip_invalid) refuse();
@@ -91,7 +92,7 @@ class Reader {
   void add(std::uint32_t file, PolygonParts& parts) {
     if (request_.mend) {
       const planar::MendedRings changes = mend(parts);
-      if (changes.all() > 0) input_.mended.push_back({file, parts.feature, parts.line, changes});
+      if (changes.all() > 0) input_.mended.push_back({file, parts.feature, parts.line, changes, parts.rings.empty()});
     }
     for (PolygonRings& rings : parts.rings) {
       for (std::vector<Point2>& ring : rings) {
@@ -206,9 +207,19 @@ std::string PolygonsInput::skipped_text() const {
   return skipped.empty() ? "" : fmt::format("skipped: {}", count_of(skipped.size(), skipped_kind));
 }
 
+std::string PolygonsInput::emptied_text() const {
+  const auto count = std::count_if(mended.begin(), mended.end(), [](const MendedFeature& f) { return f.is_empty; });
+  return count == 0 ? ""
+                    : fmt::format("without area, so empty when mended: {}",
+                                  count_of(static_cast<std::uint64_t>(count), "feature"));
+}
+
 std::string PolygonsInput::left_out_words() const {
-  std::string words = skipped_text();
-  if (!left_out.empty()) words += fmt::format("{}left out: {}", words.empty() ? "" : "; ", left_out.text());
+  std::string words;
+  for (const std::string& more :
+       {skipped_text(), emptied_text(), left_out.empty() ? std::string() : "left out: " + left_out.text()}) {
+    if (!more.empty()) words += (words.empty() ? "" : "; ") + more;
+  }
   return words;
 }
 
@@ -216,6 +227,7 @@ Origin PolygonsInput::origin() const {
   Origin origin{inputs, left_out.texts()};
   if (!skipped.empty()) origin.left_out.insert(origin.left_out.begin(), skipped_text());
   if (!mended.empty()) origin.left_out.push_back(fmt::format("mended: {}", count_of(mended.size(), "feature")));
+  if (const std::string emptied = emptied_text(); !emptied.empty()) origin.left_out.push_back(emptied);
   return origin;
 }
 
@@ -225,6 +237,7 @@ void PolygonsInput::read_file(const std::string& name, LineOptions options, bool
   names.push_back(name);
   files.push_back(read_lines(name, options));
   left_out.add(name, files.back().left_out, "");
+  systems.add(name, files.back().systems);
 }
 
 PolygonsInput read_polygons(const PolygonsRequest& request) { return Reader(request).read(); }

@@ -31,6 +31,7 @@ struct PolygonsRequest {
   std::string group, name;                         // as LineOptions have them
   std::vector<std::string> properties{};           // so too; of two files, both have them
   bool tell_inputs = false;                        // the SHA-256 of the files
+  bool mixed_crs = false;                          // coordinate systems may differ
   std::function<void(double)> progress = nullptr;  // as LineOptions have it
 };
 
@@ -50,6 +51,7 @@ struct SkippedFeature {
 struct MendedFeature {
   std::uint32_t file = 0, feature = 0, line = 0;
   planar::MendedRings changes;
+  bool is_empty = false;  // nothing is left of it
 };
 
 struct PolygonsInput {
@@ -64,6 +66,7 @@ struct PolygonsInput {
   std::vector<MendedFeature> mended;
   LeftOutList left_out{true};
   InputFiles inputs;  // where they are asked for
+  CoordinateSystems systems{};
 
   const std::string& name(std::uint32_t polygon) const;  // of its feature
   std::uint32_t line(std::uint32_t polygon) const { return source[polygon].line; }
@@ -84,12 +87,14 @@ struct PolygonsInput {
 
  private:
   std::string skipped_text() const;
+  std::string emptied_text() const;  // of mended features
 };
 
 // Repeated vertices are left out of features that are one polygon: the points that they hold are the same without. By
 // part they stay, so that vertices count as in the file.
 // Throws Error bad_file where there are no polygons (also: none left), or, where a rule is given and nothing is to be
-// skipped, where one is not valid: with its number and name, the defect, how many more there are, and the remedy.
+// skipped, where one is not valid: with its number and name, the defect, how many more there are, and the remedy; and
+// where coordinate systems differ that may not.
 // bad_call where the file has no such group or name, and for two files with a group.
 PolygonsInput read_polygons(const PolygonsRequest& request);
 

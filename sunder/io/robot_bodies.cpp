@@ -57,18 +57,20 @@ class Reader {
       const std::string kind(name_of(shape.kind));
       const auto vertices = static_cast<std::uint32_t>(round->points().size());
       body.parts.push_back(
-          {name, {shown, kind, kind, vertices, 0, BodyShape::convex, "", {}, round->core()}, pose, round});
+          {name, {shown, kind, kind, vertices, 0, BodyShape::convex, "", {}, round->core()}, pose, round, "m"});
       return;
     }
     if (shape.kind == ShapeKind::box) {
       const solid::ConvexPolyhedron box(box_corners(shape.size));
-      body.parts.push_back({name, {shown, "box", "box", 8, 6, BodyShape::convex, "", {}, box}, pose});
+      body.parts.push_back({name, {shown, "box", "box", 8, 6, BodyShape::convex, "", {}, box}, pose, {}, "m"});
       return;
     }
     const std::vector<MeshBody>* mesh = mesh_of(shape, robot_.links[body.link].name);
     if (mesh == nullptr) return;
+    const bool is_scaled = shape.scale != std::array<double, 3>{1, 1, 1};
     for (const MeshBody& object : *mesh) {
-      body.parts.push_back({mesh->size() == 1 ? name : name + "." + object.name, object, pose});
+      body.parts.push_back(
+          {mesh->size() == 1 ? name : name + "." + object.name, object, pose, {}, is_scaled ? "" : "m"});
     }
   }
 

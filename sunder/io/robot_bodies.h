@@ -25,6 +25,7 @@ struct BodyPart {
 
   // A sphere, a cylinder, a capsule, which is what is meant; `body` then has its file, its name, and its core.
   std::optional<solid::RoundBody> round{};
+  std::string unit{};  // of the numbers of the shape, as they are before the pose, where that is known; else empty
 
   // What is placed, and asked about.
   solid::RoundBody shape() const { return round ? *round : solid::RoundBody(body.hull); }

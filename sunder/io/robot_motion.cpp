@@ -41,8 +41,7 @@ RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints
     const auto found =
         std::find_if(joints_.begin(), joints_.end(), [&](const Joint& joint) { return joint.name == name; });
     if (found == joints_.end()) {
-      fail_joint(name,
-                 fmt::format("the robot has no joint of this name; it has {}", count_of(joints_.size(), "joint")));
+      fail_joint(name, no_such_joint(robot, name));
     }
     if (found->type == JointType::fixed) fail_joint(name, "is fixed; give it no value");
     if (found->mimic) {

@@ -200,9 +200,9 @@ class SceneParser : JsonShapes {
   }
 
   SceneFile::Mesh mesh_of(const json& value, const std::string& where) const {
-    if (value.is_string()) return {path_of(value, where), {1, 1, 1}};
+    if (value.is_string()) return {path_of(value, where), {1, 1, 1}, scene_.unit};
     const Keys keys{"file", "scale", "unit"};
-    SceneFile::Mesh mesh{path_of(member(value, where, "file", keys), where + ".file"), {1, 1, 1}};
+    SceneFile::Mesh mesh{path_of(member(value, where, "file", keys), where + ".file"), {1, 1, 1}, {}};
     if (const auto scale = value.find("scale"); scale != value.end()) {
       const std::string at = where + ".scale";
       if (scale->is_number()) {
@@ -214,8 +214,10 @@ class SceneParser : JsonShapes {
         fail(at, "is zero, and would leave nothing of the mesh; give a number that is not 0");
       }
     }
+    if (mesh.scale == std::array<double, 3>{1, 1, 1}) mesh.unit = scene_.unit;
     if (const auto unit = value.find("unit"); unit != value.end()) {
       const Unit& of_mesh = unit_of(*unit, where + ".unit");
+      mesh.unit = of_mesh.name;
       if (scene_.unit.empty()) fail(where + ".unit", "the scene has none that it could be put into; give its \"unit\"");
       const auto of_scene =
           std::find_if(units.begin(), units.end(), [&](const Unit& u) { return u.name == scene_.unit; });
@@ -286,11 +288,13 @@ std::vector<std::vector<BodyPart>> read_scene_parts(const SceneFile& scene, cons
         const std::filesystem::path path = file.parent_path() / part.mesh->file;
         auto found = known.find(path);
         if (found == known.end()) {
+          require_regular(path);
           if (meshes != nullptr) meshes->push_back(path);
           found = known.emplace(path, read_bodies(path, require_convex, left_out, inputs, parts)).first;
         }
         for (const MeshBody& object : found->second) {
-          out.push_back({found->second.size() == 1 ? name : name + "." + object.name, object, part.pose});
+          out.push_back(
+              {found->second.size() == 1 ? name : name + "." + object.name, object, part.pose, {}, part.mesh->unit});
         }
         continue;
       }
@@ -301,7 +305,7 @@ std::vector<std::vector<BodyPart>> read_scene_parts(const SceneFile& scene, cons
                   "",          {},
                   core};
       if (part.format == "box") of.mesh_polygons = core.facet_count();
-      out.push_back({name, std::move(of), part.pose});
+      out.push_back({name, std::move(of), part.pose, {}, scene.unit});
       if (!part.shape->is_polyhedron()) out.back().round = part.shape;
     }
   }

@@ -50,6 +50,7 @@ struct SceneFile {
   struct Mesh {
     std::string file;                      // as written; relative names are relative to the scene's folder
     std::array<double, 3> scale{1, 1, 1};  // no entry is 0; negative ones reflect
+    std::string unit{};                    // of its numbers, where that is known; else empty
   };
   struct Part {
     std::string name, format;  // of the shape: its key

@@ -96,6 +96,15 @@ class JsonObject : JsonShapes {
   SpaceObject read(std::string_view text) const {
     const json top = parse_json(text, place_);
     if (!top.is_object()) fail_file(place_, fmt::format("is no object of space: {}", expected()));
+    for (const std::string_view of_scene : {"bodies", "box", "rounded", "points", "mesh"}) {
+      if (!top.contains(std::string(of_scene))) continue;
+      fail_file(place_, of_scene == "bodies"
+                            ? "this is a scene of several bodies, and sunder pair takes one object a file; ask sunder "
+                              "scene, or give the body as a mesh"
+                            : fmt::format("{} is a shape of scene files, which sunder pair does not read; give the "
+                                          "body as a mesh, or put both into a scene file and ask sunder scene",
+                                          quote(of_scene)));
+    }
     if (top.size() != 1) {
       fail_file(place_,
                 fmt::format("has {} keys; {}", top.size(), top.empty() ? expected() : "give one object a file"));
@@ -323,8 +332,7 @@ bool is_space_text(std::string_view text) {
 
 bool is_space_file(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
-  std::error_code error;
-  if ((ending != ".json" && ending != ".wkt") || !std::filesystem::is_regular_file(path, error)) return false;
+  if ((ending != ".json" && ending != ".wkt") || !is_file(path)) return false;
   return is_space_text(read_file(path));
 }
 

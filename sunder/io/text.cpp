@@ -24,13 +24,14 @@ std::size_t printable(std::string_view text) {
   const unsigned a = byte(text, 0), b = byte(text, 1), c = byte(text, 2), d = byte(text, 3);
   if (within(a, 0x20, 0x7e)) return 1;
   if (within(a, 0xc2, 0xdf)) {
-    const bool control = a == 0xc2 && b < 0xa0;
-    return within(b, 0x80, 0xbf) && !control ? 2 : 0;
+    const bool control = a == 0xc2 && b < 0xa0, direction = a == 0xd8 && b == 0x9c;
+    return within(b, 0x80, 0xbf) && !control && !direction ? 2 : 0;
   }
   if (within(a, 0xe0, 0xef)) {
     const bool shape = within(b, a == 0xe0 ? 0xa0 : 0x80, a == 0xed ? 0x9f : 0xbf) && within(c, 0x80, 0xbf);
-    const bool line_separator = a == 0xe2 && b == 0x80 && within(c, 0xa8, 0xa9);
-    return shape && !line_separator ? 3 : 0;
+    const bool line_or_direction = a == 0xe2 && ((b == 0x80 && (within(c, 0x8e, 0x8f) || within(c, 0xa8, 0xae))) ||
+                                                 (b == 0x81 && within(c, 0xa6, 0xa9)));
+    return shape && !line_or_direction ? 3 : 0;
   }
   if (within(a, 0xf0, 0xf4)) {
     const bool shape = within(b, a == 0xf0 ? 0x90 : 0x80, a == 0xf4 ? 0x8f : 0xbf);

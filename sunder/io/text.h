@@ -14,7 +14,8 @@
 
 namespace sunder::io {
 
-// The text with every control byte, line separator and byte that is not well-formed UTF-8 written as \xNN.
+// The text with every control byte, line separator, mark of the direction of writing (U+202E and the like) and byte
+// that is not well-formed UTF-8 written as \xNN.
 std::string one_line(std::string_view text);
 
 // The text as one line, cut to 40 bytes (then ending in "..."); quote: in single quotes.

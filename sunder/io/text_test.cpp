@@ -91,6 +91,10 @@ TEST(OneLine, KeepsTextAndEscapesTheRest) {
   EXPECT_EQ(one_line("\xf4\x90\x80\x80"), "\\xf4\\x90\\x80\\x80");  // beyond Unicode
   EXPECT_EQ(one_line("\xc2\x85"), "\\xc2\\x85");                    // next line
   EXPECT_EQ(one_line("\xe2\x80\xa8"), "\\xe2\\x80\\xa8");           // line separator
+  // Marks of the direction of writing.
+  EXPECT_EQ(one_line("\xe2\x80\xae"), "\\xe2\\x80\\xae");
+  EXPECT_EQ(one_line("\xe2\x81\xa9\xd8\x9c"), "\\xe2\\x81\\xa9\\xd8\\x9c");
+  EXPECT_EQ(one_line("\xe2\x80\xb0"), "\xe2\x80\xb0");
 }
 
 TEST(Quote, CutsLongText) {

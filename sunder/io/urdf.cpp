@@ -157,6 +157,12 @@ class UrdfParser {
     if (type == "revolute") return JointType::revolute;
     if (type == "continuous") return JointType::continuous;
     if (type == "prismatic") return JointType::prismatic;
+    if (type == "planar" || type == "floating") {
+      fail(element,
+           fmt::format("this joint is {}, which takes {} numbers and is not read yet; to ask about one place of its "
+                       "child make it fixed, with that place as its <origin>",
+                       type, type == "planar" ? 3 : 6));
+    }
     fail(element,
          fmt::format("the type of the joint is {}; known are fixed, revolute, continuous, prismatic", quote(type)));
   }

@@ -1,5 +1,6 @@
 #include <sunder/base/error.h>
 #include <sunder/io/joint_map.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
 #include <sunder/io/urdf_kinematics.h>
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace sunder::io {
 namespace {
@@ -20,10 +22,7 @@ using solid::Pose;
 void check_given(const Robot& robot, const std::string& name, double value) {
   const auto found =
       std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) { return joint.name == name; });
-  if (found == robot.joints.end()) {
-    fail_joint(name, fmt::format("the robot has no joint of this name; it has {} joints, see `sunder info`",
-                                 robot.joints.size()));
-  }
+  if (found == robot.joints.end()) fail_joint(name, no_such_joint(robot, name));
   if (found->type == JointType::fixed) fail_joint(name, "is fixed; give it no value");
   if (found->mimic) {
     fail_joint(name,
@@ -66,6 +65,28 @@ std::vector<double> joint_values(const Robot& robot, const std::map<std::string,
     }
   }
   return all;
+}
+
+std::string no_such_joint(const Robot& robot, const std::string& name) {
+  constexpr std::size_t most = 40;
+  const std::string word = in_small_letters(name);
+  for (const std::string_view time : {"t", "time", "timestamp", "stamp", "sec", "secs", "seconds"}) {
+    if (word != time && !(time.size() > 2 && (word.starts_with(time) || word.ends_with(time)))) continue;
+    return "the robot has no joint of this name, and times are not read; leave out this column";
+  }
+  const std::vector<std::string> known = movable_joints(robot);
+  for (const std::string& joint : known) {
+    if (!name.starts_with(joint) || word.find("deg", joint.size()) == std::string::npos) continue;
+    return fmt::format(
+        "the robot has no joint of this name, and degrees are not read; give radians (degrees times pi / 180), and "
+        "name the column {}",
+        quote(joint));
+  }
+  std::string names;
+  for (std::size_t k = 0; k < std::min(most, known.size()); ++k) names += (k == 0 ? "" : ", ") + known[k];
+  if (known.size() > most) names += fmt::format(" and {} more (see sunder info)", known.size() - most);
+  return "the robot has no joint of this name; " +
+         (known.empty() ? "none of its joints can be given a value" : "those that can be given a value are " + names);
 }
 
 std::vector<std::string> beyond_limits(const Robot& robot, const std::map<std::string, double>& values) {

@@ -22,6 +22,10 @@ namespace sunder::io {
 // is not finite. And when a mimic's value overflows.
 std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& values);
 
+// That the robot has no joint of this name, and what to do: which joints can be given a value; and where the name is
+// that of a time, or of a joint with a unit that is not read (degrees), that.
+std::string no_such_joint(const Robot& robot, const std::string& name);
+
 // Which of these values are beyond the limits of their joints, for people: "joint 'elbow' is at 3, beyond its limits
 // from -2 to 2". The limits are included. Names that are no joints are left to joint_values.
 std::vector<std::string> beyond_limits(const Robot& robot, const std::map<std::string, double>& values);

@@ -111,12 +111,32 @@ TEST(UrdfKinematics, DefaultsAreZeroOrTheNearestLimit) {
             (std::vector<double>{100, -3, 1.5, -2.5}));
 }
 
+// They take several numbers: the message says so, and what to do.
+TEST(Urdf, SaysWhatPlanarAndFloatingJointsAre) {
+  for (const std::string type : {"planar", "floating"}) {
+    const std::string text = R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type=")" + type +
+                             R"("><parent link="a"/><child link="b"/></joint></robot>)";
+    EXPECT_EQ(error_of([&] { (void)parse_urdf(text, "r.urdf"); }),
+              "r.urdf:1: this joint is " + type + ", which takes " + (type == "planar" ? "3" : "6") +
+                  " numbers and is not read yet; to ask about one place of its child make it fixed, with that place as "
+                  "its <origin>");
+  }
+}
+
 TEST(UrdfKinematics, RefusesWrongValues) {
   const Robot robot = read_urdf(cases / "panda" / "panda.urdf");
   const auto error = [&](const std::string& name, double value) {
     return error_of([&] { link_poses(robot, {{name, value}}); });
   };
-  EXPECT_NE(error("elbow", 0).find("joint 'elbow': the robot has no joint of this name"), std::string::npos);
+  EXPECT_TRUE(
+      error("elbow", 0)
+          .starts_with(
+              "joint 'elbow': the robot has no joint of this name; those that can be given a value are panda_joint1, "))
+      << error("elbow", 0);
+  EXPECT_NE(error("time", 0).find("times are not read; leave out this column"), std::string::npos);
+  EXPECT_TRUE(error("panda_joint2_deg", 0)
+                  .ends_with("degrees are not read; give radians (degrees times pi / 180), and name the column "
+                             "'panda_joint2'"));
   EXPECT_NE(error("panda_joint8", 0).find("is fixed"), std::string::npos);
   EXPECT_NE(error("panda_finger_joint2", 0).find("follows joint 'panda_finger_joint1'"), std::string::npos);
   EXPECT_NE(error("panda_joint1", std::numeric_limits<double>::quiet_NaN()).find("not finite"), std::string::npos);

@@ -1,3 +1,4 @@
+#include <sunder/io/foreign.h>
 #include <sunder/io/text.h>
 #include <sunder/io/xml_internal.h>
 
@@ -45,6 +46,7 @@ XmlFile::XmlFile(std::string_view bytes, std::string_view place, const XmlKind& 
   const XMLElement* root = document_.RootElement();
   if (root == nullptr) fail_file(place_, fmt::format("has no element; {} is XML with <{}>", kind.a, kind.root));
   if (!is(*root, kind.root)) {
+    if (const ForeignBody known = foreign_body(bytes); !known.what.empty()) fail(*root, foreign_text(known, place_));
     fail(*root, fmt::format("is {}, expected <{}>; this is no {}", tag(*root), kind.root, kind.name));
   }
 }

@@ -71,7 +71,7 @@ std::vector<Box2> some_boxes(Random& random, std::size_t count, int family) {
 
 TEST(BoxPairs, AreThoseOfTheScan) {
   Random random(20261124);
-  std::size_t grids = 0, pairs_found = 0;
+  std::size_t grids = 0, pairs_found = 0, pairs_across = 0;
   for (int k = 0; k < 1500; ++k) {
     const std::vector<Box2> boxes = some_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
     const std::span<const Box2> all(boxes);
@@ -84,6 +84,18 @@ TEST(BoxPairs, AreThoseOfTheScan) {
     found.clear();
     EXPECT_TRUE(for_each_box_pair(all, add));
     ASSERT_EQ(sorted_pairs(found), expected) << k;
+    std::vector<std::uint32_t> groups;
+    const std::uint64_t count = 1 + random.below(5);
+    for (std::size_t i = 0; i < boxes.size(); ++i) groups.push_back(static_cast<std::uint32_t>(random.below(count)));
+    Pairs across = expected;
+    std::erase_if(across, [&](const auto& pair) { return groups[pair.first] == groups[pair.second]; });
+    pairs_across += across.size();
+    found.clear();
+    EXPECT_TRUE((BoxPairsByHalving<decltype(add)>(boxes, add, groups).run()));
+    ASSERT_EQ(sorted_pairs(found), across) << k;
+    found.clear();
+    EXPECT_TRUE(for_each_box_pair(all, add, nullptr, nullptr, groups));
+    ASSERT_EQ(sorted_pairs(found), across) << k;
     const std::optional<BoxGrid> grid = BoxGrid::over(boxes, 1, 1e9);
     if (!grid) continue;
     ++grids;
@@ -108,6 +120,7 @@ TEST(BoxPairs, AreThoseOfTheScan) {
   }
   EXPECT_GT(grids, 900u);
   EXPECT_GT(pairs_found, 100000u);
+  EXPECT_GT(pairs_across, 50000u);
 }
 
 TEST(BoxGrid, IsNotMadeWhereItDoesNotPay) {

@@ -6,9 +6,12 @@
 // last one that begins no further right than i ends. A tree over the places splits each range to nodes that it covers,
 // two a level at most; there, those that cover the node are matched with those that have their place in it by their
 // bottoms and tops alone, in one merge. Source: Zomorodian & Edelsbrunner 2000, in the plane.
+// Pairs of one group are not looked at: in a merge, boxes of one group that follow each other are passed as one, and
+// the next one is of another group.
 #pragma once
 
 #include <sunder/near/near_pairs.h>
+#include <sunder/near/set_question.h>
 
 #include <algorithm>
 #include <bit>
@@ -26,7 +29,8 @@ namespace sunder {
 template <class OfPair>
 class BoxPairsByHalving {
  public:
-  BoxPairsByHalving(std::span<const Box2> boxes, const OfPair& of_pair) : boxes_(boxes), of_pair_(of_pair) {}
+  BoxPairsByHalving(std::span<const Box2> boxes, const OfPair& of_pair, Groups groups = {})
+      : boxes_(boxes), of_pair_(of_pair), groups_(groups) {}
 
   bool run() {
     const std::uint32_t n = static_cast<std::uint32_t>(boxes_.size());
@@ -67,6 +71,7 @@ class BoxPairsByHalving {
   bool visit(std::uint32_t begin, std::uint32_t end, List over, List in) {
     if (over.empty() || in.empty()) return true;
     looks_ += over.size() + in.size();
+    if (are_of_one_group(over, in)) return true;
     if (end - begin <= few || over.size() <= few) return visit_all(over, in);
     const std::uint32_t middle = begin + (end - begin) / 2;
     List covering, over_left, over_right, in_left, in_right;
@@ -95,7 +100,7 @@ class BoxPairsByHalving {
         ++looks_;
         if (b.low.y > a.high.y) break;
         const bool begins_inside = places_[i].place < places_[j].place && places_[j].place < places_[i].end;
-        if (begins_inside && a.low.y <= b.high.y && !report(i, j)) return false;
+        if (begins_inside && a.low.y <= b.high.y && !may_meet(groups_, i, j) && !report(i, j)) return false;
       }
     }
     return true;
@@ -103,37 +108,68 @@ class BoxPairsByHalving {
 
   // Each of one list with each of the other, by bottoms and tops.
   bool match(const List& some, const List& others) {
+    const List some_runs = ends_of_runs(some), other_runs = ends_of_runs(others);
     std::size_t k = 0, l = 0;
     while (k < some.size() && l < others.size()) {
       const bool first = boxes_[some[k]].low.y <= boxes_[others[l]].low.y;
       const List& list = first ? others : some;
+      const List& runs = first ? other_runs : some_runs;
       const std::uint32_t i = first ? some[k++] : others[l++];
-      for (std::size_t at = first ? l : k; at < list.size() && boxes_[list[at]].low.y <= boxes_[i].high.y; ++at) {
-        if (!report(i, list[at])) return false;
+      for (std::size_t at = first ? l : k; at < list.size() && boxes_[list[at]].low.y <= boxes_[i].high.y;) {
+        if (may_meet(groups_, i, list[at])) {
+          ++looks_;
+          at = runs[at];
+        } else if (!report(i, list[at++])) {
+          return false;
+        }
       }
     }
     return true;
   }
 
+  // Where there are groups: of each place of the list, the next one whose box is of another group.
+  List ends_of_runs(const List& list) const {
+    if (groups_.empty()) return {};
+    List ends(list.size());
+    for (std::size_t k = list.size(); k-- > 0;) {
+      const bool goes_on = k + 1 < list.size() && may_meet(groups_, list[k], list[k + 1]);
+      ends[k] = goes_on ? ends[k + 1] : static_cast<std::uint32_t>(k + 1);
+    }
+    return ends;
+  }
+
+  bool are_of_one_group(const List& some, const List& others) const {
+    const auto is_of_it = [&](std::uint32_t i) { return may_meet(groups_, i, some[0]); };
+    return !groups_.empty() && std::all_of(some.begin(), some.end(), is_of_it) &&
+           std::all_of(others.begin(), others.end(), is_of_it);
+  }
+
   static constexpr std::uint32_t few = 16;
   std::span<const Box2> boxes_;
   const OfPair& of_pair_;
+  Groups groups_;
   std::vector<Places> places_;
   std::uint64_t looks_ = 0;
 };
 
-// Calls of_pair(i, j), i < j, once for each pair of boxes that meet, in no particular order, until it returns false.
-// Requires fewer than 2^31 boxes, no end NaN, none below its low one. Returns whether it never did. Adds to `looks`,
-// where given, how often it looked at a box. Cost: O(N log N + k) for k pairs.
+// Calls of_pair(i, j), i < j, once for each pair of boxes that meet and are not of one group, in no particular order,
+// until it returns false. Requires fewer than 2^31 boxes, no end NaN, none below its low one. Returns whether it never
+// did. Adds to `looks`, where given, how often it looked at a box. Cost: O(N log N + k) for k pairs that are given.
 template <class OfPair>
 bool for_each_box_pair(std::span<const Box2> boxes, const OfPair& of_pair,
-                       const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr) {
+                       const std::function<void(double)>& progress = nullptr, std::uint64_t* looks = nullptr,
+                       Groups groups = {}) {
+  if (looks != nullptr) *looks += boxes.size();
+  if (are_one_group(groups)) return true;
   const std::optional<BoxGrid> grid = BoxGrid::over(boxes, extents_of_boxes(boxes));
   if (grid && crowded(*grid, crowd_of_polygons) == 0) {
     if (looks != nullptr) *looks += pairs_in_cells(*grid);
-    return for_each_near_pair<crowd_of_polygons>(boxes, *grid, of_pair, progress);
+    const auto across_groups = [&](std::uint32_t i, std::uint32_t j) {
+      return may_meet(groups, i, j) || of_pair(i, j);
+    };
+    return for_each_near_pair<crowd_of_polygons>(boxes, *grid, across_groups, progress);
   }
-  BoxPairsByHalving<OfPair> halving(boxes, of_pair);
+  BoxPairsByHalving<OfPair> halving(boxes, of_pair, groups);
   const bool all = halving.run();
   if (looks != nullptr) *looks += halving.looks();
   return all;

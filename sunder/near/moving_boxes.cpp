@@ -2,8 +2,6 @@
 #include <sunder/near/moving_boxes.h>
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -15,21 +13,8 @@ namespace {
 
 constexpr double moves_ahead = 8, most_of_side = 0.25;
 
-double clamped(double x) {
-  constexpr double most = std::numeric_limits<double>::max();
-  return std::clamp(x, -most, most);
-}
-
-// Twice the middle would overflow.
-double middle(const Box3& box, std::size_t k) { return clamped(box.low[k]) / 2 + clamped(box.high[k]) / 2; }
-
 double greatest_side(const Box3& box) {
   return std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
-}
-
-Box3 box_of_nothing() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
 }  // namespace
@@ -37,17 +22,11 @@ Box3 box_of_nothing() {
 MovingBoxes::MovingBoxes(std::span<const Box3> boxes, Wanted wanted)
     : wanted_(std::move(wanted)),
       boxes_(boxes.begin(), boxes.end()),
-      order_(boxes.size()),
-      place_(boxes.size()),
-      wide_(boxes.begin(), boxes.end()),
-      change_(boxes.size()) {
-  SUNDER_REQUIRE(boxes.size() < std::size_t{1} << 31);
-  std::iota(order_.begin(), order_.end(), 0u);
-  place_ = changed_ = change_ = order_;
-  before_ = wide_;
-  leaves_ = std::bit_ceil(std::max<std::size_t>(1, (boxes.size() + leaf_size - 1) / leaf_size));
-  nodes_.resize(2 * leaves_);
-  build();
+      tree_(boxes),
+      changed_(boxes.size()),
+      before_(boxes.begin(), boxes.end()) {
+  std::iota(changed_.begin(), changed_.end(), 0u);
+  change_ = changed_;
   update();
 }
 
@@ -68,7 +47,7 @@ Box3 MovingBoxes::widened(const Box3& box, const Box3& before) const {
 void MovingBoxes::move(std::uint32_t i, const Box3& box) {
   SUNDER_REQUIRE(i < boxes_.size());
   const Box3 last = std::exchange(boxes_[i], box);
-  Box3& wide = wide_[place_[i]];
+  Box3& wide = tree_.box(i);
   if (holds(wide, box)) {
     // Unless the box has become much smaller.
     const double most = 2 * most_of_side * greatest_side(box);
@@ -90,7 +69,7 @@ void MovingBoxes::update() {
   fresh_.clear();
   if (changed_.empty()) return;
   drop_parted();
-  refit();
+  tree_.refit();
   for (std::size_t c = 0; c < changed_.size(); ++c) search(c);
   for (const std::uint32_t i : changed_) change_[i] = none;
   changed_.clear();
@@ -107,86 +86,21 @@ void MovingBoxes::drop_parted() {
   });
 }
 
-// Leaves get the boxes in the order of their middles, halved along the widest axis again and again.
-void MovingBoxes::build() {
-  const std::vector<Box3> wide = wide_;
-  const std::vector<std::uint32_t> place = place_;
-  std::sort(order_.begin(), order_.end());  // so that the tree depends on the boxes alone
-  split(0, leaves_);
-  for (std::uint32_t p = 0; p < order_.size(); ++p) {
-    wide_[p] = wide[place[order_[p]]];
-    place_[order_[p]] = p;
-  }
-  refit();
-}
-
-// place_ and wide_ are still as before.
-void MovingBoxes::split(std::size_t first_leaf, std::size_t leaves) {
-  const auto at = [&](std::size_t leaf) { return order_.begin() + static_cast<std::ptrdiff_t>(begin_of(leaf)); };
-  if (leaves < 2) return;
-  const auto begin = at(first_leaf), middle_of_all = at(first_leaf + leaves / 2), end = at(first_leaf + leaves);
-  if (begin == end) return;
-  std::size_t axis = 0;
-  double most = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    double least = std::numeric_limits<double>::max(), greatest = std::numeric_limits<double>::lowest();
-    for (auto i = begin; i != end; ++i) {
-      const double m = middle(wide(*i), k);
-      least = std::min(least, m);
-      greatest = std::max(greatest, m);
-    }
-    const double spread = greatest / 2 - least / 2;  // halves do not overflow
-    if (spread > most) most = spread, axis = k;
-  }
-  if (middle_of_all != end) {
-    std::nth_element(begin, middle_of_all, end, [&](std::uint32_t i, std::uint32_t j) {
-      const double p = middle(wide(i), axis), q = middle(wide(j), axis);
-      return p != q ? p < q : i < j;
-    });
-  }
-  split(first_leaf, leaves / 2);
-  split(first_leaf + leaves / 2, leaves / 2);
-}
-
-void MovingBoxes::refit() {
-  for (std::size_t leaf = 0; leaf < leaves_; ++leaf) {
-    Box3 all = box_of_nothing();
-    for (std::size_t p = begin_of(leaf); p < begin_of(leaf + 1); ++p) all = hull(all, wide_[p]);
-    nodes_[leaves_ + leaf] = all;
-  }
-  for (std::size_t k = leaves_; k-- > 1;) nodes_[k] = hull(nodes_[2 * k], nodes_[2 * k + 1]);
-}
-
 // What the wide box of this change meets.
 void MovingBoxes::search(std::size_t change) {
   constexpr std::uint64_t few = 128, a_hit = 8, as_much_as_building = 32;
   const std::uint32_t i = changed_[change];
   const Box3 box = wide(i), before = before_[change];
-  std::uint64_t looks = 0, hits = 0;
-  stack_.assign(1, 1);
-  while (!stack_.empty()) {
-    const std::size_t node = stack_.back();
-    stack_.pop_back();
-    ++looks;
-    if (!meet(nodes_[node], box)) continue;
-    if (node < leaves_) {
-      stack_.push_back(2 * node + 1);
-      stack_.push_back(2 * node);
-      continue;
-    }
-    const std::size_t leaf = node - leaves_, end = begin_of(leaf + 1);
-    for (std::size_t p = begin_of(leaf); p < end; ++p) {
-      ++looks;
-      if (!meet(wide_[p], box)) continue;
-      ++hits;
-      consider(i, order_[p], before);
-    }
-  }
+  std::uint64_t hits = 0;
+  const std::uint64_t looks = tree_.for_each_meeting(box, BoxTree::no_group, [&](std::uint32_t j) {
+    ++hits;
+    consider(i, j, before);
+  });
   looks_ += looks;
   wasted_ += looks - std::min(looks, few + a_hit * hits);
   if (wasted_ > as_much_as_building * boxes_.size()) {
     wasted_ = 0;
-    build();
+    tree_.build();
   }
 }
 

@@ -3,7 +3,7 @@
 //
 // Each box is kept wider by a margin, some eight of its own last moves, and a quarter of its greatest side at most: so
 // what moves slowly changes nothing for several moves, and what rests is not widened. The wide boxes are the leaves of
-// a balanced tree, whose nodes are the boxes of what is below them.
+// a balanced tree (box_tree.h).
 //   B1. Every wanted pair of boxes that have a common point is among pairs(), exactly: ends of boxes are compared as
 //       they are, and a margin, whatever is rounded in it, only ever widens. Ends may be infinite, not NaN.
 //   B2. pairs() is the same for every compiler and machine, given the same moves.
@@ -11,6 +11,7 @@
 // What one might assume and does not hold: pairs() also has pairs that are merely near, by their margins.
 #pragma once
 
+#include <sunder/near/box_tree.h>
 #include <sunder/predicate/point.h>
 
 #include <cstddef>
@@ -51,31 +52,22 @@ class MovingBoxes {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr std::size_t leaf_size = 8;
 
   Box3 widened(const Box3& box, const Box3& before) const;
-  std::size_t begin_of(std::size_t leaf) const { return leaf * order_.size() / leaves_; }
-  void build();
-  void split(std::size_t first_leaf, std::size_t leaves);
-  void refit();
   void drop_parted();
   void search(std::size_t change);
   void consider(std::uint32_t i, std::uint32_t j, const Box3& before);
-  const Box3& wide(std::uint32_t i) const { return wide_[place_[i]]; }
+  const Box3& wide(std::uint32_t i) const { return tree_.box(i); }
 
   Wanted wanted_;
   std::vector<Box3> boxes_;             // as given last
-  std::vector<std::uint32_t> order_;    // the boxes in the order of the leaves
-  std::vector<std::uint32_t> place_;    // of each box in that order
-  std::vector<Box3> wide_;              // in that order
-  std::vector<Box3> nodes_;             // node k has the children 2 k and 2 k + 1; leaf l is node leaves_ + l
+  BoxTree tree_;                        // of the wide ones
   std::vector<std::uint32_t> changed_;  // boxes that left their wide ones since the last update
   std::vector<Box3> before_;            // of each of these the wide box that it left
   std::vector<std::uint32_t> change_;   // of each box its place in changed_, or none
   std::vector<Pair> pairs_;
   std::vector<std::uint32_t> fresh_, free_;  // slots
-  std::vector<std::size_t> stack_;
-  std::size_t leaves_ = 1, slots_ = 0;
+  std::size_t slots_ = 0;
   std::uint64_t looks_ = 0, wasted_ = 0;
   bool is_new_ = true;  // no pair has been looked for
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/prefetch.h>
 #include <sunder/near/box_grid.h>
 #include <sunder/near/lanes_box.h>
@@ -50,6 +51,7 @@ bool for_each_near_pair(std::span<const Member> members, const BoxGrid& grid, co
   constexpr std::uint32_t ahead = 8;
   const std::uint32_t cells = grid.cell_count();
   for (std::uint32_t c = 0; c < cells; ++c) {
+    if (c % 4096 == 0) may_be_interrupted(4096);
     if (progress && c % 65536 == 0) progress(static_cast<double>(c) / cells);
     if (c + ahead < cells) {
       for (const Covering& s : grid.cell(c + ahead)) prefetch(members[s.number()]);

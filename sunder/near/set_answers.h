@@ -3,7 +3,8 @@
 // Of a set, besides what set_methods.h asks for, there is boxes_of(set): the boxes of its members, each of which holds
 // its member, or rounded so that boxes of members that meet, meet.
 //   P1. Each pair whose contact counts, and that is not of one group, is given once; in any order.
-// Cost: O(N log N + k) for k pairs of boxes that meet (box_pairs.h). Probes: boxes looked at, and pairs.
+// Cost: O(N log N + k) for k pairs of boxes that meet and are not of one group (box_pairs.h). Probes: boxes looked at,
+// and pairs.
 #pragma once
 
 #include <sunder/near/box_pairs.h>
@@ -24,7 +25,7 @@ Cost contacts_visit(const Set& set, const SetOptions& options, const ContactVisi
   Cost cost;
   std::uint64_t looks = 0;
   const auto& boxes = boxes_of(set);
-  for_each_box_pair(std::span(boxes), pair_test(set, options, cost, visit), options.progress, &looks);
+  for_each_box_pair(std::span(boxes), pair_test(set, options, cost, visit), options.progress, &looks, options.groups);
   cost.probes += looks;
   return cost;
 }

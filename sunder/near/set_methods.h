@@ -6,6 +6,8 @@
 // A visitor takes a contact, and returns whether to go on.
 #pragma once
 
+#include <sunder/base/interruption.h>
+#include <sunder/near/box_pairs.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/near/near_pairs.h>
 #include <sunder/near/set_question.h>
@@ -48,6 +50,7 @@ struct Subset {
 template <class Set, class Visit>
 auto pair_test(const Set& set, const SetOptions& options, Cost& cost, const Visit& visit) {
   return [&](std::uint32_t i, std::uint32_t j) {
+    may_be_interrupted(1);
     if (may_meet(options.groups, i, j)) return true;
     ++cost.probes;
     const auto kind = contact_kind(set, i, j);
@@ -69,12 +72,25 @@ Cost visit_by_scan(const Set& set, const SetOptions& options, const Visit& visit
   return cost;
 }
 
+// By halving (box_pairs.h): for sets with groups. Cost: O(N log N + k) for k pairs of boxes that meet and are not of
+// one group.
+template <class Set, class Visit>
+Cost visit_by_halving(const Set& set, std::span<const Box2> boxes, const SetOptions& options, const Visit& visit) {
+  Cost cost;
+  const auto test = pair_test(set, options, cost, visit);
+  BoxPairsByHalving<decltype(test)> halving(boxes, test, options.groups);
+  halving.run();
+  cost.probes += halving.looks();
+  return cost;
+}
+
 // By the grid over the members' boxes; where it does not pay, by_sweep(set, options, visitor), and where too many crowd
 // in a cell, that lists the contacts of all of these, of which those are kept that a crowd is to look at.
 template <class Set, class Boxed, class Visit, class BySweep>
 Cost visit_by_grid(const Set& set, std::span<const Boxed> boxes, const std::optional<BoxGrid>& grid,
                    const SetOptions& options, const Visit& visit, const BySweep& by_sweep) {
   check_groups(options.groups, set.size());
+  if (are_one_group(options.groups)) return Cost{set.size()};
   constexpr std::size_t crowd = crowd_for_all;
   if (!grid || is_too_much(*grid, crowd, set.size())) return by_sweep(set, options, visit);
   Cost cost;
@@ -97,6 +113,7 @@ template <class Set, class Boxed, class BySweep>
 AnyAnswer<ContactIn<Set>> any_by_grid(const Set& set, std::span<const Boxed> boxes, const std::optional<BoxGrid>& grid,
                                       const SetOptions& options, const BySweep& by_sweep) {
   check_groups(options.groups, set.size());
+  if (are_one_group(options.groups)) return {{}, Cost{set.size()}};
   constexpr std::size_t crowd = crowd_for_any;
   if (!grid || is_too_much(*grid, crowd, set.size())) return by_sweep(set, options);
   AnyAnswer<ContactIn<Set>> answer = first_of<ContactIn<Set>>([&](const auto& visit) {

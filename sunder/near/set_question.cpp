@@ -1,6 +1,7 @@
 #include <sunder/base/names.h>
 #include <sunder/near/set_question.h>
 
+#include <algorithm>
 #include <string>
 
 namespace sunder {
@@ -15,6 +16,10 @@ void check_groups(Groups groups, std::size_t members) {
               std::to_string(groups.size()) + " groups of " + std::to_string(members) +
                   " members; give a group for each, or none",
               "groups");
+}
+
+bool are_one_group(Groups groups) {
+  return !groups.empty() && std::all_of(groups.begin(), groups.end(), [&](std::uint32_t g) { return g == groups[0]; });
 }
 
 }  // namespace sunder

@@ -4,6 +4,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/base/interruption.h>
 #include <sunder/certificate/pair_answer.h>
 
 #include <algorithm>
@@ -41,6 +42,9 @@ inline bool may_meet(Groups groups, std::uint32_t i, std::uint32_t j) {
   return !groups.empty() && groups[i] == groups[j];
 }
 
+// Are all members of one group? Then no contact counts.
+bool are_one_group(Groups groups);
+
 struct SetOptions {
   Allowed allowed = Allowed::nothing;
   Groups groups{};                                 // members of one group may meet
@@ -51,7 +55,9 @@ struct SetOptions {
 // To be called at step k of so many; tells of the progress once in `every` steps, a power of two.
 template <std::size_t every = 65536>
 void tell_progress(const SetOptions& options, std::size_t k, std::size_t done, std::size_t all) {
-  if (options.progress && k % every == 0) options.progress(static_cast<double>(done) / static_cast<double>(all));
+  if (k % every != 0) return;
+  may_be_interrupted(4 * every);
+  if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(all));
 }
 
 // Two members, and how they meet.

@@ -1,9 +1,9 @@
+#include <sunder/base/json.h>
 #include <sunder/picture/gltf.h>
 #include <sunder/picture/round.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,6 @@
 namespace sunder::picture {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Numbers of glTF 2.0.
 constexpr int of_floats = 5126, of_indices = 5125;
@@ -63,7 +61,7 @@ class Model {
   explicit Model(std::span<const ScenePanel> panels) {
     json_["asset"] = {{"version", "2.0"}, {"generator", "sunder"}};
     json_["scene"] = 0;
-    json_["scenes"] = json_["nodes"] = json_["meshes"] = json_["accessors"] = Json::array();
+    for (const char* list : {"accessors", "meshes", "nodes", "scenes"}) json_[list] = Json::array();
     const auto material = [](const char* name, double red, double green, double blue) {
       return Json{{"name", name},
                   {"doubleSided", true},
@@ -81,7 +79,7 @@ class Model {
   std::string text(GltfForm form) {
     if (positions_.empty()) {  // empty lists are none of glTF
       for (const char* const list : {"meshes", "accessors"}) json_.erase(list);
-      return form == GltfForm::binary ? binary("") : json_.dump() + "\n";
+      return form == GltfForm::binary ? binary("") : json_.compact() + "\n";
     }
     std::string bytes = positions_;
     for (const std::uint32_t i : indices_) add_word(i, bytes);
@@ -92,12 +90,12 @@ class Model {
     json_["buffers"] = {{{"byteLength", bytes.size()}}};
     if (form == GltfForm::binary) return binary(bytes);
     json_["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(bytes);
-    return json_.dump() + "\n";
+    return json_.compact() + "\n";
   }
 
  private:
   std::string binary(const std::string& bytes) const {
-    std::string text = json_.dump();
+    std::string text = json_.compact();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string file = "glTF";
     add_word(2, file);
@@ -147,13 +145,14 @@ class Model {
       if (!pair.counts) continue;
       const scene::Body &a = panel.bodies[pair.body_a], &b = panel.bodies[pair.body_b];
       const Point3 at = scene::rounded_common_point(pair, a.parts[pair.part_a], b.parts[pair.part_b]);
-      node({{"name", fmt::format("{} meets {}", part_name(a, pair.part_a), part_name(b, pair.part_b))},
+      node({{"name", panel.told(pair)},
             {"translation", {single(at.x, a.name), single(at.y, a.name), single(at.z, a.name)}}},
            &all);
     }
     // x stays, z becomes y, y becomes -z: column by column.
     Json top{{"name", panel.title}, {"matrix", {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}}};
     if (!all.empty()) top["children"] = all;
+    if (!panel.notes.empty()) top["extras"] = {{"notes", panel.notes}};
     const std::size_t number = node(std::move(top), nullptr);
     json_["scenes"].push_back({{"name", panel.title}, {"nodes", {number}}});
   }
@@ -180,8 +179,10 @@ class Model {
     const int mode = add_indices(shape, part.pose);
     Json& accessors = json_["accessors"];
     Json attributes{{"POSITION", accessors.size()}};
-    Json primitive{
-        {"attributes", attributes}, {"indices", accessors.size() + 1}, {"mode", mode}, {"material", material}};
+    Json primitive{{"attributes", attributes},
+                   {"indices", accessors.size() + 1},
+                   {"mode", mode},
+                   {"material", static_cast<int>(material)}};
     accessors.push_back({{"bufferView", 0},
                          {"byteOffset", first},
                          {"componentType", of_floats},
@@ -194,7 +195,7 @@ class Model {
                          {"componentType", of_indices},
                          {"count", indices_.size() - first_index},
                          {"type", "SCALAR"}});
-    json_["meshes"].push_back({{"name", part.name}, {"primitives", {primitive}}});
+    json_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
     return json_["meshes"].size() - 1;
   }
 

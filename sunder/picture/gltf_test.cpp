@@ -86,7 +86,7 @@ TEST(Gltf, NamesAndColours) {
   EXPECT_NE(j["asset"]["extras"]["said"].get<std::string>().find("polyhedra inside of them"), std::string::npos);
   std::vector<std::string> names, materials;
   for (const json& node : j["nodes"]) names.push_back(node["name"]);
-  EXPECT_EQ(names, (std::vector<std::string>{"a", "b/left", "b/right", "b", "c", "a meets b/left", "as \"given\""}));
+  EXPECT_EQ(names, (std::vector<std::string>{"a", "b/left", "b/right", "b", "c", "a and b/left meet", "as \"given\""}));
   for (const json& material : j["materials"]) materials.push_back(material["name"]);
   EXPECT_EQ(materials, (std::vector<std::string>{"apart", "meets", "undecided"}));
   std::vector<int> used;

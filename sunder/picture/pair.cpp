@@ -4,8 +4,8 @@
 #include <sunder/certificate/direction.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/contact_evidence.h>
-#include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/placed.h>
+#include <sunder/planar/pair/polygon_polygon_by.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
@@ -14,7 +14,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace sunder::picture {
 
@@ -33,10 +35,32 @@ class Watched : public PosedPolygon {
     seen_.insert(k);
     return PosedPolygon::operator[](k);
   }
+  Point2 rounded(std::uint32_t k) const {
+    seen_.insert(k);
+    return PosedPolygon::rounded(k);
+  }
 
  private:
   std::set<std::uint32_t>& seen_;
 };
+
+// By the method of that name; none that can be watched: nothing.
+std::optional<PairAnswer> answer_by_name(const std::string& method, const Watched& a, const Watched& b) {
+  if (method == "automatic") return planar::answer_by_cone(a, b);
+  if (method == "difference") return planar::answer_exactly(a, b);
+  if (method == "halving") return planar::answer_by_halving(a, b);
+  if (method == "gjk") return planar::answer_by_nearest(a, b);
+  return std::nullopt;
+}
+
+// As searches go by what they see, two of one method that took as many steps and found the same are one search.
+bool are_same(const PairAnswer& p, const PairAnswer& q) {
+  const PairCertificate &of_p = p.certificate(), &of_q = q.certificate();
+  const auto kind = [](const PairCertificate& c) { return std::pair(c.direction.kind, c.direction.index); };
+  if (p.meet() != q.meet() || p.cost.probes != q.cost.probes || p.cost.iterations != q.cost.iterations) return false;
+  return p.meet() ? of_p.vertices == of_q.vertices
+                  : kind(of_p) == kind(of_q) && of_p.extreme_a == of_q.extreme_a && of_p.extreme_b == of_q.extreme_b;
+}
 
 // In the world, as PosedPolygon has them.
 std::vector<Point2> points_of(const PicturedPolygon& body) {
@@ -50,8 +74,6 @@ std::vector<Point2> points_of(const PicturedPolygon& body) {
   }
   return points;
 }
-
-std::string vertices(std::size_t n) { return n == 1 ? "1 vertex" : fmt::format("{} vertices", n); }
 
 std::string title_of(const std::string& title, const std::string& a, const std::string& b) {
   return title.empty() ? fmt::format("Do {} and {} meet?", shortened(a, 30), shortened(b, 30)) : title;
@@ -94,14 +116,12 @@ void draw_distance(PlanePicture& drawing, const PicturedPolygon& a, const Pictur
 
 }  // namespace
 
-std::string pair_svg(const PicturedPolygon& a, const PicturedPolygon& b,
-                     const std::optional<planar::ClosestFeatures>& closest, const std::string& title) {
+std::string pair_svg(const PairPicture& picture) {
+  const auto& [a, b, answer, method, closest, clause, title] = picture;
   const std::array bodies{&a, &b};
   std::array<std::set<std::uint32_t>, 2> seen;
-  PairCertificate certificate;
-  Cost cost;
-  StageTally tally;
-  planar::search_difference(Watched(a, seen[0]), 0, Watched(b, seen[1]), 0, certificate, cost, tally);
+  const std::optional<PairAnswer> again = answer_by_name(method, Watched(a, seen[0]), Watched(b, seen[1]));
+  const bool is_watched = again && are_same(*again, answer);
 
   const std::array points{points_of(a), points_of(b)};
   std::vector<Point2> all = points[0];
@@ -109,13 +129,17 @@ std::string pair_svg(const PicturedPolygon& a, const PicturedPolygon& b,
   PlanePicture drawing(all);
   for (std::size_t k = 0; k < 2; ++k) {
     drawing.polygon(points.at(k), inks.at(k));
-    for (const std::uint32_t v : seen.at(k)) drawing.dot(points.at(k)[v], inks.at(k), "", true);
-    drawing.legend(inks.at(k), fmt::format("{}: {}, {} of {} looked at (circles)", k == 0 ? "A" : "B",
-                                           bodies.at(k)->name, seen.at(k).size(), vertices(points.at(k).size())));
+    std::string text = fmt::format("{}: {}", k == 0 ? "A" : "B", bodies.at(k)->text);
+    if (is_watched) {
+      for (const std::uint32_t v : seen.at(k)) drawing.dot(points.at(k)[v], inks.at(k), "", true);
+      text += fmt::format(", {} looked at (circles)", seen.at(k).size());
+    }
+    drawing.legend(inks.at(k), text);
   }
-  const std::string said = draw_evidence(drawing, certificate, bodies, points);
+  if (!is_watched) drawing.note(fmt::format("The vertices that the method {} looked at are not shown.", method));
+  const std::string said = draw_evidence(drawing, answer.certificate(), bodies, points);
   if (closest) draw_distance(drawing, a, b, *closest);
-  return drawing.text(title_of(title, a.name, b.name), said);
+  return drawing.text(title_of(title, a.name, b.name), said + clause);
 }
 
 std::string cut_svg(const CutPicture& cut) {
@@ -137,7 +161,7 @@ std::string cut_svg(const CutPicture& cut) {
   drawing.polygon(points, of_body);
   if (cut.marks.size() == 2) drawing.segment(cut.marks[0], cut.marks[1], Ink::dark);
   for (const Point2& mark : cut.marks) drawing.dot(mark, Ink::dark);
-  const std::string body = fmt::format("{}, {}", cut.body.name, vertices(points.size()));
+  const std::string& body = cut.body.text;
   const std::string other = fmt::format("{}, {}", cut.name, io::name_of(cut.kind));
   drawing.legend(inks[0], "A: " + (cut.body_is_a ? body : other));
   drawing.legend(inks[1], "B: " + (cut.body_is_a ? other : body));
@@ -145,7 +169,7 @@ std::string cut_svg(const CutPicture& cut) {
   std::replace(said.begin(), said.end(), '\n', ' ');
   return drawing.text(
       title_of(cut.title, cut.body_is_a ? cut.body.name : cut.name, cut.body_is_a ? cut.name : cut.body.name),
-      "In common: " + said);
+      "In common: " + said + cut.clause);
 }
 
 }  // namespace sunder::picture

@@ -1,6 +1,13 @@
 #include <sunder/picture/pair.h>
 #include <sunder/picture/plane.h>
 
+#include <sunder/planar/pair/contact_evidence.h>
+#include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/scene/rounded_evidence.h>
+#include <tests/support/planar_pairs.h>
+#include <tests/support/scale.h>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
@@ -8,7 +15,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sunder::picture {
@@ -141,13 +150,69 @@ TEST(PairPicture, HasATitleAndTheDistance) {
   const auto a = planar::ConvexPolygon::from_vertices(square), &b = a;
   const planar::Pose here, there = planar::Pose::from_matrix({1, 0, 0, 1}, {4, 5});
   const auto distance = planar::polygon_polygon_distance(a, here, b, there);
-  const std::string svg = pair_svg({a, here, "A<"}, {b, there, "B"}, distance.closest, "");
+  const PairAnswer apart = planar::polygon_polygon(a, here, b, there), meet = planar::polygon_polygon(a, here, b, here);
+  const std::string of_b = "B: polygon, 4 vertices";
+  const std::string svg = pair_svg({{a, here, "A<", "A<: of 4 vertices"},
+                                    {b, there, "B", of_b},
+                                    apart,
+                                    "automatic",
+                                    distance.closest,
+                                    "; left out: 1 point"});
   expect_well_formed(svg);
-  for (const char* text : {"Do A&lt; and B meet?", "the distance, about 5<", "two parallel lines", "of 4 vertices"}) {
+  for (const char* text : {"Do A&lt; and B meet?", "the distance, about 5<", "two parallel lines",
+                           "A&lt;: of 4 vertices, ", "from each other; left out: 1 point", "looked at (circles)"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
-  EXPECT_EQ(pair_svg({a, here, "A"}, {b, there, "B"}, {}, "Mine").find("distance"), std::string::npos);
-  EXPECT_NE(pair_svg({a, here, "A"}, {b, here, "B"}, {}, "Mine").find("a common point"), std::string::npos);
+  const PicturedPolygon in_a{a, here, "A", "A"};
+  EXPECT_EQ(pair_svg({in_a, {b, there, "B", of_b}, apart, "automatic"}).find("distance"), std::string::npos);
+  EXPECT_NE(pair_svg({in_a, {b, here, "B", of_b}, meet, "automatic"}).find("a common point"), std::string::npos);
+}
+
+// The width of the strip, and the vertices that were looked at, are those of the method that answered, or none.
+TEST(PairPicture, ShowsTheSearchThatAnswered) {
+  using Method =
+      PairAnswer(const planar::ConvexPolygon&, const planar::Pose&, const planar::ConvexPolygon&, const planar::Pose&);
+  const std::vector<std::pair<std::string, Method*>> methods{{"automatic", planar::polygon_polygon},
+                                                             {"difference", planar::polygon_polygon_by_difference},
+                                                             {"halving", planar::polygon_polygon_by_halving},
+                                                             {"gjk", planar::polygon_polygon_by_gjk},
+                                                             {"triangles", planar::polygon_polygon_by_triangles},
+                                                             {"scan", planar::polygon_polygon_by_scan}};
+  using Family = tests::PlanarFamily;
+  constexpr std::array families{Family::grid,       Family::general, Family::near_contact, Family::touching,
+                                Family::degenerate, Family::sliver,  Family::contained};
+  tests::PlanarPairs pairs(tests::chosen_seed(77));
+  const int count = tests::scaled_count(700);
+  int apart = 0, differing = 0;
+  for (int i = 0; i < count; ++i) {
+    const tests::PlanarCase c = pairs.next(families.at(static_cast<std::size_t>(i) % families.size()));
+    std::set<std::string> said;
+    for (const auto& [name, method] : methods) {
+      SCOPED_TRACE(name + " " + std::to_string(i));
+      const PairAnswer answer = method(c.a, c.pose_a, c.b, c.pose_b);
+      const std::string svg = pair_svg({{c.a, c.pose_a, "A", "A"}, {c.b, c.pose_b, "B", "B"}, answer, name});
+      const bool is_watched = name != "triangles" && name != "scan";
+      ASSERT_EQ(count_in(svg, " looked at (circles)"), is_watched ? 2u : 0u);
+      ASSERT_EQ(count_in(svg, "The vertices that the method " + name + " looked at are not shown."),
+                is_watched ? 0u : 1u);
+      ASSERT_EQ(count_in(svg, "they meet: a common point"), answer.meet() ? 1u : 0u);
+      if (answer.meet()) continue;
+      ++apart;
+      std::array<std::vector<Point3>, 2> tables;
+      for (const Point2& v : c.a.vertices()) tables[0].push_back({v.x, v.y, 0});
+      for (const Point2& v : c.b.vertices()) tables[1].push_back({v.x, v.y, 0});
+      const Affine3 pose_a = planar::in_space(c.pose_a.affine()), pose_b = planar::in_space(c.pose_b.affine());
+      const scene::RoundedGap gap =
+          scene::rounded_gap(answer.certificate(), {tables[0], pose_a, false}, {tables[1], pose_b, false});
+      const std::string width = fmt::format("about {:.4g} from each other", gap.width);
+      ASSERT_EQ(count_in(svg, width), 1u) << width;
+      said.insert(width);
+    }
+    differing += said.size() > 1 ? 1 : 0;
+  }
+  if (count < 200) return;
+  EXPECT_GT(apart, count);  // of six methods
+  EXPECT_GT(differing, count / 20);
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ namespace {
 constexpr double panel_width = 560, panel_height = 540, margin = 44, row_height = 19;
 // Contacts of a placement that are told in words: few in one column, more in two of smaller letters.
 constexpr std::size_t most_in_column = 6, most_named = 40, longest_in_two = 38;
+constexpr std::size_t longest_note = 84;
 constexpr double small_row_height = 15;
 constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
 
@@ -43,6 +44,19 @@ std::string shaded(const Colour& c, double light) {
   const double k = 0.58 + 0.46 * light;
   const auto channel = [&](double x) { return static_cast<int>(std::min(255.0, x * k)); };
   return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
+}
+
+// In lines that fit into a panel, broken between words.
+std::vector<std::string> wrapped(std::string_view text) {
+  std::vector<std::string> lines;
+  while (text.size() > longest_note) {
+    const std::size_t blank = text.rfind(' ', longest_note);
+    const std::size_t end = blank == std::string_view::npos || blank == 0 ? longest_note : blank;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + (end == blank ? 1 : 0), text.size()));
+  }
+  lines.emplace_back(text);
+  return lines;
 }
 
 // From the world to pixels, from one side and a little from above; depths are in pixels too.
@@ -194,8 +208,20 @@ class Drawing {
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
     canvas_.legend(swatches(alarming), "meets another");
+    if (some_hull()) canvas_.legend("", "meshes that are not convex are asked about, and drawn, as their hulls");
     if (some_round()) canvas_.legend("", "balls, cylinders and the like are drawn by polyhedra inside of them");
     canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");
+  }
+
+  bool some_hull() const {
+    for (const ScenePanel& panel : panels_) {
+      for (std::uint32_t b = 0; panel.is_hull && b < panel.bodies.size(); ++b) {
+        for (std::uint32_t p = 0; p < panel.bodies[b].parts.size(); ++p) {
+          if (panel.is_hull(b, p)) return true;
+        }
+      }
+    }
+    return false;
   }
 
   bool some_round() const {
@@ -229,11 +255,7 @@ class Drawing {
     }
     canvas_.add("</g>\n</g>\n");
 
-    const auto name = [&](std::uint32_t body, std::uint32_t part) { return part_name(panel.bodies[body], part); };
-    const auto told = [&](std::size_t k) {
-      const scene::PartPair& pair = *contacts[k];
-      return fmt::format("{} meets {}", name(pair.body_a, pair.part_a), name(pair.body_b, pair.part_b));
-    };
+    const auto told = [&](std::size_t k) { return panel.told(*contacts[k]); };
     std::vector<RingContact> places;
     for (std::uint32_t k = 0; k < contacts.size(); ++k) {
       const Seen at = view(common_point(panel, *contacts[k]));
@@ -272,6 +294,9 @@ class Drawing {
     }
     if (contacts.size() > most_named)
       row(13, faint_colour, fmt::format("and {} more", contacts.size() - most_named), "");
+    for (const std::string& note : panel.notes) {
+      for (const std::string& line : wrapped(note)) row(13, faint_colour, line, "");
+    }
     return y;
   }
 
@@ -316,6 +341,12 @@ class Drawing {
 };
 
 }  // namespace
+
+std::string ScenePanel::told(const scene::PartPair& pair) const {
+  const bool as_hulls = is_hull && (is_hull(pair.body_a, pair.part_a) || is_hull(pair.body_b, pair.part_b));
+  return fmt::format("{} and {} meet{}", part_name(bodies[pair.body_a], pair.part_a),
+                     part_name(bodies[pair.body_b], pair.part_b), as_hulls ? " as hulls" : "");
+}
 
 std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title) {
   return Drawing(panels).text(title.empty() ? "Which of these bodies meet?" : title);

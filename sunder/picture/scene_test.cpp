@@ -45,8 +45,8 @@ TEST(ScenePicture, ManyContactsAreListedByNumber) {
   EXPECT_EQ(places_of(some).size(), 29u);
   EXPECT_EQ(some.find(" more<"), std::string::npos);
   EXPECT_NE(many.find("60 of 1830 pairs meet"), std::string::npos);
-  EXPECT_NE(many.find(">1. box0 meets box1<"), std::string::npos);
-  EXPECT_NE(many.find(">40. box39 meets box40<"), std::string::npos);
+  EXPECT_NE(many.find(">1. box0 and box1 meet<"), std::string::npos);
+  EXPECT_NE(many.find(">40. box39 and box40 meet<"), std::string::npos);
   EXPECT_NE(many.find(">and 20 more<"), std::string::npos);
   for (const std::string& svg : {few, some, many}) {
     const auto places = places_of(svg);
@@ -56,6 +56,21 @@ TEST(ScenePicture, ManyContactsAreListedByNumber) {
   std::set<std::string> columns;
   for (const auto& [x, y] : places_of(many)) columns.insert(x);
   EXPECT_EQ(columns.size(), 2u);
+}
+
+// What is said of hulls is said as that, and what the answer does not speak of stands below it.
+TEST(ScenePicture, SaysWhatHullsAndNotesSay) {
+  const std::vector<scene::Body> bodies = row_of(4);
+  const scene::Answer answer = scene::meeting_pairs(bodies);
+  ScenePanel panel{"", bodies, answer};
+  EXPECT_EQ(scene_svg(std::span(&panel, 1), "").find("hulls"), std::string::npos);
+  panel.is_hull = [](std::uint32_t body, std::uint32_t) { return body == 3; };
+  panel.notes = {"not asked about, as allowed to meet: 1 pair of bodies (1 Never)"};
+  const std::string svg = scene_svg(std::span(&panel, 1), "");
+  EXPECT_NE(svg.find(">1. box0 and box1 meet<"), std::string::npos);
+  EXPECT_NE(svg.find(">3. box2 and box3 meet as hulls<"), std::string::npos);
+  EXPECT_NE(svg.find("meshes that are not convex are asked about, and drawn, as their hulls"), std::string::npos);
+  EXPECT_NE(svg.find(">" + panel.notes[0] + "<"), std::string::npos);
 }
 
 }  // namespace

@@ -29,9 +29,12 @@ constexpr std::array<ContactKind, 4> kinds{ContactKind::crossing, ContactKind::o
                                            ContactKind::shared_endpoint};
 constexpr std::array<Ink, 4> inks{Ink::accent, Ink::third, Ink::bold, Ink::second};
 
-std::size_t position_of(ContactKind kind) {
-  return static_cast<std::size_t>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
-}
+// What is shown of a contact, or of a defect.
+struct Shown {
+  std::uint32_t i, j;
+  std::size_t kind;  // a position in the picture's kinds
+  Segment place;     // the common point, twice, or part
+};
 
 // Of classes of thin lines, in turns.
 constexpr std::array<const char*, 6> calm{"#66758c", "#b8965a", "#86a65c", "#a48fc0", "#5fa3ad", "#ad7564"};
@@ -76,28 +79,41 @@ std::vector<Point2> ends_of(const planar::Segments& segments) {
 class Drawing {
  public:
   explicit Drawing(const SegmentsPicture& given)
-      : file_(given.file),
+      : given_(given),
+        file_(given.file),
         segments_(given.segments),
-        contacts_(given.contacts),
         picture_(ends_of(segments_), {sheet.width, sheet.most_height, sheet.one_scale, given.y_down}) {
-    for (const SegmentsContact& contact : contacts_) ++count_.at(position_of(contact.kind));
+    for (const ContactKind kind : kinds) kinds_.push_back({inks.at(kinds_.size()), name_of(kind)});
+    for (const SegmentsContact& c : given.contacts)
+      shown_.push_back({c.i, c.j, kind_of(name_of(c.kind)), common_of(c)});
+    if (!given.defects.empty()) kinds_.clear();
+    for (const PicturedDefect& d : given.defects) shown_.push_back({d.i, d.j, kind_of(d.kind), d.place});
+    count_.resize(kinds_.size());
+    for (const Shown& shown : shown_) ++count_[shown.kind];
   }
 
-  std::string text(const std::string& title) {
+  std::string text() {
     legend();
     lines();
     rings();
-    return picture_.text(title.empty() ? "Which of these segments meet?" : title, summary());
+    return picture_.text(given_.title.empty() ? "Which of these segments meet?" : given_.title, summary());
   }
 
  private:
+  // A new one has the next ink in turn.
+  std::size_t kind_of(std::string_view name) {
+    const auto at = std::find_if(kinds_.begin(), kinds_.end(), [&](const RingKind& kind) { return kind.name == name; });
+    const auto position = static_cast<std::size_t>(at - kinds_.begin());
+    if (at == kinds_.end()) kinds_.push_back({inks.at(position % inks.size()), name});
+    return position;
+  }
+
   std::string summary() const {
     std::string text = fmt::format("{} of {}", io::count_of(file_.segments.size(), "segment"),
                                    io::count_of(file_.features.size(), "feature"));
     if (!file_.layers.empty()) text += ", " + io::count_of(file_.layers.size(), "layer");
     if (!file_.groups.empty()) text += ", " + io::count_of(file_.groups.size(), "group");
-    if (contacts_.empty()) return text + "; none meet";
-    return text + "; " + io::count_of(contacts_.size(), "pair") + (contacts_.size() == 1 ? " meets" : " meet");
+    return text + "; " + given_.said;
   }
 
   // Thin lines are in classes: their names, and that of each segment; both empty if all are of one.
@@ -109,9 +125,9 @@ class Drawing {
   }
 
   void legend() {
-    for (std::size_t k = 0; k < kinds.size() && !contacts_.empty(); ++k) {
-      picture_.legend(fmt::format("<g class='m {}'><circle cx='10' r='9'/></g>", class_of(inks.at(k))),
-                      fmt::format("{} {}", name_of(kinds.at(k)), count_.at(k)), count_.at(k) == 0);
+    for (std::size_t k = 0; k < kinds_.size() && !shown_.empty(); ++k) {
+      picture_.legend(fmt::format("<g class='m {}'><circle cx='10' r='9'/></g>", class_of(kinds_[k].ink)),
+                      fmt::format("{} {}", kinds_[k].name, count_[k]), count_[k] == 0);
     }
     const auto [names, of_segment] = classes();
     for (std::size_t k = 0; k < std::min(names.size(), most_classes); ++k) {
@@ -146,15 +162,16 @@ class Drawing {
     for (std::size_t k = 0; k < members.size() && size <= most_data; ++k) {
       path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data[k]);
     }
-    std::array<std::set<std::uint32_t>, kinds.size()> bold;
+    std::vector<std::set<std::uint32_t>> bold(kinds_.size());
     SegmentsPath bands(picture_);
-    for (const SegmentsContact& contact : contacts_.first(std::min(contacts_.size(), most_bold))) {
-      bold.at(position_of(contact.kind)).insert({contact.i, contact.j});
-      if (contact.kind == ContactKind::overlap) bands.add(common_of(contact), nullptr);
+    for (std::size_t k = 0; k < shown_.size() && k < most_bold; ++k) {
+      const auto& [i, j, kind, place] = shown_[k];
+      bold[kind].insert({i, j});
+      if (place.a != place.b) bands.add(place, nullptr);
     }
-    for (std::size_t k = kinds.size(); k-- > 0;) {
-      path(fmt::format("class='{}' stroke-width='22'", class_of(inks.at(k))),
-           data_of({bold.at(k).begin(), bold.at(k).end()}));
+    for (std::size_t k = kinds_.size(); k-- > 0;) {
+      path(fmt::format("class='{}' stroke-width='22'", class_of(kinds_[k].ink)),
+           data_of({bold[k].begin(), bold[k].end()}));
     }
     path(fmt::format("class='{}' stroke-width='70' stroke-opacity='.5'", class_of(Ink::third)), bands.text());
     picture_.add("</g>\n");
@@ -180,27 +197,29 @@ class Drawing {
 
   // Of an overlap, in the middle.
   void rings() {
-    std::array<RingKind, kinds.size()> ring_kinds;
-    for (std::size_t k = 0; k < kinds.size(); ++k) ring_kinds.at(k) = {inks.at(k), name_of(kinds.at(k))};
     std::vector<RingContact> places;
-    for (std::uint32_t k = 0; k < contacts_.size(); ++k) {
-      const Segment common = common_of(contacts_[k]);
-      const Point2 a = picture_.at(common.a), b = picture_.at(common.b);
-      places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, k, position_of(contacts_[k].kind)});
+    for (std::uint32_t k = 0; k < shown_.size(); ++k) {
+      const Point2 a = picture_.at(shown_[k].place.a), b = picture_.at(shown_[k].place.b);
+      places.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, k, shown_[k].kind});
     }
-    picture_.rings(places, ring_kinds, [this](std::uint32_t k) { return sentence(k); });
-    if (contacts_.size() > most_bold) {
-      picture_.note(fmt::format("Bold: segments of the first {} contacts.", most_bold));
+    picture_.rings(places, kinds_, [this](std::uint32_t k) { return sentence(k); });
+    if (shown_.size() > most_bold) {
+      picture_.note(fmt::format("Bold: segments of the first {} {}.", most_bold,
+                                given_.defects.empty() ? "contacts" : "defects"));
     }
   }
 
   // "contact 3: crossing of segment 12 (feature A, line 4) and segment 77 (feature B, line 9) at (x, y)"
+  // "defect 3: hole-outside: ring 1 is outside of ring 0, its shell; segment 12 (feature A, line 4)"
   std::string sentence(std::uint32_t k) const {
-    const SegmentsContact& contact = contacts_[k];
+    const auto& [i, j, kind, place] = shown_[k];
+    if (!given_.defects.empty()) {
+      return fmt::format("defect {}: {}: {}; {}", k + 1, kinds_[kind].name, given_.defects[k].text, source_of(i));
+    }
     const auto about = [](const Point2& p) { return fmt::format("({:.10g}, {:.10g})", p.x, p.y); };
-    const auto [a, b] = common_of(contact);
-    return fmt::format("contact {}: {} of {} and {} {}", k + 1, name_of(contact.kind), source_of(contact.i),
-                       source_of(contact.j), a == b ? "at " + about(a) : "from " + about(a) + " to " + about(b));
+    const auto& [a, b] = place;
+    return fmt::format("contact {}: {} of {} and {} {}", k + 1, kinds_[kind].name, source_of(i), source_of(j),
+                       a == b ? "at " + about(a) : "from " + about(a) + " to " + about(b));
   }
 
   std::string source_of(std::uint32_t i) const {
@@ -213,15 +232,17 @@ class Drawing {
     return text + ")";
   }
 
+  const SegmentsPicture& given_;
   const io::LineFile& file_;
   const planar::Segments& segments_;
-  std::span<const SegmentsContact> contacts_;
   PlanePicture picture_;
-  std::array<std::size_t, kinds.size()> count_{};  // of contacts
+  std::vector<RingKind> kinds_;     // the strongest first; of defects in the order in which they come
+  std::vector<Shown> shown_;        // contacts, or defects
+  std::vector<std::size_t> count_;  // of these, by kind
 };
 
 }  // namespace
 
-std::string segments_svg(const SegmentsPicture& picture) { return Drawing(picture).text(picture.title); }
+std::string segments_svg(const SegmentsPicture& picture) { return Drawing(picture).text(); }
 
 }  // namespace sunder::picture

@@ -5,21 +5,33 @@
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace sunder::picture {
+
+// What is wrong with polygons, whose edges are segments of the file.
+struct PicturedDefect {
+  std::uint32_t i = 0, j = 0;  // the edges that show it; where one does, twice
+  planar::Segment place;       // as of planar::PolygonDefect
+  std::string_view kind;       // "hole-outside"
+  std::string text;            // a sentence
+};
 
 struct SegmentsPicture {
   const io::LineFile& file;
   const planar::Segments& segments;                   // those of the file, in its order
   std::span<const planar::SegmentsContact> contacts;  // numbered from 1, in this order
+  std::string said{};                                 // the answer in words, as the text has it: "none meet"
   std::string title{};                                // empty: a question
   bool y_down = false;                                // as boards have it
+  std::span<const PicturedDefect> defects{};          // in the place of contacts
 };
 
 // All segments drawn thin, those that meet bold over them, and a ring with a number at each contact (rings.h), in the
-// colour of its kind; 1600 pixels wide, without scripts. Pointing at a ring shows who meets there.
+// colour of its kind; 1600 pixels wide, without scripts. Pointing at a ring shows who meets there. Of defects likewise.
 //   S1. For every finite input the text is well-formed XML, in UTF-8, of finite numbers; the same input gives the same
 //       text.
 //   S2. Thin lines: one path for each layer; without layers, for each group, where there are at most 8; else one path.

@@ -32,7 +32,10 @@ std::vector<SegmentsContact> contacts_of(const Segments& segments) {
 
 std::string svg_of(const io::LineFile& file, const std::string& title = "", bool y_down = false) {
   const Segments segments(file.segments);
-  return segments_svg({file, segments, contacts_of(segments), title, y_down});
+  const std::vector<SegmentsContact> contacts = contacts_of(segments);
+  const std::string said =
+      contacts.empty() ? "none meet" : std::to_string(contacts.size()) + (contacts.size() == 1 ? " meets" : " meet");
+  return segments_svg({file, segments, contacts, said, title, y_down});
 }
 
 std::string svg_of(const std::string& csv) { return svg_of(io::parse_lines(csv, "t.csv")); }
@@ -167,7 +170,7 @@ void expect_apart(const std::vector<Ring>& rings) {
 TEST(SegmentsPicture, ACrossing) {
   const Read picture(svg_of("0,0,2,2,A\n0,2,2,0,B\n9,9,8,9,C\n"));
   EXPECT_EQ(picture.width, 1600);
-  EXPECT_TRUE(picture.says("3 segments of 3 features; 1 pair meets"));
+  EXPECT_TRUE(picture.says("3 segments of 3 features; 1 meets"));
   ASSERT_EQ(picture.rings.size(), 1u);
   EXPECT_EQ(picture.rings[0].label, "1");
   EXPECT_EQ(picture.rings[0].kind, "m c");
@@ -211,6 +214,26 @@ TEST(SegmentsPicture, OfAnOverlapTheCommonPartIsABand) {
   EXPECT_NE(picture.rings[0].told.find("overlap of segment 0 (feature 1, line 1)"), std::string::npos);
   EXPECT_NE(picture.rings[0].told.find("from (2, 0) to (3, 0)"), std::string::npos);
   EXPECT_NEAR(10 * picture.rings[0].x, (band[0][0][0] + band[0][1][0]) / 2, 1);
+}
+
+// What is wrong with polygons that is no two edges that meet has a ring, too.
+TEST(SegmentsPicture, Defects) {
+  const io::LineFile file = file_of({{{0, 0}, {4, 0}}, {{4, 0}, {0, 4}}, {{0, 4}, {0, 0}}, {{8, 8}, {9, 8}}});
+  const std::vector<PicturedDefect> defects{{3, 3, {{8, 8}, {8, 8}}, "hole-outside", "ring 1 <is> outside"},
+                                            {0, 1, {{4, 0}, {4, 0}}, "crossing", "edges 0 and 1"},
+                                            {0, 2, {{0, 0}, {1, 0}}, "overlap", "edges 0 and 2"},
+                                            {1, 1, {{0, 4}, {0, 4}}, "hole-outside", "ring 2"}};
+  const Read picture(
+      segments_svg({file, Segments(file.segments), {}, "0 of 1 feature valid, 4 defects", "", false, defects}));
+  EXPECT_TRUE(picture.says("4 segments of 1 feature; 0 of 1 feature valid, 4 defects"));
+  EXPECT_FALSE(picture.says("meet;"));
+  EXPECT_TRUE(picture.says("hole-outside 2"));
+  EXPECT_TRUE(picture.says("crossing 1"));
+  EXPECT_TRUE(picture.says("overlap 1"));
+  ASSERT_EQ(picture.rings.size(), 4u);
+  EXPECT_EQ(picture.rings[0].told, "defect 1: hole-outside: ring 1 <is> outside; segment 3 (feature all)");
+  EXPECT_EQ(picture.bold.size(), 3u);
+  EXPECT_EQ(picture.bands.size(), 1u);
 }
 
 TEST(SegmentsPicture, NamesMayBeAnything) {

@@ -1,5 +1,8 @@
 #include <sunder/predicate/crossing.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/sharp_stage.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace sunder {
 
@@ -15,6 +18,49 @@ Guess order(const Interval& a, const Interval& b) {
   if (a.low > b.high) return Guess::positive;
   if (a.high < b.low) return Guess::negative;
   return Guess::unsure;
+}
+
+// The crossing is at a + (n / m) (b - a), as exact_crossing has it.
+struct SharpCrossing {
+  Sharp n, m;
+  Vector2<Sharp> ab;
+};
+SharpCrossing sharply(const Crossing& p) {
+  const auto cd = difference<SharpStage>(p.d, p.c), ab = difference<SharpStage>(p.b, p.a);
+  return {cross(difference<SharpStage>(p.c, p.a), cd), cross(ab, cd), ab};
+}
+
+// The sign of the first, where that of the others, which it was multiplied by, is taken out of it.
+Guess divided(const Sharp& x, const Sharp& by) {
+  const Guess a = sign(x), b = sign(by);
+  if (a == Guess::unsure || b == Guess::unsure) return Guess::unsure;
+  return a == b ? Guess::positive : Guess::negative;
+}
+
+// Of the abscissas: that of p less that of q.
+Guess sharp_order(const Crossing& p, const Crossing& q) {
+  const SharpCrossing e = sharply(p), f = sharply(q);
+  const Sharp apart = difference<SharpStage>(p.a, q.a).x, m = e.m * f.m;
+  return divided(apart * m + (e.n * e.ab.x * f.m - f.n * f.ab.x * e.m), m);
+}
+Guess sharp_order(const Crossing& p, const Point2& q) {
+  const SharpCrossing e = sharply(p);
+  return divided(difference<SharpStage>(p.a, q).x * e.m + e.n * e.ab.x, e.m);
+}
+
+// As a quotient of intervals that is narrower than 2^-30 of its divisor, or by double-doubles.
+Interval along(const Crossing& p) {
+  const auto ab = difference<IntervalStage>(p.b, p.a), cd = difference<IntervalStage>(p.d, p.c);
+  const Interval m = cross(ab, cd), n = cross(difference<IntervalStage>(p.c, p.a), cd);
+  const double least = std::min(std::fabs(m.low), std::fabs(m.high));
+  if ((m.low < 0) == (m.high < 0) && m.high - m.low < 0x1p-30 * least && n.high - n.low < 0x1p-30 * least) return n / m;
+  const SharpCrossing e = sharply(p);
+  if (!is_sure(sign(e.m))) return n / m;
+  const auto around = [](const Sharp& x) {
+    const double error = 2 * x.error;
+    return Interval(x.value.high) + Interval(x.value.low - error, x.value.low + error);
+  };
+  return around(e.n) / around(e.m);
 }
 
 }  // namespace
@@ -38,14 +84,14 @@ ExactPoint2 exact_point(const Crossing& p) {
 Point2 nearest(const ExactPoint2& p) { return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)}; }
 
 Enclosure2 enclosure(const Crossing& p) {
-  const auto ab = difference<IntervalStage>(p.b, p.a), cd = difference<IntervalStage>(p.d, p.c);
-  const auto ac = difference<IntervalStage>(p.c, p.a);
-  const Interval along = cross(ac, cd) / cross(ab, cd);
-  return {Interval(p.a.x) + along * ab.x, Interval(p.a.y) + along * ab.y};
+  const auto ab = difference<IntervalStage>(p.b, p.a);
+  const Interval part = along(p);
+  return {Interval(p.a.x) + part * ab.x, Interval(p.a.y) + part * ab.y};
 }
 
 Sign compare(const Crossing& p, const Enclosure2& p_in, const Crossing& q, const Enclosure2& q_in, StageTally* tally) {
-  const Guess guess = order(p_in.x, q_in.x);
+  Guess guess = order(p_in.x, q_in.x);
+  if (!is_sure(guess)) guess = sharp_order(p, q);
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   const ExactPoint2 e = exact_point(p), f = exact_point(q);
   const Sign by_x = (e.x * f.denominator - f.x * e.denominator).sign();
@@ -54,7 +100,8 @@ Sign compare(const Crossing& p, const Enclosure2& p_in, const Crossing& q, const
 }
 
 Sign compare(const Crossing& p, const Enclosure2& p_in, const Point2& q, StageTally* tally) {
-  const Guess guess = order(p_in.x, q.x);
+  Guess guess = order(p_in.x, q.x);
+  if (!is_sure(guess)) guess = sharp_order(p, q);
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   const ExactPoint2 e = exact_point(p);
   const Sign by_x = (e.x - Dyadic(q.x) * e.denominator).sign();
@@ -63,7 +110,12 @@ Sign compare(const Crossing& p, const Enclosure2& p_in, const Point2& q, StageTa
 }
 
 Sign orient_2d(const Point2& s, const Point2& t, const Crossing& p, const Enclosure2& p_in, StageTally* tally) {
-  const Guess guess = sign(cross(difference<IntervalStage>(t, s), Vector2<Interval>{p_in.x - s.x, p_in.y - s.y}));
+  Guess guess = sign(cross(difference<IntervalStage>(t, s), Vector2<Interval>{p_in.x - s.x, p_in.y - s.y}));
+  if (!is_sure(guess)) {
+    const SharpCrossing e = sharply(p);
+    const auto st = difference<SharpStage>(t, s), from_s = difference<SharpStage>(p.a, s);
+    guess = divided(cross(st, from_s) * e.m + cross(st, e.ab) * e.n, e.m);
+  }
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   const ExactPoint2 e = exact_point(p);
   const Vector2<Dyadic> from_s{e.x - Dyadic(s.x) * e.denominator, e.y - Dyadic(s.y) * e.denominator};

@@ -1,10 +1,11 @@
 // On which side of one plane are many points? A plane through three points, kept in floating point with an error bound
-// that serves every point of a box; where it is unsure, orient_3d decides.
+// that serves every point of a box; where it is unsure, orient_3d_of_any_size decides.
 #pragma once
 
 #include <sunder/number/sign.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/scaled_orient.h>
 #include <sunder/predicate/stages.h>
 
 namespace sunder {
@@ -34,7 +35,7 @@ class FacetPlane {
   // orient_3d(a, b, c, q), exactly.
   Sign side(const Point3& a, const Point3& b, const Point3& c, const Point3& q) const {
     const Guess guess = guess_side(a, q);
-    return is_sure(guess) ? to_sign(guess) : orient_3d(a, b, c, q);
+    return is_sure(guess) ? to_sign(guess) : orient_3d_of_any_size(a, b, c, q);
   }
 
   // The filter alone, for tests.

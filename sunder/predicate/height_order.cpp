@@ -1,5 +1,5 @@
 #include <sunder/predicate/height_order.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/sharp_stage.h>
 
 namespace sunder {
 
@@ -11,7 +11,7 @@ Sign height_order_further(const Point2& a, const Point2& b, const Point2& c, con
     return ((p.y - r.y) * (u.x * v.x) + v.x * (u.y * (at.x - p.x))) - u.x * (v.y * (at.x - r.x));
   };
   const auto in_space = [](const Point2& p) { return Point3{p.x, p.y, 0}; };
-  return decide(tally, formula, in_space(a), in_space(b), in_space(c), in_space(d), Point3{x, 0, 0});
+  return decide_sharply(tally, formula, in_space(a), in_space(b), in_space(c), in_space(d), Point3{x, 0, 0});
 }
 
 }  // namespace sunder

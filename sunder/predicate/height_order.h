@@ -15,7 +15,7 @@ namespace sunder {
 // positive: at this x the line ab is above the line cd; zero: they meet there; negative: it is below.
 // Requires a.x < b.x and c.x < d.x. Exchanging the lines flips the sign.
 // Formula, with u = b - a and v = d - c: (a.y - c.y) u.x v.x + u.y (x - a.x) v.x - v.y (x - c.x) u.x, which is the
-// difference of the heights times u.x v.x. Stages: floating point, intervals, exact numbers.
+// difference of the heights times u.x v.x. Stages: floating point, intervals, double-doubles, exact numbers.
 inline Sign height_order(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double x,
                          StageTally* tally = nullptr);
 

@@ -1,6 +1,6 @@
 #include <sunder/base/lanes.h>
 #include <sunder/predicate/orient.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/sharp_stage.h>
 
 namespace sunder {
 
@@ -58,7 +58,7 @@ Sign orient_2d_further(const Point2& a, const Point2& b, const Point2& c, StageT
     return counted(&StageTally::rounded, tally, compare_products(u.rounded, swapped(v.rounded)));
   }
   const auto in_space = [](const Point2& p) { return Point3{p.x, p.y, 0}; };
-  return decide(tally, orient_2d_formula<2>, in_space(a), in_space(b), in_space(c));
+  return decide_sharply(tally, orient_2d_formula<2>, in_space(a), in_space(b), in_space(c));
 }
 
 Sign orient_2d_along(int axis, const Point3& a, const Point3& b, const Point3& c, StageTally* tally) {

@@ -12,9 +12,8 @@
 //     7 u of its length, the axis of length 1 by 18 u; what is along it of a vector, and what is perpendicular, by 28 u
 //     of the vector. The axis is at most 6.2 R long, so its length is off by 62 u R.
 //   - |L^T d| of an ellipsoid is off by at most 22 u of the greatest entry times |d|. Whether a point is in one is
-//   asked
-//     where it is a ball, through the adjoint: by the spectral norm, of 4.5 times the square of the greatest entry,
-//     that is off by at most 563 u of the point's size where 640 u are paid.
+//     asked where it is a ball, through the adjoint: by the spectral norm, of 4.5 times the square of the greatest
+//     entry, that is off by at most 563 u of the point's size where 640 u are paid.
 // So reaches along d are off by at most 128 u (R + E), and distances, those to a slope aside, by 128 u (R + E + F),
 // where F is the distance of the point; what is along a slope by 160 u, times the slope. 2^-45 is 256 u: it pays for
 // the last sums and for computing the bound too. No formula overflows where sizes are at most 2^60, and what underflows

@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/near/box_sweep.h>
+#include <sunder/near/box_tree.h>
 #include <sunder/number/interval.h>
 #include <sunder/scene/clearance.h>
 #include <sunder/scene/members.h>
@@ -11,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -41,37 +41,15 @@ double squared_gap(const Box3& a, const Box3& b) {
   return sum;
 }
 
-// Boxes by their lower ends along the axis on which these are spread most: which come near a box?
-class BoxOrder {
- public:
-  explicit BoxOrder(const std::vector<WorldBox>& boxes)
-      : boxes_(boxes), axis_(widest_axis(std::span<const WorldBox>(boxes))), order_(boxes.size()) {
-    std::iota(order_.begin(), order_.end(), 0u);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t i, std::uint32_t j) {
-      const double p = boxes[i].low[axis_], q = boxes[j].low[axis_];
-      return p != q ? p < q : i < j;
-    });
+// The square of what no points of the boxes are further apart than, rounded up.
+double squared_reach(const Box3& a, const Box3& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double reach = above(std::max(a.high[k] - b.low[k], b.high[k] - a.low[k]));
+    sum = above(sum + above(reach * reach));
   }
-
-  // of_pair(i, j), i < j, once for each pair whose squared_gap is at most `most`, and for some others. `most` may
-  // become less meanwhile.
-  template <class OfPair>
-  void for_each_near(const double& most, const OfPair& of_pair) const {
-    for (std::size_t p = 0; p < order_.size(); ++p) {
-      for (std::size_t q = p + 1; q < order_.size(); ++q) {
-        const std::uint32_t i = order_[p], j = order_[q];
-        const double gap = boxes_[j].low[axis_] - boxes_[i].high[axis_];  // of boxes further on it is no less
-        if (gap > 0 && gap * gap * (1 - 0x1p-48) > most) break;           // below what squared_gap rounds down to
-        of_pair(std::min(i, j), std::max(i, j));
-      }
-    }
-  }
-
- private:
-  const std::vector<WorldBox>& boxes_;
-  std::size_t axis_;
-  std::vector<std::uint32_t> order_;
-};
+  return std::isnan(sum) ? infinity : sum;
+}
 
 PartDistance named(const PartPair& pair) { return {pair.body_a, pair.body_b, pair.part_a, pair.part_b}; }
 
@@ -170,52 +148,63 @@ ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuesti
 }
 
 std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
-                                          std::vector<std::array<std::uint32_t, 2>> allowed) {
+                                          std::vector<std::array<std::uint32_t, 2>> allowed, std::uint64_t* looks) {
   const Members members(bodies, std::move(allowed));
-  std::vector<WorldBox> boxes;
+  const std::vector<std::uint32_t> groups = members.bodies();
+  std::vector<Box3> boxes;
   for (std::uint32_t i = 0; i < members.size(); ++i) boxes.push_back(box_of(members.part(bodies, i)));
-  const BoxOrder order(boxes);
-  // Of the pairs that are asked about; of some whose boxes are further apart than the square says it may be left out.
-  const auto for_each_pair = [&](const double& most, const auto& of_pair) {
-    order.for_each_near(most, [&](std::uint32_t i, std::uint32_t j) {
-      if (members.are_asked_about(i, j)) of_pair(i, j, squared_gap(boxes[i], boxes[j]));
-    });
-  };
+  const BoxTree tree(boxes, groups);
   struct Candidate {
     double squared = infinity;
-    std::uint32_t i = 0, j = 0;
+    std::uint32_t i = 0, j = 0;  // i < j
   };
-  const auto comes_before = [](const Candidate& p, const Candidate& q) {
-    return std::tie(p.squared, p.i, p.j) < std::tie(q.squared, q.i, q.j);
+  const auto comes_before = [&](const Candidate& p, const Candidate& q) {  // of equal ones, as the pairs of bodies do
+    const auto key = [&](const Candidate& c) {
+      return std::tuple(c.squared, members.body(c.i), members.body(c.j), c.i, c.j);
+    };
+    return key(p) < key(q);
+  };
+  // Of the pairs that are asked about, twice each: those whose boxes are, squared, no further apart than `most`, which
+  // may become less meanwhile.
+  const auto for_each_pair = [&](const double& most, const auto& of_pair) {
+    for (const std::uint32_t i : tree.order()) {
+      const auto gap = [&](const Box3& box) { return squared_gap(boxes[i], box); };
+      const std::uint64_t seen = tree.for_each_near(groups[i], gap, most, [&](std::uint32_t j, double squared) {
+        const Candidate here{squared, std::min(i, j), std::max(i, j)};
+        if (members.are_asked_about(here.i, here.j)) of_pair(here, i < j);
+      });
+      if (looks != nullptr) *looks += seen;
+    }
   };
   std::optional<Candidate> first;  // whose boxes are nearest
   double least = infinity;
-  for_each_pair(least, [&](std::uint32_t i, std::uint32_t j, double squared) {
-    const Candidate here{squared, i, j};
+  for_each_pair(least, [&](const Candidate& here, bool) {
     if (!first || comes_before(here, *first)) first = here;
     least = first->squared;
   });
   if (!first) return std::nullopt;
   PartDistance nearest = distance_of(members, bodies, first->i, first->j);
-  const auto bound = [&] {  // of the square, rounded up
-    const double high = nearest.distance.high;
-    return high == 0 ? 0.0 : above(high * high);
-  };
+  if (nearest.meet()) return nearest;  // of all whose boxes meet, the first one
+  const auto bound = [&] { return above(nearest.distance.high * nearest.distance.high); };  // of the square, rounded up
+  // The boxes of the first may have much more room than others (one around all bodies, say).
+  double most = bound();
+  for_each_pair(
+      most, [&](const Candidate& here, bool) { most = std::min(most, squared_reach(boxes[here.i], boxes[here.j])); });
   std::vector<Candidate> candidates;
-  const double most = bound();
-  for_each_pair(most, [&](std::uint32_t i, std::uint32_t j, double squared) {
-    if (squared <= most && (i != first->i || j != first->j)) candidates.push_back({squared, i, j});
+  for_each_pair(most, [&](const Candidate& here, bool is_new) {
+    if (is_new && (here.i != first->i || here.j != first->j)) candidates.push_back(here);
   });
   std::sort(candidates.begin(), candidates.end(), comes_before);
   double low = nearest.distance.low;  // of all that were looked at
-  for (const auto& [squared, i, j] : candidates) {
-    if (squared > bound()) break;
-    PartDistance found = distance_of(members, bodies, i, j);
+  for (const Candidate& here : candidates) {
+    if (here.squared > bound()) break;
+    PartDistance found = distance_of(members, bodies, here.i, here.j);
     low = std::min(low, found.distance.low);
     const bool is_first = comes_first(found, nearest);
     if (is_nearer(bodies, found, nearest) || (is_first && !is_nearer(bodies, nearest, found))) {
       nearest = std::move(found);
     }
+    if (nearest.meet()) break;  // those that meet come in their order
   }
   nearest.distance.low = low;
   return nearest;

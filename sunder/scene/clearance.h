@@ -2,10 +2,10 @@
 // Also called: clearance check, minimum distance query, safety margin, tolerance verification.
 //
 //   C1. A pair is listed as closer iff it is closer than its margin: exactly, for the doubles given; that far apart is
-//   far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h, C2);
-//   then it is listed and counted as that. C2. Boxes never hide a pair that is too close: they are widened, and that is
-//   rounded outwards. C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and
-//   machine.
+//       far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h,
+//       C2); then it is listed and counted as that.
+//   C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards.
+//   C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
 #pragma once
 
 #include <sunder/base/error.h>
@@ -65,10 +65,12 @@ ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuesti
 // The nearest two parts of different bodies, but for the pairs allowed; nothing where there are none. Of polyhedra,
 // balls, capsules and rounded polyhedra, of pairs that are equally far apart, compared exactly (those that meet are 0
 // apart), the first. Curved ones are compared by their bounds: then others may be as near, but `distance` encloses the
-// least of all. Throws Error as closer_pairs. Cost for n parts: n log n, two looks at each pair whose boxes are, along
-// one axis, no further apart than the nearest bodies, and a distance for each pair whose boxes are so in space.
+// least of all. Throws Error as closer_pairs. Adds to `looks`, where given, how many boxes were looked at in the tree
+// (near/box_tree.h). Cost for n parts: three searches in the tree for each, O(n log n) where boxes are spread, and a
+// distance for each pair whose boxes are no further apart than the nearest parts.
 std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
-                                          std::vector<std::array<std::uint32_t, 2>> allowed = {});
+                                          std::vector<std::array<std::uint32_t, 2>> allowed = {},
+                                          std::uint64_t* looks = nullptr);
 
 // Are the boxes so far apart along an axis? Then the axis (0, 1, 2), and whether A is the lower one. Requires a
 // positive `least`.

@@ -106,7 +106,7 @@ bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint
 }
 
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const ClearanceQuestion& question, const ClearanceAnswer& answer) {
+                const ClearanceQuestion& question, const ClearanceAnswer& answer, const NotePairs& note) {
   ClearanceClaims scene(claims, bodies, numbers, question.allowed);
   std::map<BodyPair, double> margins;
   for (const auto& [a, b, least] : question.margins) margins[in_order(a, b)] = least;
@@ -120,6 +120,7 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   const auto closer = members_of(answer.closer), undecided = members_of(answer.undecided);
 
   AllPairs all = scene.all();
+  PairReasons others;
   std::map<BodyPair, AllPairs> own;
   for (const auto& pair : scene.asked()) {
     const auto [i, j] = pair;
@@ -128,7 +129,10 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     const bool is_own = margin != margins.end();
     const double least = is_own ? margin->second : question.least;
     const bool is_known = !undecided.contains(pair) && (least == 0 || scene.state(i, j, least));
-    if (is_own || !is_known) all.besides.push_back(pair);
+    if (is_own || !is_known) {
+      all.besides.push_back(pair);
+      others.add(is_own ? "with a margin of its own" : "undecided", 1);
+    }
     if (!is_own) {
       if (closer.contains(pair)) all.contacts.push_back(pair);
       continue;
@@ -144,20 +148,32 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     if (closer.contains(pair)) those.contacts.push_back(here);
   }
   std::sort(all.besides.begin(), all.besides.end());
-  if (question.least > 0) claims.add_all_clearances(all, question.least);
-  for (const auto& [of, pairs] : own) claims.add_all_clearances(pairs, margins.at(of));
+  if (question.least > 0) {
+    note(true, others);
+    claims.add_all_clearances(all, question.least);
+  }
+  for (const auto& [of, pairs] : own) {
+    PairReasons of_two;
+    of_two.add("undecided", pairs.besides.size());
+    note(false, of_two);
+    claims.add_all_clearances(pairs, margins.at(of));
+  }
 }
 
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const std::vector<BodyPair>& allowed, const PartDistance& nearest) {
+                const std::vector<BodyPair>& allowed, const PartDistance& nearest, const NotePairs& note) {
   if (nearest.meet()) return;
   ClearanceClaims scene(claims, bodies, numbers, allowed);
   if (const double low = nearest.distance.low; low > 0) {
     AllPairs all = scene.all();
+    PairReasons others;
     for (const auto& [i, j] : scene.asked()) {
-      if (!scene.state(i, j, low)) all.besides.push_back({i, j});
+      if (scene.state(i, j, low)) continue;
+      all.besides.push_back({i, j});
+      others.add("undecided", 1);
     }
     std::sort(all.besides.begin(), all.besides.end());
+    note(true, others);
     claims.add_all_clearances(all, low);
   }
   const std::uint32_t of_a = numbers[nearest.body_a][nearest.part_a], of_b = numbers[nearest.body_b][nearest.part_b];

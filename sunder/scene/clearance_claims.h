@@ -3,8 +3,10 @@
 
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/clearance.h>
+#include <sunder/scene/pair_reasons.h>
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,10 @@ namespace sunder::scene {
 
 // Of each part of each body, its number in the file.
 using PartNumbers = std::vector<std::vector<std::uint32_t>>;
+
+// Notes what is said of the statement that follows, about all pairs of the scene or about those of two bodies. `others`:
+// why pairs are not asked about, but for those that are allowed.
+using NotePairs = std::function<void(bool is_of_scene, const PairReasons& others)>;
 
 // States whether two parts, of these numbers in the file, are `least` apart, or more. False, and nothing is stated,
 // where that is undecided and cannot be told from the bounds of their distance either. Cost: that of their distance.
@@ -21,13 +27,14 @@ bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint
 // of all of them. One statement is of all pairs but the allowed, the undecided and those with a margin of their own; of
 // these, each has its own. Cost: of each pair whose boxes do not tell, that of its distance, in exact numbers.
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const ClearanceQuestion& question, const ClearanceAnswer& answer);
+                const ClearanceQuestion& question, const ClearanceAnswer& answer, const NotePairs& note);
 
 // States that all pairs but the allowed are as far apart as the lower bound of the nearest one's distance, or more
 // (curved ones of which that cannot be told, if there are any, are among its exceptions); and of the nearest how far
 // apart it is, exactly, or, where one has a radius, that it is nearer than the next double above the upper bound. Of
 // parts that meet nothing: that they do is stated elsewhere. Cost: as above, of all pairs.
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const std::vector<std::array<std::uint32_t, 2>>& allowed, const PartDistance& nearest);
+                const std::vector<std::array<std::uint32_t, 2>>& allowed, const PartDistance& nearest,
+                const NotePairs& note);
 
 }  // namespace sunder::scene

@@ -14,7 +14,7 @@ namespace {
 class Scene {
  public:
   Scene(std::span<const Body> bodies, const Question& question)
-      : bodies_(bodies), question_(question), members_(bodies, question.allowed) {
+      : bodies_(bodies), question_(question), members_(bodies, question.allowed, question.allowed_alone) {
     for (std::uint32_t i = 0; i < members_.size(); ++i) boxes_.push_back(box_of(members_.part(bodies, i)));
   }
 

@@ -50,6 +50,7 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
 struct Question {
   PairMethod method = solid::polyhedron_polyhedron;   // of two polyhedra; others are round_round's
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
+  bool allowed_alone = false;                         // the other way round: those are tested, and no others
   bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
   bool contacts = false;          // find out the contact of pairs that meet
   bool every_pair = false;        // list the pairs that boxes parted too
@@ -72,7 +73,7 @@ struct PartPair {
 struct Counts {
   std::uint64_t parts = 0;
   std::uint64_t pairs = 0;          // of parts of different bodies
-  std::uint64_t allowed = 0;        // of these, not tested because their bodies are an allowed pair
+  std::uint64_t allowed = 0;        // of these, not tested because of question.allowed
   std::uint64_t by_boxes = 0;       // parted by their boxes
   std::uint64_t by_method = 0;      // given to the method; pairs = allowed + by_boxes + by_method
   std::uint64_t undecided = 0;      // of these, those where it is not known whether they meet

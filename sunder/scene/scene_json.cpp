@@ -1,5 +1,6 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/clearance_claims.h>
+#include <sunder/scene/pair_reasons.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_claims.h>
@@ -33,8 +34,39 @@ bool is_open(const PartPair& pair, const Question& question) {
   return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
 }
 
-// What was asked about, and what counts, by parts of bodies one after the other.
-AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers) {
+// Notes what is said of the statement about all pairs of a placement that follows.
+class NotesOfPlacement {
+ public:
+  NotesOfPlacement(ClaimsWriter& file, const Question& question, const Numbers& numbers, const SaidOfScene& said,
+                   std::size_t placement)
+      : file_(file), joints_(said.joints_of(placement)), is_known_(!said.reasons.empty()) {
+    std::set<std::array<std::uint32_t, 2>> allowed;
+    for (std::size_t k = 0; k < question.allowed.size(); ++k) {
+      const auto [a, b] = std::minmax(question.allowed[k][0], question.allowed[k][1]);
+      if (a == b || !allowed.insert({a, b}).second) continue;
+      allowed_.add(is_known_ ? said.reasons[k] : "", numbers[a].size() * numbers[b].size());
+    }
+  }
+
+  void operator()(bool is_of_scene, const PairReasons& others) const {
+    if (joints_) file_.note(*joints_);
+    PairReasons reasons;
+    if (is_of_scene) reasons = allowed_;
+    const bool is_said = is_known_ || reasons.counts().empty();
+    for (const auto& [reason, pairs] : others.counts()) reasons.add(reason, pairs);
+    if (is_said && !reasons.counts().empty()) file_.note(SaidNote::allowed(reasons.counts()));
+  }
+
+ private:
+  ClaimsWriter& file_;
+  std::optional<SaidNote> joints_;
+  bool is_known_;  // why pairs are allowed
+  PairReasons allowed_;
+};
+
+// What was asked about, and what counts, by parts of bodies one after the other; undecided: how many of the pairs
+// besides are not allowed.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, std::uint64_t& undecided) {
   AllPairs result;
   std::vector<std::uint32_t> first;  // of each body, where its parts begin
   for (std::uint32_t b = 0; b < numbers.size(); ++b) {
@@ -44,8 +76,9 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   result.touching_allowed = question.touching_allowed;
   std::set<std::array<std::uint32_t, 2>> allowed;
-  for (const auto& [a, b] : question.allowed) {
-    if (a != b) allowed.insert({std::min(a, b), std::max(a, b)});
+  for (const auto& pair : question.allowed) {
+    const auto [a, b] = std::minmax(pair[0], pair[1]);
+    if (a != b) allowed.insert({a, b});
   }
   for (const auto& [a, b] : allowed) {
     for (std::uint32_t i = 0; i < numbers[a].size(); ++i) {
@@ -55,6 +88,7 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
     if (is_open(pair, question)) {
+      ++undecided;
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -73,6 +107,17 @@ void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std:
   add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
 }
 
+// The statement about all pairs of a placement, with what is said of it.
+void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
+                   const NotesOfPlacement& note) {
+  std::uint64_t undecided = 0;
+  const AllPairs all = all_pairs(answer, question, numbers, undecided);
+  PairReasons others;
+  others.add("undecided", undecided);
+  note(true, others);
+  pairs.add_all_pairs(all);
+}
+
 // What the statement of the pair leaves open, if anything.
 std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
   return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
@@ -86,8 +131,9 @@ std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
 }
 
 // Of each part its shape.
-Numbers add_shapes(PairClaims& pairs, std::span<const Body> bodies) {
+Numbers add_shapes(ClaimsWriter& file, PairClaims& pairs, std::span<const Body> bodies, const SaidOfScene& said) {
   return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+    file.say(said.of(b, p));
     const solid::RoundBody& shape = bodies[b].parts[p].shape;
     const std::string name = part_name(bodies[b], p);
     return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
@@ -133,7 +179,7 @@ void add_open(Origin& origin, std::size_t count, const std::function<MeetingPlac
 }  // namespace
 
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
-                       const TextSink& sink, const ClearanceQuestion& clearance) {
+                       const TextSink& sink, const ClearanceQuestion& clearance, const SaidOfScene& said) {
   const std::span<const Body> bodies = placements.front().bodies;
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
@@ -156,7 +202,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
   for (const Placement& placed : placements) {
     const std::string prefix = prefix_of(placed);
@@ -171,22 +217,23 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       if (pair.undecided()) continue;
       add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
-    pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
-    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance);
-    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest);
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
+    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, note);
+    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest, note);
   }
   pairs.end();
 }
 
 void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
-                               const Question& question, Origin origin, const TextSink& sink) {
+                               const Question& question, Origin origin, const TextSink& sink, const SaidOfScene& said) {
   origin.left_out.emplace_back("all pairs of bodies that no statement is about");
   add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
@@ -213,11 +260,13 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
     for (const PartPair& pair : placed.pairs) {
       if (!pair.meet()) continue;
       const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
     }
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
       const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
                  placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
     }
@@ -227,7 +276,8 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
 
 void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                              const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
-                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance) {
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance,
+                             const SaidOfScene& said) {
   for (const auto& [a, b] : question.allowed) {
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
@@ -235,7 +285,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  const Numbers shapes = add_shapes(pairs, bodies);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
@@ -253,9 +303,10 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
                       numbers[k][pair.body_b][pair.part_b]);
     }
-    pairs.add_all_pairs(all_pairs(answer, question, numbers[k]));
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
     if (clearance != nullptr) {
-      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance));
+      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance), note);
     }
   }
   pairs.end();

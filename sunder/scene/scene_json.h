@@ -5,6 +5,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/scene/clearance.h>
 #include <sunder/scene/scene.h>
+#include <sunder/scene/scene_said.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -26,9 +27,10 @@ struct Placement {
 
 // One placement at least, all of the same bodies; their answers to the question, which asked for every pair. That
 // bodies are allowed to meet is told with what the origin leaves out; so is each pair that is undecided. clearance:
-// what the placements' answers about clearances were asked. Throws what the sink throws.
+// what the placements' answers about clearances were asked. said: what the file says besides; so below. Throws what the
+// sink throws.
 void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
-                       const TextSink& sink, const ClearanceQuestion& clearance = {});
+                       const TextSink& sink, const ClearanceQuestion& clearance = {}, const SaidOfScene& said = {});
 
 // Two parts that are closer than they have to be, or of which that is undecided.
 struct CloserPair {
@@ -52,7 +54,8 @@ struct MeetingPlacement {
 // for each part of a pair.
 void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
                                const std::function<MeetingPlacement(std::size_t k)>& placement,
-                               const Question& question, Origin origin, const TextSink& sink);
+                               const Question& question, Origin origin, const TextSink& sink,
+                               const SaidOfScene& said = {});
 
 // Of so many placements, each of which is asked for a few times: all that write_certificate states, whether or not
 // pairs meet; of clearances, where they were asked about. `pairs` and `closer` of a placement need hold no more than
@@ -60,6 +63,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
 // the sink and `placement` throw. Memory: a name and a pose for each part in each placement, and one answer.
 void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
                              const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
-                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance = nullptr);
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance = nullptr,
+                             const SaidOfScene& said = {});
 
 }  // namespace sunder::scene

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/near/box_tree.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/scene/sweep.h>
@@ -13,15 +14,6 @@ namespace sunder::scene {
 
 namespace {
 
-Box3 both(const Box3& p, const Box3& q) {
-  Box3 box = p;
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = std::min(p.low[k], q.low[k]);
-    box.high[k] = std::max(p.high[k], q.high[k]);
-  }
-  return box;
-}
-
 class Sweep {
  public:
   Sweep(std::span<const Body> begin, std::span<const Body> end, const Question& question)
@@ -35,30 +27,50 @@ class Sweep {
   }
 
   SweptAnswer answer() {
-    for (std::uint32_t j = 0; j < members_.size(); ++j) {
-      for (std::uint32_t i = 0; i < j; ++i) {
-        if (members_.are_asked_about(i, j)) look_at(i, j);
+    if (every_pair_) {
+      for (std::uint32_t j = 0; j < members_.size(); ++j) {
+        for (std::uint32_t i = 0; i < j; ++i) {
+          if (members_.are_asked_about(i, j)) look_at(i, j);
+        }
       }
+    } else {
+      look_at_near();
     }
+    SweptCounts& counts = answer_.counts;
+    const std::uint64_t all_the_way = members_.asked_about(goes_straight_);
+    counts.by_boxes = all_the_way - counts.by_method;
+    counts.at_ends_only = members_.asked_about(std::vector<bool>(members_.size(), true)) - all_the_way;
     std::sort(answer_.pairs.begin(), answer_.pairs.end(), [](const SweptPair& p, const SweptPair& q) {
       return std::array{p.body_a, p.body_b, p.part_a, p.part_b} < std::array{q.body_a, q.body_b, q.part_a, q.part_b};
     });
     Counts all;
     members_.complete(all);
-    answer_.counts.pairs = all.pairs;
-    answer_.counts.allowed = all.allowed;
+    counts.pairs = all.pairs;
+    counts.allowed = all.allowed;
     return std::move(answer_);
   }
 
  private:
   const Part& part(std::uint32_t i, std::size_t at) const { return members_.part(bodies_[at], i); }
 
+  // Of the pairs that are asked about, all whose boxes meet at one end or on the way.
+  void look_at_near() {
+    std::vector<Box3> ways;
+    for (std::uint32_t i = 0; i < members_.size(); ++i) ways.push_back(hull(boxes_[0][i], boxes_[1][i]));
+    const std::vector<std::uint32_t> groups = members_.bodies();
+    const BoxTree tree(ways, groups);
+    for (const std::uint32_t i : tree.order()) {
+      answer_.counts.looks += tree.for_each_meeting(ways[i], groups[i], [&](std::uint32_t j) {
+        if (i < j && members_.are_asked_about(i, j)) look_at(i, j);
+      });
+    }
+  }
+
   void look_at(std::uint32_t i, std::uint32_t j) {
     if (!goes_straight_[i] || !goes_straight_[j]) return look_at_ends(i, j);
     // All of a way that is straight is in the hull of both ends, and so in the box around their boxes.
-    const Box3 of_a = both(boxes_[0][i], boxes_[1][i]), of_b = both(boxes_[0][j], boxes_[1][j]);
+    const Box3 of_a = hull(boxes_[0][i], boxes_[1][i]), of_b = hull(boxes_[0][j], boxes_[1][j]);
     if (!meet(of_a, of_b)) {
-      ++answer_.counts.by_boxes;
       if (every_pair_) list_apart(i, j, axis_between(of_a, of_b));
       return;
     }
@@ -85,7 +97,6 @@ class Sweep {
   }
 
   void look_at_ends(std::uint32_t i, std::uint32_t j) {
-    ++answer_.counts.at_ends_only;
     bool is_undecided = false;
     for (std::size_t at = 0; at < 2; ++at) {
       if (!meet(boxes_[at][i], boxes_[at][j])) continue;

@@ -49,6 +49,7 @@ struct SweptCounts {
   std::uint64_t at_ends_only = 0;  // pairs = allowed + by_boxes + by_method + at_ends_only
   std::uint64_t meeting = 0;
   std::uint64_t undecided = 0;  // all the way; or at an end, of those asked there, that meet at no end
+  std::uint64_t looks = 0;      // at boxes, in the tree that finds those near each other (near/box_tree.h)
 };
 
 struct [[nodiscard]] SweptAnswer {
@@ -64,8 +65,9 @@ struct [[nodiscard]] SweptAnswer {
 
 // question: its method is not looked at, nor what it says of contacts. With every_pair all that are apart all the way
 // are listed, too, with their directions. Requires the same bodies with the same parts in both placements, and indices
-// of bodies in question.allowed to be in range. Throws Error as meeting_pairs does. Cost for n parts: n^2 comparisons
-// of boxes, and a sweep for each pair whose boxes meet.
+// of bodies in question.allowed to be in range. Throws Error as meeting_pairs does. Cost for n parts: a search in
+// a tree of boxes for each, O(n log n) where these are spread, and a sweep for each pair whose boxes meet; n^2 with
+// every_pair.
 SweptAnswer meeting_on_the_way(std::span<const Body> begin, std::span<const Body> end, const Question& question = {});
 
 }  // namespace sunder::scene

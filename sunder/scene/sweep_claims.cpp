@@ -20,10 +20,12 @@ std::string names_of(std::span<const Body> bodies, const SweptPair& pair) {
 // The parts of bodies in a file, where they are in each placement: each once.
 class PlacedParts {
  public:
-  PlacedParts(PairClaims& pairs, std::span<const Body> bodies) : pairs_(pairs) {
+  PlacedParts(ClaimsWriter& file, PairClaims& pairs, std::span<const Body> bodies, const SaidOfScene& said)
+      : pairs_(pairs) {
     for (const Body& body : bodies) {
       shapes_.emplace_back();
       for (std::uint32_t p = 0; p < body.parts.size(); ++p) {
+        file.say(said.of(shapes_.size() - 1, p));
         shapes_.back().push_back(solid::add_shape(pairs, part_name(body, p), body.parts[p].shape));
       }
     }
@@ -67,7 +69,7 @@ void add_at_an_end(PairClaims& pairs, const PartPair& pair, const Part& a, const
 
 void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
                               const std::function<SweptStep(std::size_t k)>& step, const Question& question,
-                              Origin origin, const TextSink& sink) {
+                              Origin origin, const TextSink& sink, const SaidOfScene& said) {
   if (question.every_pair) {
     for (const auto& [a, b] : question.allowed) {
       origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
@@ -87,7 +89,7 @@ void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
   ClaimsWriter file(sink);
   file.add_origin(origin);
   PairClaims pairs(file);
-  PlacedParts parts(pairs, bodies);
+  PlacedParts parts(file, pairs, bodies, said);
   std::vector<solid::ClaimedMotion> numbers;  // of each pair that is stated; of one at an end both are there
   for (std::size_t k = 0; k < count; ++k) {
     const SweptStep at = step(k);
@@ -110,6 +112,9 @@ void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
     for (const SweptPair& pair : at.pairs) {
       if (pair.undecided()) continue;
       const solid::ClaimedMotion& of = *next++;
+      for (const std::size_t placement : {k, k + 1}) {
+        if (const auto joints = said.joints_of(placement)) file.note(*joints);
+      }
       if (pair.first) {
         add_claims(pairs, of, *pair.first);
       } else if (pair.direction) {

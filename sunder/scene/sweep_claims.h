@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/certificate/claims.h>
+#include <sunder/scene/scene_said.h>
 #include <sunder/scene/sweep.h>
 
 #include <cstddef>
@@ -23,6 +24,6 @@ struct SweptStep {
 // a pair that is stated. Throws what the sink and `step` throw. Memory: a name and a pose for each part of a pair.
 void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
                               const std::function<SweptStep(std::size_t k)>& step, const Question& question,
-                              Origin origin, const TextSink& sink);
+                              Origin origin, const TextSink& sink, const SaidOfScene& said = {});
 
 }  // namespace sunder::scene

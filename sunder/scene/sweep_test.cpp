@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace sunder::scene {
@@ -145,6 +147,70 @@ TEST(SceneSweep, LosesNothingThatAnySampleFinds) {
   EXPECT_GT(found, listed_pairs);
   EXPECT_GT(by_boxes, 0u);
   EXPECT_GT(listed_pairs, 0u);
+}
+
+// All at once against the two bodies of each pair alone: what is listed, and every count.
+TEST(SceneSweep, IsWhatEachPairAloneIs) {
+  const int count = tests::scaled_count(40, 10);
+  Random random(tests::chosen_seed(20270202));
+  std::uint64_t listed_pairs = 0, by_boxes = 0, at_ends_only = 0, all_allowed = 0;
+  for (int round = 0; round < count; ++round) {
+    std::vector<Body> begin(3 + random.below(12));
+    for (Body& one : begin) {
+      for (std::uint64_t p = random.below(4); p > 0; --p) {
+        const auto at = [&] { return random.uniform(-4, 4); };
+        one.parts.push_back({"", cube(), shift(at(), at(), at())});
+      }
+    }
+    std::vector<Body> end = begin;
+    for (Body& one : end) {
+      for (Part& part : one.parts) {
+        const auto at = [&] { return random.uniform(-4, 4); };
+        const double turn = random.below(4) == 0 ? 0.5 : 0;
+        part.pose = Pose::from_quaternion(1, 0, 0, turn, {at(), at(), at()});
+      }
+    }
+    Question question;
+    const auto some_body = [&] { return static_cast<std::uint32_t>(random.below(begin.size())); };
+    for (std::uint64_t i = random.below(6); i > 0; --i) question.allowed.push_back({some_body(), some_body()});
+    const SweptAnswer answer = meeting_on_the_way(begin, end, question);
+    using Listed = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, double, double>;
+    const auto listed_of = [](const SweptPair& p) {
+      return Listed{p.body_a, p.body_b, p.part_a, p.part_b, p.all_the_way, p.time.low, p.time.high};
+    };
+    std::vector<Listed> expected, found;
+    for (const SweptPair& pair : answer.pairs) found.push_back(listed_of(pair));
+    SweptCounts counts;
+    for (std::uint32_t a = 0; a < begin.size(); ++a) {
+      for (std::uint32_t b = a + 1; b < begin.size(); ++b) {
+        const auto is_pair = [&](const auto& pair) { return std::minmax(pair[0], pair[1]) == std::minmax(a, b); };
+        Question alone;
+        if (std::any_of(question.allowed.begin(), question.allowed.end(), is_pair)) alone.allowed = {{0, 1}};
+        SweptAnswer one = meeting_on_the_way(std::vector{begin[a], begin[b]}, std::vector{end[a], end[b]}, alone);
+        for (SweptPair& pair : one.pairs) {
+          pair.body_a = a, pair.body_b = b;
+          expected.push_back(listed_of(pair));
+        }
+        counts.pairs += one.counts.pairs, counts.allowed += one.counts.allowed;
+        counts.by_boxes += one.counts.by_boxes, counts.by_method += one.counts.by_method;
+        counts.at_ends_only += one.counts.at_ends_only, counts.meeting += one.counts.meeting;
+      }
+    }
+    const SweptCounts& all = answer.counts;
+    ASSERT_EQ(found, expected);
+    ASSERT_EQ(all.pairs, counts.pairs);
+    ASSERT_EQ(all.allowed, counts.allowed);
+    ASSERT_EQ(all.by_boxes, counts.by_boxes);
+    ASSERT_EQ(all.by_method, counts.by_method);
+    ASSERT_EQ(all.at_ends_only, counts.at_ends_only);
+    ASSERT_EQ(all.meeting, counts.meeting);
+    ASSERT_EQ(all.pairs, all.allowed + all.by_boxes + all.by_method + all.at_ends_only);
+    listed_pairs += answer.pairs.size(), by_boxes += all.by_boxes, at_ends_only += all.at_ends_only;
+    all_allowed += all.allowed;
+  }
+  for (const std::uint64_t seen : {listed_pairs, by_boxes, at_ends_only, all_allowed}) {
+    EXPECT_GT(seen, static_cast<std::uint64_t>(count));
+  }
 }
 
 }  // namespace

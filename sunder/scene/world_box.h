@@ -14,8 +14,9 @@
 namespace sunder::scene {
 
 // W1. low[k] <= coordinate k of every point of the placed body, exactly, <= high[k]; a bound that overflows is
-// infinite. W2. lowest[k] and highest[k] are vertices where the coordinate is exactly the least and the greatest. The
-// bounds are within a few units in the last place of the numbers that are added up.
+//     infinite.
+// W2. lowest[k] and highest[k] are vertices where the coordinate is exactly the least and the greatest.
+// The bounds are within a few units in the last place of the numbers that are added up.
 struct WorldBox : Box3 {
   std::array<std::uint32_t, 3> lowest{}, highest{};
 };

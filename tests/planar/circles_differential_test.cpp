@@ -128,7 +128,7 @@ TEST(DiscsDifferential, ListsAgreeWithTheScan) {
     ASSERT_EQ(planar::discs_count(circles, options).count, truth.size());
     ASSERT_EQ(planar::discs_all(circles, options).contacts.size(), truth.size());
     contacts += truth.size();
-    if (i % 4 > 1) continue;
+    if (i % 4 > 1 || set.empty()) continue;
     const SetOptions& o = options;  // proved: the list, and its length; and nothing else
     planar::DiscsAllAnswer all{truth, {}};
     std::reverse(all.contacts.begin(), all.contacts.end());

@@ -272,7 +272,7 @@ TEST(PolygonSetsComplexity, ConvexPolygons) {
       }
     }
   }
-  growth.expect_at_most(10, "convex_polygons_any");
+  growth.expect_at_most(14, "convex_polygons_any");
 }
 
 }  // namespace

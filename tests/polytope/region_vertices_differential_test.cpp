@@ -3,6 +3,9 @@
 #include <tests/support/half_space_sets.h>
 #include <tests/support/scale.h>
 
+#include <sunder/base/error.h>
+#include <sunder/base/random.h>
+#include <sunder/polytope/hull/convex_hull.h>
 #include <sunder/polytope/region/region_claims.h>
 #include <sunder/polytope/region/region_vertices.h>
 
@@ -13,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -121,6 +125,11 @@ TEST(RegionVertices, AreThoseOfAllCombinations) {
     SCOPED_TRACE(std::string(name_of(set.family)) + ", turn " + std::to_string(turn));
     const RegionVertices answer = region_vertices(set.half_spaces);
     ++kinds[answer.region.kind];
+    if (set.half_spaces.size() == 0) {  // all of space: nothing that a statement could speak of
+      EXPECT_EQ(answer.region.kind, RegionKind::unbounded);
+      EXPECT_THROW(written(set.half_spaces, answer), Error);
+      continue;
+    }
     const std::string text = written(set.half_spaces, answer);
     ASSERT_EQ(rule_of(text), "accepted") << text;
     if (answer.region.kind != RegionKind::bounded) {
@@ -160,6 +169,108 @@ TEST(RegionVertices, AreThoseOfAllCombinations) {
   }
   EXPECT_GT(degenerate, scaled_count(100));
   EXPECT_GT(left_out, scaled_count(400));
+}
+
+// Many half-spaces in each vertex: a cube or a cross-polytope somewhere, or the facets of few lattice points; with copies
+// that have another scale, and sums of two, which touch; in any order; of some a third is left out, or opposites are added.
+std::vector<double> degenerate_rows(std::size_t d, Random& random) {
+  const auto whole = [&](std::int64_t most) { return static_cast<double>(random.between(-most, most)); };
+  std::vector<std::vector<double>> rows;
+  const std::uint64_t family = random.below(4);
+  if (family < 2) {
+    std::vector<double> center;
+    for (std::size_t c = 0; c < d; ++c) center.push_back(whole(3));
+    const bool is_cube = family == 0 || d > 4;
+    for (std::size_t k = 0; k < (is_cube ? 2 * d : std::size_t{1} << d); ++k) {
+      std::vector<double> row(d);
+      for (std::size_t c = 0; c < d; ++c) row[c] = is_cube ? (k / 2 == c ? 1 : 0) : (k >> c & 1) == 0 ? 1 : -1;
+      if (is_cube && k % 2 == 1) row[k / 2] = -1;
+      row.push_back(1);
+      for (std::size_t c = 0; c < d; ++c) row[d] += row[c] * center[c];
+      rows.push_back(row);
+    }
+  } else {  // sizes that do, and do not, fit in integers of one word
+    constexpr std::array<std::int64_t, 7> most_of{0, 0, 30'000, 30'000, 1'000, 100, 30};
+    const bool is_long = family == 3;
+    std::vector<double> numbers;
+    for (std::size_t k = 0; k < d * (is_long && (d == 4 || d == 5) ? 18 : d + 3); ++k) {
+      numbers.push_back(whole(is_long ? most_of[d] : 2));
+    }
+    const Polytope points = Polytope::from_points(d, numbers);
+    const polytope::ConvexHull hull = convex_hull(points);
+    for (std::size_t f = 0; f < hull.facet_count() && hull.dimension == d; ++f) {
+      std::vector<double> row;
+      bool is_exact = true;
+      for (const Dyadic& x : facet_half_space(hull, points, f)) {
+        row.push_back(x.nearest());
+        is_exact = is_exact && x == Dyadic(row.back());
+      }
+      if (is_exact) rows.push_back(row);
+    }
+  }
+  const std::size_t count = rows.size();
+  for (std::size_t turn = 0; turn < 3 && count > 0; ++turn) {
+    std::vector<double> copy = rows[random.below(count)], sum = rows[random.below(count)];
+    const std::vector<double>& other = rows[random.below(count)];
+    for (std::size_t c = 0; c <= d; ++c) {
+      copy[c] *= turn == 0 ? 1 : 2.5;
+      sum[c] += other[c];
+    }
+    rows.push_back(copy);
+    rows.push_back(sum);
+  }
+  const std::uint64_t change = random.below(6);
+  if (change == 0 && count > 0) {
+    for (std::size_t turn = 0; turn < 2; ++turn) {
+      std::vector<double> opposite = rows[random.below(count)];
+      for (double& x : opposite) x = -x;
+      if (random.below(4) == 0) opposite[d] -= 1;
+      rows.push_back(opposite);
+    }
+  }
+  for (std::size_t k = rows.size(); k > 1; --k) std::swap(rows[k - 1], rows[random.below(k)]);
+  if (change == 1) rows.resize(rows.size() - rows.size() / 3);
+  std::vector<double> result;
+  for (const auto& row : rows) result.insert(result.end(), row.begin(), row.end());
+  return result;
+}
+
+TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
+  Random random(chosen_seed(20261202));
+  std::map<RegionKind, int> kinds;
+  int flat = 0, in_words = 0, in_any = 0;
+  for (int turn = 0; turn < scaled_count(120, 30); ++turn) {
+    const std::size_t d = 2 + static_cast<std::size_t>(turn % 5);
+    SCOPED_TRACE(turn);
+    const std::vector<double> rows = degenerate_rows(d, random);
+    if (rows.empty()) continue;
+    const Polytope body = Polytope::from_half_spaces(d, rows);
+    const RegionVertices answer = region_vertices(body);
+    ++kinds[answer.region.kind];
+    ASSERT_EQ(rule_of(written(body, answer)), "accepted");
+    if (answer.region.kind != RegionKind::bounded) continue;
+    flat += answer.region.dimension < d;
+    const bool is_degenerate = std::any_of(answer.found.at.begin(), answer.found.at.end(),
+                                           [&](const auto& at) { return at.size() > answer.region.dimension; });
+    in_words += is_degenerate && answer.found.exact_tests == 0;
+    in_any += is_degenerate && answer.found.exact_tests > 0;
+    if (body.size() > (d < 4 ? 40u : d == 4 ? 22u : 16u)) continue;
+    std::set<Row> points;
+    for (const std::vector<Dyadic>& vertex : answer.found.vertices) {
+      Row point;
+      for (std::size_t c = 0; c < d; ++c) point.emplace_back(fraction_text(vertex[c], vertex[d]));
+      points.insert(std::move(point));
+    }
+    EXPECT_EQ(points.size(), answer.found.vertices.size());
+    EXPECT_EQ(points, AllCombinations(body).points());
+  }
+  if (scaled_count(100, 1) < 50) return;
+  EXPECT_GT(kinds[RegionKind::empty], 0);
+  EXPECT_GT(kinds[RegionKind::unbounded], scaled_count(3));
+  EXPECT_GT(kinds[RegionKind::bounded], scaled_count(50));
+  EXPECT_GT(flat, scaled_count(2));
+  EXPECT_GT(in_words, scaled_count(20));
+  EXPECT_GT(in_any, scaled_count(2));
 }
 
 // Of each number of dimensions in space of each: a box in the flat x_c = x_1 + .. + x_k + c, k < c, from both sides.

@@ -47,10 +47,12 @@ TEST(RoundClaims, ApartToTheLastBit) {
     });
   };
   const double below = std::nextafter(5.0, 0.0);
-  EXPECT_EQ(beside(RoundKind::hull, below), R"(capsule "a" and capsule "b" are apart)");
-  EXPECT_EQ(beside(RoundKind::cylinder, below), R"(cylinder "a" and capsule "b" are apart)");
-  EXPECT_EQ(beside(RoundKind::cone, below), R"(cone "a" and capsule "b" are apart)");
-  EXPECT_EQ(beside(RoundKind::ellipsoid, below), R"(ellipsoid "a" and capsule "b" are apart)");
+  const std::string radius = " of radius 0x1.3ffffffffffffp+2 of the ";
+  const std::string apart = R"(of "a" and the capsule of radius 0x1.4p+2 of the 2 points of "b" are apart)";
+  EXPECT_EQ(beside(RoundKind::hull, below), "the capsule" + radius + "2 points " + apart);
+  EXPECT_EQ(beside(RoundKind::cylinder, below), "the cylinder" + radius + "2 points " + apart);
+  EXPECT_EQ(beside(RoundKind::cone, below), "the cone" + radius + "2 points " + apart);
+  EXPECT_EQ(beside(RoundKind::ellipsoid, below), "the ball" + radius + "1 point " + apart);
   for (const RoundKind kind : {RoundKind::hull, RoundKind::cylinder, RoundKind::cone, RoundKind::ellipsoid}) {
     EXPECT_EQ(beside(kind, 5), "parted");
   }
@@ -66,7 +68,9 @@ TEST(RoundClaims, TouchingAndOverlapping) {
                          {3.0, 4.0, 0.0});
     });
   };
-  EXPECT_EQ(touching(5, 4), R"(cylinder "a" and capsule "b" touch at (3, 4, 0))");
+  EXPECT_EQ(touching(5, 4),
+            R"(the cylinder of radius 0x1.4p+2 of the 2 points of "a" and the capsule of radius 0x1.4p+2 )"
+            R"(of the 2 points of "b" touch at (3, 4, 0))");
   EXPECT_EQ(touching(std::nextafter(5.0, 0.0), 4), "holds");
   EXPECT_EQ(touching(std::nextafter(5.0, 9.0), 4), "parted");
   EXPECT_EQ(touching(5, std::nextafter(4.0, 5.0)), "holds");
@@ -78,7 +82,8 @@ TEST(RoundClaims, TouchingAndOverlapping) {
       pairs.add_overlapping(a, b, {{x, 0.0, 1.0}, 1.0, {{{0, 1.0}, {1, 1.0}}, 2.0}, all_of_one});
     });
   };
-  EXPECT_EQ(overlapping(0.5), R"(cone "a" and ball "b" overlap at (1/2, 0, 1))");
+  EXPECT_EQ(overlapping(0.5), R"(the cone of radius 0x1p+1 of the 2 points of "a" and the ball of radius 0x1p+2 )"
+                              R"(of the 1 point of "b" overlap at (1/2, 0, 1))");
   EXPECT_EQ(overlapping(1), "inside");
   EXPECT_EQ(overlapping(1.5), "holds");
 }
@@ -93,7 +98,8 @@ TEST(RoundClaims, EllipsoidsAndClearances) {
     });
   };
   // (6, 8, 0) comes from (2, 2, 0), which is the root of 8 from the middle.
-  EXPECT_EQ(meet(3, 3), R"(ellipsoid "a" and "b" meet at (6, 8, 0))");
+  EXPECT_EQ(meet(3, 3), R"(the image of the ball of radius 0x1.8p+1 of the 1 point of "a" and the convex hull of the )"
+                        R"(2 points of "b" meet at (6, 8, 0))");
   EXPECT_EQ(meet(2.75, 3), "holds");
   EXPECT_EQ(meet(3, 3.5), "holds");
   const auto kept = [](double least) {
@@ -103,7 +109,8 @@ TEST(RoundClaims, EllipsoidsAndClearances) {
       pairs.add_clearance(a, b, least, {3.0, 4.0, 0.0});
     });
   };
-  EXPECT_EQ(kept(3), R"(ball "a" and cylinder "b" are 0x1.8p+1 apart, or more)");
+  EXPECT_EQ(kept(3), R"(the ball of radius 0x1p+1 of the 1 point of "a" and the cylinder of radius 0x1.4p+2 )"
+                     R"(of the 2 points of "b" are 0x1.8p+1 apart, or more)");
   EXPECT_EQ(kept(std::nextafter(3.0, 4.0)), "clear");
   const auto broken = [](double least) {
     return told([=](PairClaims& pairs) {
@@ -113,7 +120,9 @@ TEST(RoundClaims, EllipsoidsAndClearances) {
                                  {{9.0, 12.0, 0.0}, 2.0, {{{0, 1.0}, {1, 1.0}}, 2.0}});
     });
   };
-  EXPECT_EQ(broken(std::nextafter(2.5, 3.0)).substr(0, 39), R"(ball "a" and cylinder "b" are nearer th)");
+  EXPECT_EQ(broken(std::nextafter(2.5, 3.0)).substr(0, 145),
+            R"(the ball of radius 0x1.4p+2 of the 1 point of "a" and the cylinder of radius 0x1.4p+1 )"
+            R"(of the 2 points of "b" are nearer than 0x1.4000000000001p+1)");
   EXPECT_EQ(broken(2.5), "nearer");
 }
 

@@ -340,5 +340,32 @@ TEST(SolidHierarchyComplexity, ScanningAllNeighboursIsLinearOnStackedBodies) {
   }
 }
 
+// The hull of (t, t^2, 0), t = 2^(-400 k / n), and two points more, against its reflection through a vertex, in which
+// they touch: doubles see nothing of it, and each step of the simplex method from the whole bodies halves a distance.
+TEST(SolidHierarchyComplexity, SignsOfFinishingGrowAsALogarithm) {
+  const int greatest_power = scaled_count(16, 12) >= 16 ? 16 : 12;
+  int finished = 0;
+  for (int power = 8; power <= greatest_power; power += 2) {
+    const std::size_t n = std::size_t{1} << power;
+    std::vector<Point3> points;
+    const double by = std::exp2(-400 / static_cast<double>(n));
+    for (double t = 1; points.size() + 2 < n; t *= by) points.push_back({t, t * t, 0});
+    points.insert(points.end(), {{0.5, 0.6, 1}, {-1, 1, 0}});
+    const solid::ConvexPolyhedron body(points);
+    std::uint64_t greatest = 0;
+    for (const std::size_t eighth : {2U, 4U, 6U}) {
+      const Point3& at = points[n * eighth / 8];
+      const solid::Pose reflected = solid::Pose::from_matrix({-1, 0, 0, 0, -1, 0, 0, 0, -1}, {2 * at.x, 2 * at.y, 0});
+      const PairAnswer answer = solid::polyhedron_polyhedron(body, solid::Pose(), body, reflected);
+      EXPECT_TRUE(answer.meet()) << n << " " << eighth;
+      finished += answer.decided_by == DecidedBy::finishing;
+      greatest = std::max<std::uint64_t>(greatest, answer.cost.exact);
+    }
+    EXPECT_LE(greatest, std::min(200.0 * power, 10000.0)) << n;
+    std::printf("finishing: N %7zu signs %6llu\n", n, static_cast<unsigned long long>(greatest));  // NOLINT
+  }
+  EXPECT_GE(finished, 2 * (greatest_power / 2 - 3));
+}
+
 }  // namespace
 }  // namespace sunder::tests

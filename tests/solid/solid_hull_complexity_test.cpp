@@ -35,6 +35,15 @@ std::vector<Point3> filled_cone(std::size_t n, Random& random) {
   return points;
 }
 
+// Points (t, t^2, 0) whose t fall from 1 to 2^-range by equal factors, and two more: with t^2 and t^3 products vanish,
+// and whatever is furthest from a chord leaves nearly all points on one side.
+std::vector<Point3> geometric_parabola(std::size_t n, double range) {
+  std::vector<Point3> points{{0.5, 0.6, 1}, {-1, 1, 0}};
+  const double by = std::exp2(-range / static_cast<double>(n));
+  for (double t = 1; points.size() < n; t *= by) points.push_back({t, t * t, 0});
+  return points;
+}
+
 // k is 0: the answer is of size n.
 TEST(SolidHullGrowth, OfTheShapes) {
   Growth growth(6.2);
@@ -49,8 +58,29 @@ TEST(SolidHullGrowth, OfTheShapes) {
     for (const SolidShape& shape : all_solid_shapes()) add(shape.name, shape.make(n, random));
     add("blunt cone", blunt_cone(n));
     add("filled cone", filled_cone(n, random));
+    for (const double range : {100.0, 400.0}) {
+      std::vector<Point3> parabola = geometric_parabola(n, range);
+      add("geometric parabola", parabola);
+      for (std::size_t k = n - 1; k > 0; --k) std::swap(parabola[k], parabola[random.below(k + 1)]);
+      add("geometric parabola, in any order", parabola);
+    }
   }
   growth.expect_no_growth();
+}
+
+// Scaled along one axis, points take as many side tests, or hardly more.
+TEST(SolidHullGrowth, OneAxisIsScaled) {
+  Random random(20261128);
+  const std::size_t n = 1 << 12;
+  const std::vector<Point3> sphere = solid_shapes::sphere(n, random);
+  const auto least = static_cast<double>(solid::convex_hull(sphere).side_tests);
+  for (const double by : {0x1p600, 0x1p-600}) {
+    for (double Point3::* const axis : {&Point3::x, &Point3::y, &Point3::z}) {
+      std::vector<Point3> scaled = sphere;
+      for (Point3& p : scaled) p.*axis *= by;
+      EXPECT_LE(static_cast<double>(solid::convex_hull(scaled).side_tests), 1.15 * least);
+    }
+  }
 }
 
 }  // namespace

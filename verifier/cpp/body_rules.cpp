@@ -56,7 +56,7 @@ Reach reach(const char* rule, const HullBody& body, const Integers& direction) {
   Integer greatest = all[0];
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (body.is_way(k)) {
-      require(all[k] <= 0, rule, "a way of " + body.name + " goes on along the direction");
+      require(all[k] <= 0, rule, "a way of " + body.quoted + " goes on along the direction");
       result.is_flat = result.is_flat && all[k] == 0;
     } else {
       result.is_flat = result.is_flat && all[k] == all[0];
@@ -165,7 +165,7 @@ void require_behind(const HullBody& body, const Integers& direction, const Integ
   const Integer limit = dot(direction, place);  // of one number more, which does not count
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool is_behind = body.is_way(k) ? all[k] <= 0 : compare(all[k] * place.back(), e, limit, 0) <= 0;
-    require(is_behind, "slab", body.name + " is not behind its point");
+    require(is_behind, "slab", body.quoted + " is not behind its point");
   }
 }
 
@@ -204,7 +204,7 @@ void require_image(const Claim& claim, const HullBody& body, const Numbers& poin
     const Number& p = point[axis];
     Numbers values{{v[axis], from.d, from.e + body.linear.e}, {-p.n, p.d, p.e}};
     if (body.is_image()) values.push_back({body.translation.rows[0][axis], 1, body.translation.e});
-    require(sum_of(values) == 0, "holds", "the point of " + body.name + " comes from elsewhere");
+    require(sum_of(values) == 0, "holds", "the point of " + body.quoted + " comes from elsewhere");
   }
 }
 
@@ -232,10 +232,11 @@ bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, con
   const Integers scaled = common(values).integers;
   const Integers way{scaled[0] - scaled[3], scaled[1] - scaled[4], scaled[2] - scaled[5]};
   if (!body.axis.empty()) {
-    require(dot(way, body.axis) == 0, "holds", "the point is not straight beside its own of the axis of " + body.name);
+    require(dot(way, body.axis) == 0, "holds",
+            "the point is not straight beside its own of the axis of " + body.quoted);
   }
   const int order = dot(way, way).compare(scaled[6] * scaled[6]);
-  require(order <= 0, "holds", "the point is outside of " + body.name);
+  require(order <= 0, "holds", "the point is outside of " + body.quoted);
   return order < 0;
 }
 
@@ -245,10 +246,10 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
   const Common weights = common_weights(list.values);
   Integer total = 0;
   for (std::size_t k = 0; k < list.named.size(); ++k) {
-    require(weights.integers[k] >= 0, "holds", "a weight of " + body.name + " is negative");
+    require(weights.integers[k] >= 0, "holds", "a weight of " + body.quoted + " is negative");
     if (!body.is_way(list.named[k])) total += weights.integers[k];
   }
-  require(compare(total, weights.e, weights.d, 0) == 0, "holds", "the weights of " + body.name + " do not sum to 1");
+  require(compare(total, weights.e, weights.d, 0) == 0, "holds", "the weights of " + body.quoted + " do not sum to 1");
   Integers mean(body.dimension());
   std::int64_t e = 0;
   for (std::size_t k = 0; k < list.named.size(); ++k) {
@@ -261,7 +262,7 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
   if (body.is_round()) return reaches(claim, body, mean, weights.d, weights.e + e, point);
   for (std::size_t r = 0; r < mean.size(); ++r) {
     require(compare(mean[r] * point[r].d, weights.e + e, point[r].n * weights.d, point[r].e) == 0, "holds",
-            "the weighted sum of " + body.name + " is not the point in coordinate " + std::to_string(r));
+            "the weighted sum of " + body.quoted + " is not the point in coordinate " + std::to_string(r));
   }
   return false;
 }
@@ -281,13 +282,13 @@ bool is_behind(const char* rule, const HullBody& body, const Integers& direction
 
 void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
   const Parting found = parting("parted", common(claim.direction).integers, a, b);  // along a positive multiple
-  require(found.gap > 0, "parted", a.name + " is not strictly less far along the direction than " + b.name);
+  require(found.gap > 0, "parted", a.quoted + " is not strictly less far along the direction than " + b.quoted);
 }
 
 void check_parted_weakly(const Claim& claim, const HullBody& a, const HullBody& b) {
   const auto [gap, is_flat] = parting("parted", common(claim.direction).integers, a, b);
-  require(gap >= 0, "parted", a.name + " is not less far along the direction than " + b.name);
-  require(gap > 0 || !is_flat, "parted", "all of " + a.name + " and " + b.name + " is as far along the direction");
+  require(gap >= 0, "parted", a.quoted + " is not less far along the direction than " + b.quoted);
+  require(gap > 0 || !is_flat, "parted", "all of " + a.quoted + " and " + b.quoted + " is as far along the direction");
 }
 
 void check_holds(const Claim& claim, const HullBody& body, const Numbers& point) { holds(claim, body, point); }
@@ -342,7 +343,7 @@ void check_inside(const Claim& claim, const HullBody& body, const Numbers& point
   }
   if (body.radius.n != 0) {
     const bool is_inner = is_nearer && (body.axis.empty() || named.size() == 2);
-    return require(is_inner, "inside", "the point is on the boundary of " + body.name);
+    return require(is_inner, "inside", "the point is on the boundary of " + body.quoted);
   }
   take_steps(body.dimension() * rows.size(), 4 * body.given->bits, 4 * body.given->bits);
   const std::size_t origin =
@@ -355,7 +356,7 @@ void check_inside(const Claim& claim, const HullBody& body, const Numbers& point
   Span span;
   for (const std::size_t k : named) span.holds(vector_to(k));
   for (std::size_t k = 0; k < rows.size() && span.rank() < body.dimension(); ++k) {
-    require(span.holds(vector_to(k)), "inside", "what makes the point does not span all of " + body.name);
+    require(span.holds(vector_to(k)), "inside", "what makes the point does not span all of " + body.quoted);
   }
 }
 

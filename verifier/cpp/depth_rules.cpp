@@ -22,7 +22,7 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
   const Common weights = common_weights(end.weights.values);
   Integer total = 0;
   for (const Integer& weight : weights.integers) {
-    require(weight >= 0, "surrounds", "a weight of " + body.name + " is negative");
+    require(weight >= 0, "surrounds", "a weight of " + body.quoted + " is negative");
     total += weight;
   }
   Integer one = weights.d;
@@ -31,7 +31,7 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
   } else {
     total = shifted(total, weights.e);
   }
-  require(total == one, "surrounds", "the weights of " + body.name + " do not sum to 1");
+  require(total == one, "surrounds", "the weights of " + body.quoted + " do not sum to 1");
   Numbers place(3);
   for (std::size_t k = 0; k < end.weights.named.size(); ++k) {
     const auto [at, e] = image(body, end.weights.named[k]);  // of each point in the same unit

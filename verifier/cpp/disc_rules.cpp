@@ -1,11 +1,9 @@
-// Rules of discs: docs/claims.md, "in_discs", "powers", "no_entries".
+// Rules of discs: docs/claims.md, "in_discs", "powers".
 #include <verifier/cpp/member_rules.h>
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 
 namespace sunder_verifier {
-
-void check_no_entries(const Tables& tables) { require(tables.circles.empty(), "no_entries", "there are entries"); }
 
 void check_in_discs(const Tables& tables, const Numbers& point, bool is_region) {
   const std::size_t bits = length(point) + tables.circles.bits;

@@ -122,7 +122,7 @@ void check_ends(const Claim& claim, const Tables& tables, const Numbers& objecti
 namespace {
 
 bool has_corners(const std::string& verdict) {
-  return verdict != "plane" && verdict != "half-plane" && verdict != "line" && verdict != "strip";
+  return verdict != "half-plane" && verdict != "line" && verdict != "strip";
 }
 
 bool is_open(const std::string& verdict) { return verdict == "ray" || verdict == "unbounded"; }
@@ -135,7 +135,7 @@ Integers corner(const LinearConstraint& h, const LinearConstraint& k) {
 }
 
 void require_no_corners(const Constraints& sides, const std::string& verdict) {
-  const std::size_t wanted = verdict == "plane" ? 0 : verdict == "half-plane" ? 1 : 2;
+  const std::size_t wanted = verdict == "half-plane" ? 1 : 2;
   require(sides.size() == wanted, "sides", "there are " + std::to_string(sides.size()) + " sides");
   if (wanted < 2) return;
   const LinearConstraint &h = sides[0], &k = sides[1];

@@ -33,8 +33,8 @@ std::vector<std::pair<std::string_view, const Json*>> Json::members() const {
 
 class JsonReader {
  public:
-  JsonReader(std::string_view text, JsonText& result)
-      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), result_(result) {}
+  JsonReader(std::string_view text, std::size_t most_read, JsonText& result)
+      : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), most_read_(most_read), result_(result) {}
 
   void read() {
     if (std::string_view(at_, end_).starts_with("\xEF\xBB\xBF")) at_ += 3;
@@ -89,22 +89,35 @@ class JsonReader {
 
   // ---- Arrays and objects.
 
-  // The place of what is opened in the list. All of its entries come behind it.
-  std::size_t open(Kind kind) {
+  // Where something is opened: in the text, and in the lists. All of its entries come behind it.
+  struct Opened {
+    const char* at;
+    std::size_t place, unescaped;
+  };
+
+  Opened open(Kind kind) {
     if (++levels_ > most_levels) throw NotJson{static_cast<std::size_t>(at_ - begin_), true};
-    ++at_;
     add(kind);
-    return result_.values.size() - 1;
+    return {at_++, result_.values.size() - 1, result_.unescaped.size()};
   }
 
-  void close(std::size_t place, std::size_t size) {
-    --levels_;
-    result_.values[place].set_size(size);
-    result_.values[place].length_ = result_.values.size() - place;
+  void close(const Opened& opened, std::size_t size) {
+    if (levels_-- == most_read_ + 1) return leave_unread(opened);
+    Json& value = result_.values[opened.place];
+    value.set_size(size);
+    value.length_ = result_.values.size() - opened.place;
+  }
+
+  void leave_unread(const Opened& opened) {
+    result_.values.erase(result_.values.begin() + static_cast<std::ptrdiff_t>(opened.place), result_.values.end());
+    result_.unescaped.resize(opened.unescaped);
+    Json& value = add(Kind::unread);
+    value.set_size(static_cast<std::size_t>(at_ - opened.at));
+    value.text_ = opened.at;
   }
 
   void array() {
-    const std::size_t place = open(Kind::array);
+    const Opened opened = open(Kind::array);
     std::size_t size = 0;
     skip_space();
     if (!take(']')) {
@@ -115,11 +128,11 @@ class JsonReader {
       } while (take(','));
       expect(']');
     }
-    close(place, size);
+    close(opened, size);
   }
 
   void object() {
-    const std::size_t place = open(Kind::object);
+    const Opened opened = open(Kind::object);
     std::vector<std::string_view> keys;
     skip_space();
     if (!take('}')) {
@@ -134,9 +147,9 @@ class JsonReader {
       } while (take(','));
       expect('}');
     }
-    close(place, keys.size());
     std::sort(keys.begin(), keys.end());
     if (std::adjacent_find(keys.begin(), keys.end()) != keys.end()) result_.has_key_twice = true;
+    close(opened, keys.size());
   }
 
   // ---- Numbers.
@@ -258,13 +271,14 @@ class JsonReader {
   }
 
   const char *begin_, *at_, *end_;
+  const std::size_t most_read_;
   JsonText& result_;
   std::size_t levels_ = 0;
 };
 
-JsonText read_json(std::string_view text) {
+JsonText read_json(std::string_view text, std::size_t most_read) {
   JsonText result;
-  JsonReader(text, result).read();
+  JsonReader(text, most_read, result).read();
   return result;
 }
 

@@ -1,4 +1,5 @@
-// Reads JSON (RFC 8259) in one pass, into one list of values: the text of a certificate can have 10^8 of them.
+// Reads JSON (RFC 8259) in one pass, into one list of values: the text of a certificate can have 10^8 of them. What is
+// deep inside can be left as its text, and read later, piece by piece.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +16,7 @@ namespace sunder_verifier {
 // value each. So it is not copied.
 class Json {
  public:
-  enum class Kind : std::uint8_t { null, boolean, integer, other_number, string, array, object };
+  enum class Kind : std::uint8_t { null, boolean, integer, other_number, string, array, object, unread };
 
   Json(Json&&) = default;
   Json& operator=(Json&&) = default;
@@ -28,9 +29,10 @@ class Json {
   bool is_string() const { return kind() == Kind::string; }
   bool is_array() const { return kind() == Kind::array; }
   bool is_object() const { return kind() == Kind::object; }
+  bool is_unread() const { return kind() == Kind::unread; }  // an array or an object, of which the text is kept
 
   std::int64_t integer() const { return integer_; }          // requires is_integer()
-  std::string_view text() const { return {text_, size()}; }  // UTF-8; requires is_string()
+  std::string_view text() const { return {text_, size()}; }  // UTF-8; requires is_string() or is_unread()
   std::size_t size() const { return size_; }                 // entries, members, or bytes; else 0
   bool empty() const { return size() == 0; }
 
@@ -95,7 +97,20 @@ struct NotJson {
 constexpr std::size_t most_levels = 500;
 
 // The text must outlive the result. It may begin with a byte order mark. Numbers are none that are beyond the doubles.
-// Throws NotJson.
-JsonText read_json(std::string_view text);
+// Arrays and objects in more than so many others are looked at whole, and are unread in the result. Throws NotJson.
+JsonText read_json(std::string_view text, std::size_t most_read = most_levels);
+
+// A value, read now if it is unread. The text, and the value, must outlive it.
+class ReadNow {
+ public:
+  explicit ReadNow(const Json& value) : value_(value) {
+    if (value.is_unread()) text_ = read_json(value.text());
+  }
+  const Json& operator*() const { return value_.is_unread() ? text_.top() : value_; }
+
+ private:
+  const Json& value_;
+  JsonText text_;
+};
 
 }  // namespace sunder_verifier

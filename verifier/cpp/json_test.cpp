@@ -243,5 +243,25 @@ TEST(Json, LevelsAreLimited) {
   EXPECT_EQ(place("[" + nested(most_levels - 1) + "," + nested(most_levels - 1) + "]"), 999u);
 }
 
+TEST(Json, WhatIsDeepIsKeptAsItsText) {
+  std::string text = R"({"tables": {"a": [[1], {"b\n": "\u00e4"}]}, "statements": [)";
+  for (int k = 0; k < 1000; ++k) text += R"({"claims": [1, 2, [3, "\n"]]},)";
+  text += R"(7], "more": [[{"a": 1, "a": 2}]]})";
+  const JsonText read = read_json(text, 2);
+  EXPECT_LT(read.values.size(), 1020u);  // of each statement one
+  EXPECT_TRUE(read.unescaped.empty());
+  EXPECT_TRUE(read.has_key_twice);
+  const Json& statements = read.top()["statements"];
+  ASSERT_EQ(statements.size(), 1001u);
+  EXPECT_TRUE(statements[999].is_unread());
+  EXPECT_EQ(statements[999].text(), R"({"claims": [1, 2, [3, "\n"]]})");
+  EXPECT_EQ(statements[1000].integer(), 7);
+  const ReadNow last(statements[1000]), claim(statements[999]), table(read.top()["tables"]["a"]);
+  EXPECT_EQ((*last).integer(), 7);
+  EXPECT_EQ((*claim)["claims"][2][1].text(), "\n");
+  EXPECT_EQ((*table)[1]["b\n"].text(), "\xc3\xa4");
+  EXPECT_THROW(read_json(text.replace(text.find("[3,"), 3, "[3;"), 2), NotJson);
+}
+
 }  // namespace
 }  // namespace sunder_verifier

@@ -185,7 +185,7 @@ void check_cover(const Claim& claim, const MemberTable<Member>& members, const s
 template <class Member>
 void check_cover_number(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
                         const AllowedContacts& allowed, std::uint64_t number) {
-  check_number("cover", contacts_of(claim, members, groups, allowed), number);
+  check_number("cover", number_of(contacts_of(claim, members, groups, allowed)), number);
 }
 
 #define SUNDER_RULES_OF(Member)                                                                                \

@@ -44,7 +44,7 @@ void check_not_before(const Claim& claim, const StatedMotion& a, const StatedMot
   for (Integer& n : back) n = -n;
   const Integers of_a = projective(moved_back(point, time, a)), of_b = projective(moved_back(point, time, b));
   const auto require_behind = [](const HullBody& body, const Integers& way, const Integers& place) {
-    require(is_behind("not_before", body, way, place), "not_before", body.name + " goes on beyond the point");
+    require(is_behind("not_before", body, way, place), "not_before", body.quoted + " goes on beyond the point");
   };
   require_behind(*a.begin, direction, of_a);
   require_behind(*b.begin, back, of_b);
@@ -54,7 +54,7 @@ void check_not_before(const Claim& claim, const StatedMotion& a, const StatedMot
     nearer += direction[axis] * (of_b[axis] * of_a.back() - of_a[axis] * of_b.back());
   }
   require(nearer > 0, "not_before",
-          "along the direction " + a.begin->name + " and " + b.begin->name + " do not come nearer");
+          "along the direction " + a.begin->quoted + " and " + b.begin->quoted + " do not come nearer");
 }
 
 }  // namespace sunder_verifier

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace sunder_verifier {
 
@@ -18,13 +19,17 @@ Integer shifted(const Integer& n, std::int64_t bits) { return n << static_cast<u
 namespace {
 
 constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-thread_local std::uint64_t most_steps = no_limit, steps_left = no_limit;
+thread_local std::uint64_t most_steps = no_limit, steps_left = no_limit, steps_put_by = no_limit;
 
 }  // namespace
 
 void limit_steps(std::size_t bytes) { most_steps = steps_left = 300 * std::max<std::uint64_t>(bytes, 1'000'000); }
 
 void lift_limit() { most_steps = steps_left = no_limit; }
+
+StepsAreTaken::StepsAreTaken() { steps_put_by = std::exchange(steps_left, no_limit); }
+
+StepsAreTaken::~StepsAreTaken() { steps_left = steps_put_by; }
 
 void take_steps(std::uint64_t looks, std::size_t a, std::size_t b) {
   if (steps_left == no_limit) return;

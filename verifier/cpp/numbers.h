@@ -28,6 +28,14 @@ struct TooLong {
 // How much work is left of what the file that this thread checks may take: docs/claims.md, "Limits".
 void limit_steps(std::size_t bytes);
 void lift_limit();
+// While there is one, no steps are taken of what this thread reads: they were, when it was read before.
+class StepsAreTaken {
+ public:
+  StepsAreTaken();
+  ~StepsAreTaken();
+  StepsAreTaken(const StepsAreTaken&) = delete;
+  StepsAreTaken& operator=(const StepsAreTaken&) = delete;
+};
 // So many looks at a number of a bits and one of b bits. Throws TooLong.
 void take_steps(std::uint64_t looks, std::size_t a, std::size_t b);
 

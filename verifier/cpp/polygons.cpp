@@ -35,11 +35,10 @@ class Cells {
     if (!sweep_.next()) return false;
     meetings.clear();
     const Set& label = sweep_.below == no_index ? nothing_ : label_[sweep_.below];
+    take_steps(2 * label.size(), 1, 1);
     const Set at = look_at_point(label);
     for (const std::size_t s : sweep_.here) label_[s] = {};
-    looks_ = label.size();
     look_after_point(label, at);
-    take_steps(looks_, 1, 1);
     return true;
   }
 
@@ -78,7 +77,7 @@ class Cells {
         end_direction(*before, at, border, lower);
       }
       label_[*s] = toggled(before == nullptr ? label : label_[*before], polygons_.owner[*s]);
-      looks_ += label_[*s].size();
+      take_steps(2 * label_[*s].size(), 1, 1);
       border.push_back(polygons_.owner[*s]);
       before = s;
     }
@@ -106,7 +105,6 @@ class Cells {
   Sweep sweep_;
   std::vector<Set> label_;  // of each edge in the list
   const Set nothing_;
-  std::uint64_t looks_ = 0;
 };
 
 struct Member {
@@ -133,6 +131,7 @@ class PolygonPairs {
   std::int64_t group_of(std::size_t i) const { return groups_.empty() ? static_cast<std::int64_t>(i) : groups_[i]; }
 
   void look(const Meeting& meeting, const VisitContact& visit) {
+    if (meeting.first.empty()) return;
     std::vector<Member> second;
     for (const std::size_t j : meeting.second) second.push_back({group_of(j), j});
     std::sort(second.begin(), second.end(), is_before);
@@ -150,7 +149,9 @@ class PolygonPairs {
 
   void meet(std::size_t i, std::size_t j, const VisitContact& visit) {
     if (i > j) std::swap(i, j);
-    if (found_.insert(i * count_ + j).second) visit(i, j, "");
+    if (!found_.insert(i * count_ + j).second) return;
+    take_steps(8, 1, 1);
+    visit(i, j, "");
   }
 
   Cells cells_;
@@ -161,13 +162,27 @@ class PolygonPairs {
 
 }  // namespace
 
-bool is_above_odd(const std::vector<PlanarSegment>& edges, std::span<const EdgeRange> rings, const SweepPoint& p) {
+std::vector<std::size_t> edges_near(const PolygonTable& polygons, const EdgeRange& ring, const Numbers& point,
+                                    const SweepPoint& place) {
+  const std::size_t count = (ring.end - ring.begin + edges_of_block - 1) / edges_of_block, size = length(point);
+  take_steps(count + 4, size, polygons.bits);
+  std::vector<std::size_t> near;
+  for (std::size_t b = 0; b < count; ++b) {
+    const EdgeBlock& block = polygons.blocks[ring.first_block + b];
+    if (place.x < block.left * place.w || place.x > block.right * place.w || place.y < block.low * place.w) continue;
+    const std::size_t begin = ring.begin + b * edges_of_block;
+    for (std::size_t k = begin; k < std::min(begin + edges_of_block, ring.end); ++k) near.push_back(k);
+  }
+  take_steps(4 * near.size(), size, polygons.bits);
+  return near;
+}
+
+bool is_above_odd(const PolygonTable& polygons, const std::vector<std::size_t>& edges, const SweepPoint& p) {
   bool odd = false;
-  for (const EdgeRange& ring : rings) {
-    for (std::size_t k = ring.begin; k < ring.end; ++k) {
-      const bool is_over = !is_before(p, place_of(edges[k].first)) && is_before(p, place_of(edges[k].last));
-      odd ^= is_over && side(edges[k], p) > 0;
-    }
+  for (const std::size_t k : edges) {
+    const PlanarSegment& edge = polygons.edges[k];
+    const bool is_over = !is_before(p, place_of(edge.first)) && is_before(p, place_of(edge.last));
+    odd ^= is_over && side(edge, p) > 0;
   }
   return odd;
 }
@@ -182,17 +197,17 @@ void check_common_point(const Tables& tables, const StatedContact& contact, cons
   int touched = 0, inside = 0;
   bool passed = false;
   for (const std::size_t k : {i, j}) {
-    bool on = false, passes = false;
+    bool on = false, passes = false, odd = false;
     for (const EdgeRange& ring : polygons.rings[k]) {
-      take_steps(4 * (ring.end - ring.begin), length(point), polygons.bits);
-      for (std::size_t e = ring.begin; e < ring.end; ++e) {
+      const std::vector<std::size_t> near = edges_near(polygons, ring, point, place);
+      for (const std::size_t e : near) {
         if (!is_on(polygons.edges[e], place)) continue;
         on = true;
         passes |= !ends_at(polygons.edges[e], place);
       }
+      odd ^= is_above_odd(polygons, near, place);
     }
-    require(on || is_above_odd(polygons.edges, polygons.rings[k], place), "common_point",
-            "the point is not in polygon " + std::to_string(k));
+    require(on || odd, "common_point", "the point is not in polygon " + std::to_string(k));
     touched += on ? 1 : 0;
     passed |= passes;
     inside += !on || (polygons.is_flat(k) && (passes || polygons.is_point(k))) ? 1 : 0;

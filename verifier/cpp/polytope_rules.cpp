@@ -32,7 +32,7 @@ WeightedRows weighted_rows(const char* rule, const char* noun, const WeightList&
   Integers sum(columns);
   Integer total = 0;
   for (std::size_t k = 0; k < list.named.size(); ++k) {
-    require(weights.integers[k] >= 0, rule, std::string("a ") + noun + " of " + body.name + " is negative");
+    require(weights.integers[k] >= 0, rule, std::string("a ") + noun + " of " + body.quoted + " is negative");
     total += weights.integers[k];
     const Integers& row = body.given->rows[list.named[k]];
     for (std::size_t c = 0; c < columns; ++c) sum[c] += weights.integers[k] * row[c];
@@ -56,7 +56,7 @@ Planes planes_around(const RowBody& body, const std::vector<Numbers>& given) {
     Integer furthest = dot(normal, body.given->rows[0]);
     for (const Integers& point : body.given->rows) furthest = std::max<Integer>(furthest, dot(normal, point));
     require(sum_of({{furthest, 1, body.given->e}, {-row.back(), 1, 0}}) <= 0, "parted_by_hyperplanes",
-            "hyperplane " + std::to_string(planes.size() - 1) + " of " + body.name + " does not hold all of it");
+            "hyperplane " + std::to_string(planes.size() - 1) + " of " + body.quoted + " does not hold all of it");
   }
   return planes;
 }
@@ -72,7 +72,7 @@ Numbers combined(const WeightList& multipliers, const Planes& planes, const RowB
   const std::size_t whole = length(values);
   take_steps(values.size() / 4 + 1, whole, whole);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    require(values[k].n >= 0, "parted_by_hyperplanes", "a multiplier of " + body.name + " is negative");
+    require(values[k].n >= 0, "parted_by_hyperplanes", "a multiplier of " + body.quoted + " is negative");
     values[k].e += planes[multipliers.named[k]].e;
   }
   const Common weights = common(values);
@@ -116,7 +116,7 @@ Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers&
                                         : weighted_rows(rule, "multiplier", multipliers, body).row;
   for (std::size_t c = 0; c < d; ++c) {
     require(are_equal(sum[c], {along[c], given.d, e}), rule,
-            "the multipliers of " + body.name + " do not make the direction");
+            "the multipliers of " + body.quoted + " do not make the direction");
   }
   result.push_back(sum[d]);
   return result;
@@ -128,7 +128,7 @@ void check_parted_by(const Claim& claim, const RowBody& a, const RowBody& b) {
   Numbers ends = limit(a, claim.of_a, claim.direction, 1);
   for (const Number& end : limit(b, claim.of_b, claim.direction, -1)) ends.push_back(end);
   take_steps(16, length(ends), length(ends));
-  require(sum_of(ends) < 0, "parted_by", a.name + " is not strictly less far along the direction than " + b.name);
+  require(sum_of(ends) < 0, "parted_by", a.quoted + " is not strictly less far along the direction than " + b.quoted);
 }
 
 void check_parted_by_hyperplanes(const Claim& claim, const RowBody& a, const RowBody& b) {
@@ -137,7 +137,7 @@ void check_parted_by_hyperplanes(const Claim& claim, const RowBody& a, const Row
   for (const Number& end : limit(b, claim.of_b, claim.direction, -1, &planes_b)) ends.push_back(end);
   take_steps(16, length(ends), length(ends));
   require(sum_of(ends) < 0, "parted_by_hyperplanes",
-          "the half-spaces around " + a.name + " and " + b.name + " do not contradict");
+          "the half-spaces around " + a.quoted + " and " + b.quoted + " do not contradict");
 }
 
 void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) {
@@ -145,7 +145,7 @@ void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) 
   Integers place;  // in the frame of the body: x, .., w
   if (body.is_of_points) {
     const WeightedRows mean = weighted_rows("keeps", "weight", claim.weights, body);
-    require(are_equal(mean.total, {1, 1, 0}), "keeps", "the weights of " + body.name + " do not sum to 1");
+    require(are_equal(mean.total, {1, 1, 0}), "keeps", "the weights of " + body.quoted + " do not sum to 1");
     place = projective(mean.row);
   } else {
     place = projective(claim.at);
@@ -155,7 +155,7 @@ void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) 
       Integer excess = -row[d] * place[d];
       for (std::size_t c = 0; c < d; ++c) excess += row[c] * place[c];
       require(excess <= 0, "keeps",
-              "half-space " + std::to_string(k) + " of " + body.name + " does not hold its point");
+              "half-space " + std::to_string(k) + " of " + body.quoted + " does not hold its point");
     }
   }
   if (body.is_image()) take_steps(d * d, length(point), body.linear.bits);
@@ -170,7 +170,7 @@ void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) 
       terms.push_back({place[r], 1, 0});
     }
     require(sum_of(terms) == 0, "keeps",
-            "the point of " + body.name + " is another one in coordinate " + std::to_string(r));
+            "the point of " + body.quoted + " is another one in coordinate " + std::to_string(r));
   }
 }
 

@@ -128,6 +128,7 @@ void read_half_spaces(const Place& p, Said& said) {
   if (said.half_spaces->is_of_points || said.half_spaces->is_image()) {
     refuse_form(p.where + ".half_spaces is not of half-spaces, or placed");
   }
+  if (said.half_spaces->given->rows.empty()) refuse_form(p.where + ".half_spaces is of no half-spaces");
 }
 
 std::size_t dimension(const Said& said) {
@@ -275,9 +276,9 @@ void read_facets(const Place& p, Said& said) {
         corners.push_back(read_index(entry, said.body->rows().size(), where + " entry"));
       }
       const bool are_different = std::set(corners.begin(), corners.end()).size() == corners.size();
-      if (!are_different || (size != 0 && corners.size() != size))
+      if (size == 0) size = corners.size();
+      if (!are_different || corners.size() < 2 || corners.size() != size)
         refuse_form(where + " are no simplices of as many corners");
-      size = corners.size();
       said.facets.back().push_back(std::move(corners));
     }
   }
@@ -369,7 +370,9 @@ void read_polygon_contacts(const Place& p, Said& said) {
 void read_members(const Place& p, Said& said) {
   said.all_pairs.members = index_list(p.item, "members", p.tables.bodies.size(), no_index, p.where);
   const std::set<std::size_t> once(said.all_pairs.members.begin(), said.all_pairs.members.end());
-  if (once.size() != said.all_pairs.members.size()) refuse_form(p.where + ".members names one twice");
+  if (once.empty() || once.size() != said.all_pairs.members.size()) {
+    refuse_form(p.where + ".members is empty, or names one twice");
+  }
 }
 
 void read_groups_of_members(const Place& p, Said& said) {
@@ -390,8 +393,6 @@ void read_nearer_members(const Place& p, Said& said) {
   said.contacts = pairs_of(p, "nearer", said.all_pairs.members.size());
   if (said.contacts.empty()) refuse_form(p.where + ".nearer is empty");
 }
-
-constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 void read_count(const Place& p, Said& said) {
   said.number = read_index(p.item["number"], most_number + 1, p.where + ".number");
@@ -874,7 +875,7 @@ const ClaimNeeded these_count{
     }};
 const ClaimNeeded number_counts{
     "number_counts", {{"events", read_events}}, of_segments, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number("number_counts", contacts_of_segments(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", number_of_segments(c, t, s.groups, s.allowed), s.number);
     }};
 const ClaimNeeded no_polygons_meet{
     "none_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
@@ -886,7 +887,7 @@ const ClaimNeeded these_polygons_meet{
     }};
 const ClaimNeeded so_many_polygons_meet{
     "number_counts", {{"events", read_events}}, of_edges, [](const Claim& c, const Said& s, const Tables& t) {
-      check_number("number_counts", contacts_of_polygons(c, t, s.groups, s.allowed), s.number);
+      check_number("number_counts", number_of(contacts_of_polygons(c, t, s.groups, s.allowed)), s.number);
     }};
 const ClaimNeeded parts_valid{
     "valid", {{"events", read_events}}, of_parts, [](const Claim& c, const Said& s, const Tables&) {
@@ -969,10 +970,6 @@ template <GivenOf given>
 const ClaimNeeded cones{
     "cones", {{"cones", read_cones}}, size_of<given>, [](const Claim& c, const Said& s, const Tables& t) {
       check_cones(c, given(s, t), s.verdict, s.sides);
-    }};
-const ClaimNeeded no_entries{
-    "no_entries", {}, of_members<&Tables::circles>, [](const Claim&, const Said&, const Tables& t) {
-      check_no_entries(t);
     }};
 const ClaimNeeded in_discs{
     "in_discs", {}, of_members<&Tables::circles>, [](const Claim&, const Said& s, const Tables& t) {
@@ -1083,7 +1080,7 @@ const MemberReader point{"point", read_point};
 template <GivenOf given>
 std::vector<VerdictNeeds> regions() {
   std::vector<VerdictNeeds> result{{"empty", {}, {&contradict<given>}}};
-  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane"}) {
+  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded"}) {
     result.push_back({kind, {{"sides", read_sides<given>}}, {&cones<given>}});
   }
   return result;
@@ -1221,8 +1218,7 @@ const std::vector<Question> questions{
      {},
      {{"empty", {}, {&powers}},
       {"point", {point}, {&in_discs, &powers}},
-      {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}},
-      {"plane", {}, {&no_entries}}}},
+      {"region", {point, {"arcs", read_arcs}}, {&in_discs, &arcs}}}},
     {"polygons",
      "polygons",
      {{"allowed", read_allowed}},
@@ -1263,8 +1259,9 @@ const Entry& find(const std::vector<Entry>& list, const std::string& name, const
   return *found;
 }
 
-std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, const Said& said, const Tables& tables,
-                                 const std::string& where) {
+std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, const std::shared_ptr<const Said>& shared,
+                                 const Tables& tables, const std::string& where) {
+  const Said& said = *shared;
   std::vector<std::string> keys{"claim"};
   for (const auto& [name, read] : needed.brings) keys.emplace_back(name);
   const bool has_from = needed.from_of != nullptr && (said.*needed.from_of)->around == Around::ellipsoid;
@@ -1274,10 +1271,15 @@ std::function<void()> read_claim(const Json& item, const ClaimNeeded& needed, co
   Claim claim;
   for (const auto& [name, read] : needed.brings) read(item, said, needed.size(said, tables), where, claim);
   if (has_from) claim.from = read_numbers(list_member(item, "from", where), 3, where + ".from");
-  return [claim = std::move(claim), &needed, said, &tables] { needed.check(claim, said, tables); };
+  return [claim = std::make_shared<const Claim>(std::move(claim)), &needed, shared, &tables] {
+    needed.check(*claim, *shared, tables);
+  };
 }
 
-NamedBody named(const HullBody* body) { return body == nullptr ? NamedBody{} : NamedBody{body->title(), body->name}; }
+template <class Body>
+Thing named(const Body* body) {
+  return body == nullptr ? Thing{} : Thing{body->title(), body->quoted, body->said};
+}
 
 }  // namespace
 
@@ -1288,10 +1290,11 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
   result.verdict = string_member(item, "verdict", where);
   const Question& question = find(questions, result.question, where + ".question is none that is known");
   const VerdictNeeds& verdict = find(question.verdicts, result.verdict, where + ".verdict is none of this question");
-  if (!tables.has(question.table)) {
-    refuse_form(where + " is about " + question.table + ", which the file has not");
+  const auto size = tables.sizes.find(question.table);
+  if (size == tables.sizes.end() || size->second == 0) {
+    refuse_form(where + " is about " + question.table + ", of which the file has none");
   }
-  std::vector<std::string> keys{"question", "verdict", "claims"}, more;
+  std::vector<std::string> keys{"question", "verdict", "claims"}, more{"said"};
   std::vector<MemberReader> readers = question.says;
   readers.insert(readers.end(), verdict.says.begin(), verdict.says.end());
   for (const MemberReader& reader : readers) keys.emplace_back(reader.name);
@@ -1320,17 +1323,24 @@ ClaimedStatement read_statement(const Json& item, const Tables& tables, const Pr
     if (result.verdict == "segment") result.hull.faces = {{said.contact.i, said.contact.j}};
   }
   if (said.half_spaces != nullptr) result.a = said.half_spaces->name;
-  const bool is_of_polytopes = said.polytope_a != nullptr || said.half_spaces != nullptr;
-  result.sentence = is_of_polytopes
-                        ? sentence_of(item, {"", result.a}, {"", result.b})
-                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b));
+  const RowBody* const polytope = said.half_spaces != nullptr ? said.half_spaces : said.polytope_a;
+  result.sentence = polytope != nullptr
+                        ? sentence_of(item, named(polytope), named(said.polytope_b), question.table, size->second)
+                        : sentence_of(item, named(said.body != nullptr ? said.body : said.a), named(said.b),
+                                      question.table, size->second);
+  const auto of_rows = tables.said.find(question.table);
+  if (of_rows != tables.said.end()) result.sentence += of_rows->second;
+  if (item.contains("said")) {
+    result.sentence += read_notes(item["said"], tables.inputs, said.all_pairs.besides.size(), where + ".said");
+  }
   const Json& claims = list_member(item, "claims", where);
   if (claims.size() != verdict.claims.size()) {
     refuse_form(where + " has not " + std::to_string(verdict.claims.size()) + " claims");
   }
+  const auto shared = std::make_shared<const Said>(std::move(said));
   for (std::size_t k = 0; k < claims.size(); ++k) {
     result.checks.push_back(
-        read_claim(claims[k], *verdict.claims[k], said, tables, where + ".claims[" + std::to_string(k) + "]"));
+        read_claim(claims[k], *verdict.claims[k], shared, tables, where + ".claims[" + std::to_string(k) + "]"));
   }
   return result;
 }

@@ -224,13 +224,16 @@ std::string string_member(const Json& item, const char* key, const std::string& 
   return std::string(value.text());
 }
 
-std::string text_member(const Json& item, const char* key, const std::string& where) {
-  std::string text = string_member(item, key, where);
-  const std::size_t size = characters(text);
+std::string read_text(const Json& value, const std::string& where) {
+  const std::size_t size = value.is_string() ? characters(value.text()) : 0;
   if (size == 0 || size > most_name) {
-    refuse_form(where + "." + key + " is not a text of 1 to " + std::to_string(most_name) + " characters");
+    refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
   }
-  return text;
+  return std::string(value.text());
+}
+
+std::string text_member(const Json& item, const char* key, const std::string& where) {
+  return read_text(member(item, key, where), where + "." + key);
 }
 
 std::size_t characters(std::string_view text) {
@@ -267,7 +270,7 @@ std::string read_rule(const Json& item, const std::string& where) {
 }
 
 std::vector<std::int64_t> read_groups(const Json& item, std::size_t size, const std::string& where) {
-  constexpr std::int64_t most = 999'999'999'999'999;  // all JSON readers agree about whole numbers up to this
+  constexpr auto most = static_cast<std::int64_t>(most_number);
   std::vector<std::int64_t> result;
   for (const Json& entry : list_of(item, "groups", size, where)) {
     if (!entry.is_integer() || entry.integer() < -most || entry.integer() > most) {

@@ -16,7 +16,8 @@ namespace sunder_verifier {
 constexpr std::size_t most_weights = 16;  // of one body or polygon; d + 1 are always enough
 constexpr std::size_t most_multipliers = 64;
 constexpr std::size_t most_of_half_spaces = 256;
-constexpr std::size_t most_name = 4000;  // characters
+constexpr std::size_t most_name = 4000;                   // characters
+constexpr std::size_t most_number = 999'999'999'999'999;  // all readers of JSON agree about numbers up to this
 
 // A double that is a number: n * 2^e, with n odd or zero.
 struct Double {
@@ -38,6 +39,7 @@ const Json& member(const Json& item, const char* key, const std::string& where);
 const Json& list_member(const Json& item, const char* key, const std::string& where);
 std::string string_member(const Json& item, const char* key, const std::string& where);
 // A string of 1 to most_name characters.
+std::string read_text(const Json& value, const std::string& where);
 std::string text_member(const Json& item, const char* key, const std::string& where);
 std::size_t read_index(const Json& value, std::size_t size, const std::string& where);
 std::size_t index_member(const Json& item, const char* key, std::size_t size, const std::string& where);

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <iterator>
-#include <numeric>
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -40,7 +39,73 @@ struct AtEvent {
   std::int64_t group;
 };
 
-// Goes through a sweep, and tells of each two segments of different groups whose contact counts, once.
+// Places in a list of AtEvent, class by class: two of them may have contacts if they are of different classes and
+// groups, and one of them is of the first.
+struct Meeting {
+  struct Member {
+    std::size_t place, of_class;
+    bool is_first;
+  };
+  std::vector<Member> members;
+
+  void add(std::size_t place, std::size_t of_class, bool is_first) { members.push_back({place, of_class, is_first}); }
+};
+
+// Visits each two that may have contacts once, in time of their number and that of the members.
+template <class Visit>
+void visit_pairs(const Meeting& meeting, const std::vector<AtEvent>& at, const Visit& visit) {
+  using ByGroup = std::map<std::int64_t, std::vector<std::size_t>>;  // of the classes before
+  ByGroup all, first;
+  const auto& members = meeting.members;
+  for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+    while (end < members.size() && members[end].of_class == members[begin].of_class) ++end;
+    for (std::size_t k = begin; k < end; ++k) {
+      const AtEvent& s = at[members[k].place];
+      for (const auto& [group, others] : members[k].is_first ? all : first) {
+        if (group == s.group) continue;
+        for (const std::size_t t : others) visit(s, at[t]);
+      }
+    }
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t place = members[k].place;
+      all[at[place].group].push_back(place);
+      if (members[k].is_first) first[at[place].group].push_back(place);
+    }
+  }
+}
+
+// How many pairs of different groups there are.
+std::uint64_t of_two_groups(std::vector<std::int64_t> groups) {
+  std::sort(groups.begin(), groups.end());
+  std::uint64_t number = 0;
+  for (std::size_t begin = 0, end = 0; begin < groups.size(); begin = end) {
+    while (end < groups.size() && groups[end] == groups[begin]) ++end;
+    number += begin * (end - begin);
+  }
+  return number;
+}
+
+// How many pairs visit_pairs visits, in time n log n of the members: those of all, less those of what is not first.
+std::uint64_t number_of_pairs(const Meeting& meeting, const std::vector<AtEvent>& at) {
+  const auto of_different_classes = [&](bool also_first) {
+    std::vector<std::int64_t> all, in_class;
+    std::uint64_t in_classes = 0;
+    for (std::size_t k = 0; k < meeting.members.size(); ++k) {
+      const auto& [place, of_class, is_first] = meeting.members[k];
+      if (k > 0 && of_class != meeting.members[k - 1].of_class) {
+        in_classes += of_two_groups(std::move(in_class));
+        in_class.clear();
+      }
+      if (is_first && !also_first) continue;
+      all.push_back(at[place].group);
+      in_class.push_back(at[place].group);
+    }
+    return of_two_groups(std::move(all)) - in_classes - of_two_groups(std::move(in_class));
+  };
+  return of_different_classes(true) - of_different_classes(false);
+}
+
+// Goes through a sweep, event by event: what holds the point, and which of these may have contacts that count.
 class ContactSweep {
  public:
   ContactSweep(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
@@ -50,18 +115,23 @@ class ContactSweep {
         groups_(groups),
         allowed_(allowed) {}
 
-  void run(const VisitContact& visit) {
-    while (sweep_.next()) {
-      if (sweep_.here.size() + static_cast<std::size_t>(sweep_.row_end - sweep_.row) < 2) continue;  // it is alone
-      gather();
-      const auto passes = [&](std::size_t k) { return !at_[k].ends; };
-      std::vector<std::size_t> all(at_.size()), passing;
-      std::iota(all.begin(), all.end(), std::size_t{0});
-      std::copy_if(all.begin(), all.end(), std::back_inserter(passing), passes);
-      const bool any_may_touch = allowed_.shared_endpoint || allowed_.touch;
-      look(any_may_touch ? passing : all, allowed_.touch ? passing : all, visit);
-      look_along_lines(visit);
-    }
+  std::vector<AtEvent> at;
+  std::vector<Meeting> meetings;
+
+  bool next() {
+    if (!sweep_.next()) return false;
+    meetings.clear();
+    if (sweep_.here.size() + static_cast<std::size_t>(sweep_.row_end - sweep_.row) < 2) return true;  // it is alone
+    gather();
+    const bool all_of_one_group =
+        std::all_of(at.begin(), at.end(), [&](const AtEvent& one) { return one.group == at[0].group; });
+    if (!all_of_one_group) meet();
+    return true;
+  }
+
+  const char* kind(const AtEvent& s, const AtEvent& t) const {
+    if (s.on != no_index && s.on == t.on) return "overlap";
+    return s.ends && t.ends ? "shared-endpoint" : s.ends || t.ends ? "touch" : "crossing";
   }
 
  private:
@@ -69,81 +139,56 @@ class ContactSweep {
   bool is_line(std::size_t s) const { return !is_point(segments_[s]); }
 
   void add(std::size_t s, std::size_t back) {
-    at_.push_back({s, back, no_index, ends_at(segments_[s], sweep_.point), group_of(s)});
+    at.push_back({s, back, no_index, ends_at(segments_[s], sweep_.point), group_of(s)});
   }
 
   // What holds the point, with the lines of what was here, and of what goes on.
   void gather() {
-    at_.clear();
+    at.clear();
     place_.clear();
     rows_.clear();
     std::size_t line = 0;
     for (const std::size_t s : sweep_.here) {
-      if (!at_.empty() && turn(segments_[at_.back().segment], segments_[s]) != 0) ++line;
-      place_[s] = at_.size();
+      if (!at.empty() && turn(segments_[at.back().segment], segments_[s]) != 0) ++line;
+      place_[s] = at.size();
       add(s, line);
     }
     const std::size_t* before = nullptr;
     for (const std::size_t* s = sweep_.row; s != sweep_.row_end; ++s) {
-      const auto [place, is_new] = place_.try_emplace(*s, at_.size());
+      const auto [place, is_new] = place_.try_emplace(*s, at.size());
       if (is_new) add(*s, no_index);
       if (!is_line(*s)) continue;
       if (before == nullptr || turn(segments_[*before], segments_[*s]) != 0) rows_.emplace_back();
       before = s;
-      at_[place->second].on = rows_.size() - 1;
+      at[place->second].on = rows_.size() - 1;
       rows_.back().push_back(place->second);
     }
   }
 
-  bool more_groups(const std::vector<std::size_t>& some) const {
-    return std::any_of(some.begin(), some.end(), [&](std::size_t k) { return at_[k].group != at_[some[0]].group; });
-  }
-
-  // Each of some with each of others; those that are in both, once.
-  void look(const std::vector<std::size_t>& some, const std::vector<std::size_t>& others,
-            const VisitContact& visit) const {
-    if (!more_groups(others)) return;
-    take_steps(some.size() * others.size() / 16, 1, 1);
-    for (const std::size_t k : some) {
-      for (const std::size_t l : others) {
-        if (k < l || (some.size() < others.size() && at_[l].ends)) meet(at_[k], at_[l], visit);
-      }
+  // Those on one line before the point have met. What goes on along one line counts even if the point is an end.
+  void meet() {
+    Meeting across;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      if (allowed_.touch && at[k].ends) continue;
+      const std::size_t alone = at.size() + k;
+      across.add(k, at[k].back == no_index ? alone : at[k].back, !allowed_.shared_endpoint || !at[k].ends);
     }
-  }
-
-  // Those that go on along one line, but for those that were looked at.
-  void look_along_lines(const VisitContact& visit) const {
+    meetings.push_back(std::move(across));
+    if (!allowed_.shared_endpoint) return;
     for (const std::vector<std::size_t>& row : rows_) {
-      if (!more_groups(row)) continue;
-      take_steps(row.size() * row.size() / 16, 1, 1);
-      for (std::size_t k = 0; k < row.size(); ++k) {
-        for (std::size_t l = 0; l < k; ++l) {
-          const AtEvent &s = at_[row[k]], &t = at_[row[l]];
-          const bool both_end = s.ends && t.ends, some_end = s.ends || t.ends;
-          if (allowed_.touch ? some_end : allowed_.shared_endpoint && both_end) meet(s, t, visit);
-        }
+      Meeting along;
+      for (const std::size_t k : row) {
+        if (allowed_.touch || at[k].ends) along.add(k, k, at[k].ends);
       }
+      meetings.push_back(std::move(along));
     }
-  }
-
-  void meet(const AtEvent& s, const AtEvent& t, const VisitContact& visit) const {
-    if (s.group == t.group || (s.back != no_index && s.back == t.back)) return;  // on one line before: they have met
-    const bool overlap = s.on != no_index && s.on == t.on;
-    if (!overlap && s.ends && t.ends && allowed_.shared_endpoint) return;
-    if (!overlap && s.ends != t.ends && allowed_.touch) return;
-    const char* kind = overlap            ? "overlap"
-                       : s.ends && t.ends ? "shared-endpoint"
-                       : s.ends || t.ends ? "touch"
-                                          : "crossing";
-    visit(std::min(s.segment, t.segment), std::max(s.segment, t.segment), kind);
   }
 
   Sweep sweep_;
   const std::vector<PlanarSegment>& segments_;
   const std::vector<std::int64_t>& groups_;
   const AllowedContacts& allowed_;
-  std::vector<AtEvent> at_;
-  std::unordered_map<std::size_t, std::size_t> place_;  // of a segment in at_
+  std::unordered_map<std::size_t, std::size_t> place_;  // of a segment in at
   std::vector<std::vector<std::size_t>> rows_;          // places of those that go on along one line
 };
 
@@ -169,7 +214,26 @@ void check_contact(const std::vector<PlanarSegment>& segments, std::int64_t expo
 
 ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
                                 const AllowedContacts& allowed) {
-  return [&](const VisitContact& visit) { ContactSweep(claim, tables, groups, allowed).run(visit); };
+  return [&](const VisitContact& visit) {
+    ContactSweep sweep(claim, tables, groups, allowed);
+    while (sweep.next()) {
+      for (const Meeting& meeting : sweep.meetings) {
+        visit_pairs(meeting, sweep.at, [&](const AtEvent& s, const AtEvent& t) {
+          visit(std::min(s.segment, t.segment), std::max(s.segment, t.segment), sweep.kind(s, t));
+        });
+      }
+    }
+  };
+}
+
+std::uint64_t number_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                                 const AllowedContacts& allowed) {
+  ContactSweep sweep(claim, tables, groups, allowed);
+  std::uint64_t number = 0;
+  while (sweep.next()) {
+    for (const Meeting& meeting : sweep.meetings) number += number_of_pairs(meeting, sweep.at);
+  }
+  return number;
 }
 
 // ---- Lists: of segments that meet, and of polygons.
@@ -189,9 +253,13 @@ void check_listed(const char* rule, const ContactsOf& contacts, const std::vecto
   }
 }
 
-void check_number(const char* rule, const ContactsOf& contacts, std::uint64_t number) {
+std::uint64_t number_of(const ContactsOf& contacts) {
   std::uint64_t count = 0;
   contacts([&](std::size_t, std::size_t, const char*) { ++count; });
+  return count;
+}
+
+void check_number(const char* rule, std::uint64_t count, std::uint64_t number) {
   require(count == number, rule, std::to_string(count) + " contacts count");
 }
 

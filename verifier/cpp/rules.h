@@ -243,13 +243,17 @@ ContactsOf contacts_of_polygons(const Claim& claim, const Tables& tables, const 
 
 // Those that count are those listed, by i, then j; or are so many. Refuses by that rule.
 void check_listed(const char* rule, const ContactsOf& contacts, const std::vector<StatedContact>& listed);
-void check_number(const char* rule, const ContactsOf& contacts, std::uint64_t number);
+void check_number(const char* rule, std::uint64_t count, std::uint64_t number);
+
+// How many contacts there are: visited; of segments, in time of those at each event.
+std::uint64_t number_of(const ContactsOf& contacts);
+std::uint64_t number_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+                                 const AllowedContacts& allowed);
 
 // These bound the common part of the half-planes, which is of that kind.
 void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
                  const std::vector<std::size_t>& sides);
 
-void check_no_entries(const Tables& tables);  // no circles
 void check_in_discs(const Tables& tables, const Numbers& point, bool is_region);
 void check_powers(const Claim& claim, const Tables& tables, bool is_point);
 void check_arcs(const Claim& claim, const Tables& tables, const Numbers& point, const std::vector<std::size_t>& arcs);

@@ -103,7 +103,7 @@ class Sides {
 void check_beyond(const HullBody& body, const StatedPlane& plane) {
   const std::vector<Integer> heights = Pulled(body, plane).heights();
   const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
-  require(*least > 0 || *greatest < 0, "beyond", "the plane is not beyond " + body.name);
+  require(*least > 0 || *greatest < 0, "beyond", "the plane is not beyond " + body.quoted);
 }
 
 void check_touches(const HullBody& body, const StatedPlane& plane, const std::vector<Corner>& corners) {
@@ -128,7 +128,7 @@ void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane&
                     const std::vector<Corner>& corners, const ProvedHulls& proved) {
   const auto known = proved.find(body.base);
   require(known != proved.end() && known->second.verdict != "point", "outlined",
-          "what the hull of " + body.name + " is has not been proved before");
+          "what the hull of " + body.quoted + " is has not been proved before");
   const auto& [verdict, faces] = known->second;
   const Pulled pulled(body, plane);
   pulled.take_looks(64 * corners.size());

@@ -14,7 +14,7 @@ constexpr std::size_t most_entries = 10;  // of a list
 constexpr std::size_t most_digits = 40;   // of a number
 
 struct Sentence {
-  const char *question, *verdict;  // the verdict is empty: all of them
+  const char *question, *verdict;  // empty: all of them
   const char* text;                // with members of the statement
 };
 
@@ -28,51 +28,44 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     {"depth", "at_most", "{a} moved by {most}, in a direction, does not overlap {b}"},
     {"depth", "at_least", "{a} moved by {least}, in any direction, meets {b}"},
-    {"clearances", "kept", "all pairs of bodies are {least} apart, or more"},
-    {"clearances", "broken", "exactly these pairs of bodies are nearer than {least}: {nearer}"},
+    {"clearances", "kept", "all pairs of the {all} are {least} apart, or more"},
+    {"clearances", "broken", "exactly {pairs} nearer than {least}: {nearer}"},
     {"motion", "apart", "{a} and {b} are apart all along their ways"},
     {"motion", "meet", "{a} and {b} meet on their ways, at time {time}, at {point}"},
     {"motion", "first", "{a} and {b} first meet on their ways at time {time}, at {point}"},
-    {"half_spaces", "empty", "the common part of the half-spaces of {a} is empty"},
-    {"half_spaces", "bounded", "the common part of the half-spaces of {a} is bounded, of dimension {dimension}"},
-    {"half_spaces", "unbounded", "the common part of the half-spaces of {a} is unbounded, of dimension {dimension}"},
-    {"half_spaces_vertices", "vertices",
-     "the common part of the half-spaces of {a} is bounded, and has exactly {vertices}"},
-    {"half_spaces_program", "one", "{point} is the best point of the half-spaces of {a} along {objective}"},
-    {"half_spaces_program", "many", "{point} is one of many best points of the half-spaces of {a} along {objective}"},
-    {"half_spaces_program", "all", "{point} is as good as all others of the half-spaces of {a} along {objective}"},
-    {"half_spaces_program", "unbounded", "there is no best point of the half-spaces of {a} along {objective}"},
-    {"half_spaces_program", "infeasible", "no point is in all half-spaces of {a}"},
+    {"half_spaces", "empty", "{a} is empty"},
+    {"half_spaces", "bounded", "{a} is bounded, of dimension {dimension}"},
+    {"half_spaces", "unbounded", "{a} is unbounded, of dimension {dimension}"},
+    {"half_spaces_vertices", "vertices", "{a} is bounded, and has exactly {vertices}"},
+    {"half_spaces_program", "one", "{point} is the best point of {a} along {objective}"},
+    {"half_spaces_program", "many", "{point} is one of many best points of {a} along {objective}"},
+    {"half_spaces_program", "all", "{point} is as good as all others of {a} along {objective}"},
+    {"half_spaces_program", "unbounded", "there is no best point of {a} along {objective}"},
+    {"half_spaces_program", "infeasible", "no point is in {a}"},
     {"polytopes", "apart", "{a} and {b} are apart"},
     {"polytopes", "meet", "{a} and {b} meet at {point}"},
     {"polytopes", "apart_by_hyperplanes", "{a} and {b} are apart, by half-spaces that hold them"},
-    {"hull", "solid", "the hull of {a} is solid, with the faces {faces}"},
-    {"hull", "flat", "the hull of {a} is a polygon with the corners {outline}"},
-    {"hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},
-    {"hull", "point", "the hull of {a} is a point"},
-    {"polytope_hull", "facets", "the hull of {a} has exactly {facets}"},
-    {"polytope_hull", "segment", "the hull of {a} is the segment between its points {i} and {j}"},
-    {"polytope_hull", "point", "the hull of {a} is a point"},
+    {"hull", "solid", "{a} is solid, with the {n_faces} faces {faces}"},
+    {"hull", "flat", "{a} is a polygon with the {n_outline} corners {outline}"},
+    {"hull", "segment", "{a} is the segment between its points {i} and {j}"},
+    {"hull", "point", "{a} is a point"},
+    {"polytope_hull", "facets", "{a} has exactly {facets}"},
+    {"polytope_hull", "segment", "{a} is the segment between its points {i} and {j}"},
+    {"polytope_hull", "point", "{a} is a point"},
     {"section", "nothing", "the plane {plane} does not meet {a}"},
     {"section", "touching", "the plane {plane} touches {a} at the points {corners}"},
-    {"section", "outlined", "the section of {a} by the plane {plane} has the corners {corners}"},
-    {"segments", "some", "segments {i} and {j} meet at {point}: {kind}"},
-    {"segments", "none", "no two segments meet"},
-    {"circles", "some", "circles {i} and {j} meet at {point}: {kind}"},
-    {"circles", "none", "no two circles meet"},
-    {"boxes", "some", "boxes {i} and {j} meet at {point}: {kind}"},
-    {"boxes", "none", "no two boxes meet"},
-    {"polygons", "some", "polygons {i} and {j} meet at {point}"},
-    {"polygons", "none", "no two polygons meet"},
-    {"half_planes", "", "the common part of the half-planes is {region}"},
-    {"kernel", "", "the kernel of ring {ring} is {region}"},
-    {"convex_polygons_common_part", "", "the common part of the convex polygons is {region}"},
-    {"circles_common_part", "empty", "the common part of the circles is empty"},
-    {"circles_common_part", "plane", "the common part of the circles is the plane"},
-    {"circles_common_part", "point", "the common part of the circles is the point {point}"},
+    {"section", "outlined", "the section of {a} by the plane {plane} has the {n_corners} corners {corners}"},
+    {"polygons", "some", "polygons {i} and {j} of {all} meet at {point}"},
+    {"", "some", "{question} {i} and {j} of {all} meet at {point}: {kind}"},
+    {"", "none", "no two of the {all} meet"},
+    {"half_planes", "", "the common part of {all} is {region}"},
+    {"kernel", "", "the kernel of ring {ring} of {all} is {region}"},
+    {"convex_polygons_common_part", "", "the common part of {all} is {region}"},
+    {"circles_common_part", "empty", "the common part of {all} is empty"},
+    {"circles_common_part", "point", "the common part of {all} is the point {point}"},
     {"circles_common_part", "region",
-     "the common part of the circles is a region around {point}, bounded by arcs of {arcs}"},
-    {"valid", "valid", "polygons {parts}: {rule}"},
+     "the common part of {all} is a region around {point}, bounded by {n_arcs} arcs of {arcs}"},
+    {"valid", "valid", "polygons {parts} of {all}: {rule}"},
     {"valid", "too_few_points", "ring {ring} has too few points"},
     {"valid", "edges_meet", "edges {i} and {j} meet at {point}: {kind}"},
     {"valid", "comes_twice", "ring {ring} comes twice to {point}"},
@@ -82,16 +75,27 @@ constexpr auto sentences = std::to_array<Sentence>({
     {"valid", "circle", "rings {rings} close a circle"},
     {"valid", "repeated", "edge {edge} has no length"},
     {"valid", "rings_touch", "rings {ring} and {other} touch at {point}"},
-    {"linear_program", "one", "{point} is the best point along {objective}"},
-    {"linear_program", "many", "{point} is one of many best points along {objective}"},
-    {"linear_program", "all", "{point} is as good as all others along {objective}"},
-    {"linear_program", "unbounded", "there is no best point along {objective}"},
-    {"linear_program", "infeasible", "no point is in all half-planes"},
+    {"linear_program", "one", "{point} is the best point of {all} along {objective}"},
+    {"linear_program", "many", "{point} is one of many best points of {all} along {objective}"},
+    {"linear_program", "all", "{point} is as good as all others of {all} along {objective}"},
+    {"linear_program", "unbounded", "there is no best point of {all} along {objective}"},
+    {"linear_program", "infeasible", "no point is in all of {all}"},
 });
 
-constexpr std::array<std::array<const char*, 2>, 10> regions{{
+constexpr std::array<std::array<const char*, 2>, 9> ones{{
+    {"bodies", "body"},
+    {"polytopes", "polytope"},
+    {"segments", "segment"},
+    {"circles", "circle"},
+    {"boxes", "box"},
+    {"polygons", "polygon"},
+    {"half_planes", "half-plane"},
+    {"rings", "ring"},
+    {"convex_polygons", "convex polygon"},
+}};
+
+constexpr std::array<std::array<const char*, 2>, 9> regions{{
     {"empty", "empty"},
-    {"plane", "the plane"},
     {"point", "a point"},
     {"segment", "a segment"},
     {"ray", "a ray"},
@@ -102,6 +106,15 @@ constexpr std::array<std::array<const char*, 2>, 10> regions{{
     {"bounded", "a bounded region"},
 }};
 
+// The bytes of so many characters.
+std::size_t bytes_of(const std::string& text, std::size_t most) {
+  std::size_t k = 0;
+  for (std::size_t seen = 0; k < text.size(); ++k) {
+    if ((text[k] & 0xC0) != 0x80 && seen++ == most) break;
+  }
+  return k;
+}
+
 // What an ASCII escape of a code point looks like: "\u00e4", of those beyond 16 bits two of them.
 void add_escaped(std::uint32_t code, std::string& text) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -111,31 +124,6 @@ void add_escaped(std::uint32_t code, std::string& text) {
   }
   text += "\\u";
   for (int shift = 12; shift >= 0; shift -= 4) text += digits[(code >> shift) & 15];
-}
-
-// The text, which is UTF-8, in quotes as in JSON: one line of ASCII without control characters.
-std::string in_quotes(const std::string& text) {
-  constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
-  std::string result = "\"";
-  for (std::size_t k = 0; k < text.size();) {
-    const auto first = static_cast<unsigned char>(text[k]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-    std::uint32_t code = length == 1 ? first : first & (0x7fu >> length);
-    for (std::size_t m = 1; m < length; ++m) code = (code << 6) | (static_cast<unsigned char>(text[k + m]) & 0x3fu);
-    if (const std::size_t known = escaped.find(text[k]); known != std::string_view::npos) {
-      (result += '\\') += letters[known];
-    } else if (code >= ' ' && code < 0x7f) {
-      result += text[k];
-    } else {
-      add_escaped(code, result);
-    }
-    k += length;
-  }
-  return result + "\"";
-}
-
-std::string titled(const NamedBody& body) {
-  return (body.title.empty() ? "" : body.title + " ") + in_quotes(body.name);
 }
 
 std::string plain(const Json& value) {
@@ -163,7 +151,88 @@ bool is_short(const Json& point) {
   return true;
 }
 
-// A word, a number, a point of numbers as they stand in the file, or a list of entries.
+// How many pairs of so many members a statement is about.
+std::size_t pairs_asked(const Json& item, std::size_t size) {
+  std::vector<std::int64_t> groups;
+  if (item.contains("groups")) {
+    for (const Json& group : item["groups"]) groups.push_back(group.integer());
+  }
+  std::map<std::int64_t, std::size_t> in_group;
+  std::size_t pairs = size * (size - 1) / 2;
+  for (const std::int64_t group : groups) pairs -= in_group[group]++;
+  if (!item.contains("except")) return pairs;
+  for (const Json& pair : item["except"]) {
+    const auto group = [&](std::size_t k) { return groups[static_cast<std::size_t>(pair[k].integer())]; };
+    if (groups.empty() || group(0) != group(1)) --pairs;
+  }
+  return pairs;
+}
+
+template <std::size_t size>
+std::string found(const std::array<std::array<const char*, 2>, size>& table, const std::string& key) {
+  const auto known = std::find_if(table.begin(), table.end(), [&](const auto& row) { return row[0] == key; });
+  return known == table.end() ? "" : (*known)[1];
+}
+
+std::string region_text(const Json& item, const std::string& verdict) {
+  const std::string kind = found(regions, verdict);
+  return item.contains("sides") && !item["sides"].empty() ? kind + ", of sides " + shown(item["sides"]) : kind;
+}
+
+// Of facets, which are lists of simplices.
+std::string facets_text(const Json& facets) {
+  std::size_t simplices = 0;
+  for (const Json& facet : facets) simplices += facet.size();
+  return std::to_string(facets.size()) + " facets, made of " + std::to_string(simplices) + " simplices of " +
+         std::to_string(facets[0][0].size()) + " corners";
+}
+
+std::string rules_text(const Json& item) {
+  std::string text;
+  if (item.contains("allowed") && item["allowed"].text() != "nothing")
+    text = std::string(item["allowed"].text()) + " allowed";
+  if (item.contains("groups")) {
+    std::set<std::int64_t> different;
+    for (const Json& group : item["groups"]) different.insert(group.integer());
+    text += text.empty() ? "" : ", ";
+    text += "members of one of " + std::to_string(different.size()) + " groups may meet";
+  }
+  const std::string between = text.empty() ? "" : ", ";
+  if (item.contains("members")) text += between + "members: " + shown(item["members"]);
+  if (item.contains("except") && !item["except"].empty()) {
+    text += ", " + counted(item["except"].size(), "pair") + " not asked about: " + shown(item["except"]);
+  }
+  return text.empty() ? "" : " (" + text + ")";
+}
+
+}  // namespace
+
+std::string shortened(const std::string& text, std::size_t most) {
+  const std::size_t size = bytes_of(text, most);
+  return size < text.size() ? text.substr(0, size) + "..." : text;
+}
+
+std::string in_quotes(const std::string& text, std::size_t most) {
+  const std::size_t size = bytes_of(text, most);
+  constexpr std::string_view escaped = "\"\\\b\f\n\r\t", letters = "\"\\bfnrt";
+  std::string result = "\"";
+  for (std::size_t k = 0; k < size;) {
+    const auto first = static_cast<unsigned char>(text[k]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    std::uint32_t code = length == 1 ? first : first & (0x7fu >> length);
+    for (std::size_t m = 1; m < length; ++m) code = (code << 6) | (static_cast<unsigned char>(text[k + m]) & 0x3fu);
+    if (const std::size_t known = escaped.find(text[k]); known != std::string_view::npos) {
+      (result += '\\') += letters[known];
+    } else if (code >= ' ' && code < 0x7f) {
+      result += text[k];
+    } else {
+      add_escaped(code, result);
+    }
+    k += length;
+  }
+  return result + (size < text.size() ? "\"..." : "\"");
+}
+
 std::string shown(const Json& value) {
   if (!value.is_array()) return plain(value).size() <= most_digits ? plain(value) : "a number that the file has";
   if (!value.empty() && value[0].is_string()) {
@@ -175,8 +244,6 @@ std::string shown(const Json& value) {
       value.size() > most_entries ? " and " + std::to_string(value.size() - most_entries) + " more" : "";
   return joined(value, most_entries, ", ", shown_entry) + more;
 }
-
-using Words = std::map<std::string, std::string>;  // for the members
 
 std::string filled(const std::string& text, const Words& words) {
   std::string result;
@@ -192,69 +259,55 @@ std::string filled(const std::string& text, const Words& words) {
   return result;
 }
 
-std::string count_text(const Json& item, const std::string& question) {
-  const bool is_list = item.contains("contacts");
-  const std::size_t count = is_list ? item["contacts"].size() : static_cast<std::size_t>(item["number"].integer());
-  const std::string text = "exactly " + std::to_string(count) + (count == 1 ? " pair of " : " pairs of ") + question +
-                           (count == 1 ? " meets" : " meet");
-  return is_list && count > 0 ? text + ": " + shown(item["contacts"]) : text;
+std::string counted(std::size_t n, std::string_view one) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> endings{
+      {{"ex", "ices"}, {"x", "xes"}, {"y", "ies"}, {"", "s"}}};
+  const auto ending = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return one.ends_with(e[0]); });
+  std::string text = std::to_string(n) + " ";
+  if (n == 1) return text.append(one);
+  return text.append(one.substr(0, one.size() - (*ending)[0].size())).append((*ending)[1]);
 }
 
-std::string region_text(const Json& item, const std::string& verdict) {
-  const auto known =
-      std::find_if(regions.begin(), regions.end(), [&](const auto& region) { return region[0] == verdict; });
-  const std::string kind = known == regions.end() ? "" : (*known)[1];
-  return item.contains("sides") && !item["sides"].empty() ? kind + ", of sides " + shown(item["sides"]) : kind;
-}
-
-// Of facets, which are lists of simplices.
-std::string facets_text(const Json& facets) {
-  std::size_t simplices = 0;
-  for (const Json& facet : facets) simplices += facet.size();
-  return std::to_string(facets.size()) + " facets, made of " + std::to_string(simplices) + " simplices of " +
-         std::to_string(facets[0][0].size()) + " corners";
-}
-
-std::string vertices_text(const Json& vertices) {
-  return std::to_string(vertices.size()) + (vertices.size() == 1 ? " vertex" : " vertices");
-}
-
-std::string rules_text(const Json& item) {
-  std::string text;
-  if (item.contains("allowed") && item["allowed"].text() != "nothing")
-    text = std::string(item["allowed"].text()) + " allowed";
-  if (item.contains("groups")) {
-    std::set<std::int64_t> different;
-    for (const Json& group : item["groups"]) different.insert(group.integer());
-    text += text.empty() ? "" : ", ";
-    text += "members of one of " + std::to_string(different.size()) + " groups may meet";
-  }
-  for (const auto& [key, title] : {std::pair("members", "members: "), std::pair("except", "not asked about: ")}) {
-    if (item.contains(key) && !item[key].empty()) text += (text.empty() ? "" : ", ") + (title + shown(item[key]));
-  }
-  return text.empty() ? "" : " (" + text + ")";
-}
-
-}  // namespace
-
-std::string sentence_of(const Json& item, const NamedBody& a, const NamedBody& b) {
+std::string sentence_of(const Json& item, const Thing& a, const Thing& b, const std::string& table, std::size_t size) {
   const std::string question(item["question"].text()), verdict(item["verdict"].text());
-  if (verdict == "these" || verdict == "count") return count_text(item, question) + rules_text(item);
-  Words words{{"region", region_text(item, verdict)}};
-  for (const auto& [name, value] : item.members()) {
-    if (name == "claims" || name == "points") continue;
-    words[std::string(name)] = name == "facets"     ? facets_text(*value)
-                               : name == "vertices" ? vertices_text(*value)
-                                                    : shown(*value);
+  if (item.contains("members")) size = item["members"].size();
+  Words words{{"a", a.title}, {"b", b.title}, {"region", region_text(item, verdict)}};
+  words["all"] = counted(size, found(ones, table));
+  for (const auto& [key, value] : item.members()) {
+    const std::string name(key);
+    if (name == "claims" || name == "said" || name == "points" || words.contains(name)) continue;
+    words[name] = name == "facets"     ? facets_text(*value)
+                  : name == "vertices" ? counted(value->size(), "vertex")
+                                       : shown(*value);
+    words["n_" + name] = std::to_string(value->size());
   }
-  if (!a.name.empty()) words["a"] = titled(a);
-  if (!b.name.empty()) words["b"] = titled(b);
-  const auto known = std::find_if(sentences.begin(), sentences.end(), [&](const Sentence& sentence) {
-    return sentence.question == question && (sentence.verdict == verdict || *sentence.verdict == '\0');
-  });
-  const std::string text = known == sentences.end() ? verdict : filled(known->text, words);
-  if (question != "valid" || verdict == "valid") return text + rules_text(item);
-  return "polygons " + words["parts"] + ": not " + words["rule"] + ", as " + text;
+  const char* const list = item.contains("nearer") ? "nearer" : "contacts";
+  const std::size_t count = item.contains("number") ? static_cast<std::size_t>(item["number"].integer())
+                            : item.contains(list)   ? item[list].size()
+                                                    : 0;
+  words["pairs"] = counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " is" : " are");
+  const bool is_of_pairs = (item.contains("allowed") || item.contains("members")) && verdict != "some";
+  std::string text;
+  if (is_of_pairs && pairs_asked(item, size) == 0) {
+    text = "no pair of " + words["all"] + " is asked about";
+  } else if (verdict == "these" || verdict == "count") {
+    text = "exactly " + counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " meets" : " meet");
+    if (item.contains("contacts") && count > 0) text += ": " + words["contacts"];
+  } else {
+    const auto known = std::find_if(sentences.begin(), sentences.end(), [&](const Sentence& sentence) {
+      return (sentence.question == question || *sentence.question == '\0') &&
+             (sentence.verdict == verdict || *sentence.verdict == '\0');
+    });
+    text = known == sentences.end() ? verdict : filled(known->text, words);
+  }
+  if (question == "valid" && verdict != "valid") {
+    text = "polygons " + words["parts"] + " of " + words["all"] + ": not " + words["rule"] + ", as " + text;
+  }
+  text += rules_text(item);
+  for (const Thing* thing : {&a, &b}) {
+    if (!thing->said.empty()) text += "; " + thing->quoted + " is said to be made of " + thing->said;
+  }
+  return text;
 }
 
 }  // namespace sunder_verifier

@@ -35,8 +35,12 @@ bool is_point(const PlanarSegment& s);
 bool is_on(const PlanarSegment& s, const SweepPoint& p);
 bool ends_at(const PlanarSegment& s, const SweepPoint& p);
 
-// Is a point, which is on no edge, above an odd number of the edges of some rings?
-bool is_above_odd(const std::vector<PlanarSegment>& edges, std::span<const EdgeRange> rings, const SweepPoint& p);
+// Of a ring the edges of which some part may be at a point, or below it; `place` is the point in units of the table.
+// Takes the steps.
+std::vector<std::size_t> edges_near(const PolygonTable& polygons, const EdgeRange& ring, const Numbers& point,
+                                    const SweepPoint& place);
+// Is a point, which is on no edge, above an odd number of these edges?
+bool is_above_odd(const PolygonTable& polygons, const std::vector<std::size_t>& edges, const SweepPoint& p);
 
 // Event by event, which segments hold its point. Throws Refused by the rule `sweep`.
 class Sweep {

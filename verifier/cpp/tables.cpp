@@ -1,4 +1,5 @@
 #include <verifier/cpp/reader.h>
+#include <verifier/cpp/sentences.h>
 #include <verifier/cpp/tables.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <limits>
 #include <utility>
 
+// long because: one reader for each table of docs/claims.md, in its order
 namespace sunder_verifier {
 namespace {
 
@@ -59,11 +61,19 @@ Scaled read_row(const Json& row, std::size_t count, const std::string& where) {
   return rows_of(doubles, count);
 }
 
+template <class Body>
+void set_name(const Json& item, const std::string& where, Body& body) {
+  const std::string name = text_member(item, "name", where);
+  body.name = shortened(name, most_shown);
+  body.quoted = in_quotes(name, most_shown);
+}
+
 HullBody read_image(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
   require_members(item, {"name", "of", "linear", "translation"}, {}, where);
   const HullBody& of = bodies[index_member(item, "of", bodies.size(), where)];
   if (of.is_image()) refuse_form(where + " is of one that is placed itself");
   HullBody body = of;
+  if (!body.said.empty()) body.said += ", mapped";
   const Json &linear = list_member(item, "linear", where), &translation = list_member(item, "translation", where);
   body.linear = read_row(linear, of.dimension() * of.dimension(), where + ".linear");
   body.translation = read_row(translation, of.dimension(), where + ".translation");
@@ -83,6 +93,7 @@ void read_radius(const Json& item, const std::string& where, HullBody& body) {
     if (!item.contains(key)) continue;
     const bool is_first = !body.is_round(), is_of_so_many = count == 0 || body.count == count;
     body.radius = number_of(read_double(item[key], where + "." + key));
+    body.radius_text = shown(item[key]);
     body.around = around;
     if (!is_first || !is_of_so_many || body.dimension() != 3 || body.rows().size() != body.count || body.radius.n < 0) {
       refuse_form(where + " is no body with a radius");
@@ -117,12 +128,17 @@ Scaled read_points_and_ways(const Json& points, const Json* ways, const std::str
   return scaled;
 }
 
-HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
+std::string read_said_of(const Json& item, const InputNames& inputs, const std::string& where) {
+  return item.contains("said") ? read_description(item["said"], inputs, where + ".said") : "";
+}
+
+HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const InputNames& inputs,
+                   const std::string& where) {
   HullBody body;
   if (item.is_object() && item.contains("of")) {
     body = read_image(item, bodies, where);
   } else {
-    require_members(item, {"name", "points"}, {"ways", "radius", "cylinder", "cone", "ellipsoid"}, where);
+    require_members(item, {"name", "points"}, {"ways", "radius", "cylinder", "cone", "ellipsoid", "said"}, where);
     const Json& points = list_member(item, "points", where);
     if (points.empty() || !points[0].is_array() || points[0].size() < 2 || points[0].size() > 6) {
       refuse_form(where + ".points is not a list of points of 2 to 6 numbers");
@@ -132,29 +148,33 @@ HullBody read_body(const Json& item, const std::vector<HullBody>& bodies, const 
     const Json* ways = item.contains("ways") ? &list_member(item, "ways", where) : nullptr;
     body.given = std::make_shared<const Scaled>(read_points_and_ways(points, ways, where));
     read_radius(item, where, body);
+    body.said = read_said_of(item, inputs, where);
   }
   if (body.around == Around::cylinder || body.around == Around::cone) {
     const Integers &base = body.rows()[0], &top = body.rows()[1];
     body.axis = turned(body, {top[0] - base[0], top[1] - base[1], top[2] - base[2]});
     if (dot(body.axis, body.axis) == 0) refuse_form(where + " has no axis");
   }
-  body.name = text_member(item, "name", where);
+  set_name(item, where, body);
   return body;
 }
 
-RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, const std::string& where) {
+RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, const InputNames& inputs,
+                      const std::string& where) {
   RowBody body;
   if (item.is_object() && item.contains("of")) {
     require_members(item, {"name", "of", "linear", "translation"}, {}, where);
     body = polytopes[index_member(item, "of", polytopes.size(), where)];
     if (body.is_image()) refuse_form(where + " is of one that is placed itself");
+    if (!body.said.empty()) body.said += ", mapped";
     const std::size_t d = body.dimension;
     body.linear = read_row(list_member(item, "linear", where), d * d, where + ".linear");
     body.translation = read_row(list_member(item, "translation", where), d, where + ".translation");
   } else {
     body.is_of_points = item.is_object() && item.contains("points");
     const char* const key = body.is_of_points ? "points" : "half_spaces";
-    require_members(item, {"name", "dimension", key}, {}, where);
+    require_members(item, {"name", "dimension", key}, {"said"}, where);
+    body.said = read_said_of(item, inputs, where);
     body.dimension = index_member(item, "dimension", 7, where);
     if (body.dimension < 2) refuse_form(where + ".dimension is not an index in range");
     const Json& rows = list_member(item, key, where);
@@ -162,14 +182,14 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
     const std::size_t count = body.dimension + (body.is_of_points ? 0 : 1);
     body.given = std::make_shared<const Scaled>(rows_of(read_lists(rows, count, where + " row"), count));
   }
-  body.name = text_member(item, "name", where);
+  set_name(item, where, body);
   return body;
 }
 
 void read_polytopes(const Json& list, Tables& tables) {
   for (const Json& item : list) {
-    tables.polytopes.push_back(
-        read_polytope(item, tables.polytopes, "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]"));
+    const std::string where = "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]";
+    tables.polytopes.push_back(read_polytope(item, tables.polytopes, tables.inputs, where));
   }
 }
 
@@ -192,8 +212,8 @@ LinearConstraint read_constraint(const Json& item, const std::string& where) {
 
 void read_bodies(const Json& list, Tables& tables) {
   for (const Json& item : list) {
-    tables.bodies.push_back(
-        read_body(item, tables.bodies, "tables.bodies[" + std::to_string(tables.bodies.size()) + "]"));
+    const std::string where = "tables.bodies[" + std::to_string(tables.bodies.size()) + "]";
+    tables.bodies.push_back(read_body(item, tables.bodies, tables.inputs, where));
   }
 }
 
@@ -261,6 +281,23 @@ Doubles read_vertices(const Json& list, PolygonTable& polygons) {
   return doubles;
 }
 
+// Of a ring whose edges are known.
+void add_blocks(PolygonTable& polygons, EdgeRange& ring) {
+  ring.first_block = polygons.blocks.size();
+  for (std::size_t k = ring.begin; k < ring.end; ++k) {
+    const PlanarSegment& edge = polygons.edges[k];
+    const Integer& low = std::min(edge.first.y, edge.last.y);
+    if ((k - ring.begin) % edges_of_block == 0) {
+      polygons.blocks.push_back({edge.first.x, edge.last.x, low});
+      continue;
+    }
+    EdgeBlock& block = polygons.blocks.back();
+    if (edge.first.x < block.left) block.left = edge.first.x;
+    if (edge.last.x > block.right) block.right = edge.last.x;
+    if (low < block.low) block.low = low;
+  }
+}
+
 void read_polygons(const Json& list, Tables& tables) {
   PolygonTable& polygons = tables.polygons;
   const Doubles doubles = read_vertices(list, polygons);
@@ -271,13 +308,14 @@ void read_polygons(const Json& list, Tables& tables) {
     return PlanarPoint{unit.integer(doubles[2 * k]), unit.integer(doubles[2 * k + 1])};
   };
   for (std::size_t i = 0; i < polygons.rings.size(); ++i) {
-    for (const EdgeRange& ring : polygons.rings[i]) {
+    for (EdgeRange& ring : polygons.rings[i]) {
       for (std::size_t k = ring.begin; k < ring.end; ++k) {
         PlanarPoint p = vertex(k), q = vertex(k + 1 < ring.end ? k + 1 : ring.begin);
         if (is_less(q, p)) std::swap(p, q);
         polygons.edges.push_back({std::move(p), std::move(q)});
         polygons.owner.push_back(i);
       }
+      add_blocks(polygons, ring);
     }
   }
 }
@@ -360,6 +398,19 @@ void read_convex_polygons(const Json& list, Tables& tables) {
   }
 }
 
+// Of each edge of some length of a ring.
+void add_neighbours(const EdgeRange& ring, PartTable& parts) {
+  std::vector<std::size_t> on;
+  for (std::size_t k = ring.begin; k < ring.end; ++k) {
+    const PlanarSegment& edge = parts.polygons.edges[k];
+    if (!(edge.first == edge.last)) on.push_back(k);
+  }
+  parts.beside.resize(ring.end);
+  for (std::size_t k = 0; k < on.size(); ++k) {
+    parts.beside[on[k]] = {on[k == 0 ? on.size() - 1 : k - 1], on[k + 1 == on.size() ? 0 : k + 1]};
+  }
+}
+
 // Some polygons, with edges and rings numbered anew.
 PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>& which) {
   PartTable result;
@@ -380,6 +431,8 @@ PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>&
         result.ring_of.push_back(result.rings.size());
       }
       polygons.rings.back().push_back({begin, polygons.edges.size()});
+      add_blocks(polygons, polygons.rings.back().back());
+      add_neighbours(polygons.rings.back().back(), result);
       result.rings.push_back(polygons.rings.back().back());
       result.part.push_back(polygons.rings.size() - 1);
     }
@@ -431,14 +484,22 @@ Integers turned(const HullBody& body, const Integers& vector) {
 }
 
 std::string HullBody::title() const {
-  switch (around) {
-    case Around::nothing: return "";
-    case Around::hull: return count == 1 ? "ball" : count == 2 ? "capsule" : "rounded hull";
-    case Around::cylinder: return "cylinder";
-    case Around::cone: return "cone";
-    case Around::ellipsoid: return "ellipsoid";
-  }
-  return "";
+  const bool is_hull = around == Around::hull, is_ball = around == Around::ellipsoid || (is_hull && count == 1);
+  const bool is_all_mapped = around == Around::ellipsoid && is_image();
+  const std::string kind = around == Around::nothing    ? "convex hull"
+                           : is_ball                    ? "ball"
+                           : is_hull                    ? (count == 2 ? "capsule" : "rounded hull")
+                           : around == Around::cylinder ? "cylinder"
+                                                        : "cone";
+  const std::size_t ways = rows().size() - count;
+  return (is_all_mapped ? "the image of the " : "the ") + kind + (is_round() ? " of radius " + radius_text : "") +
+         " of the " + counted(count, is_image() && !is_all_mapped ? "mapped point" : "point") +
+         (ways > 0 ? " and " + counted(ways, "way") : "") + " of " + quoted;
+}
+
+std::string RowBody::title() const {
+  return (is_image() ? "the image of the " : "the ") + std::string(is_of_points ? "convex hull" : "common part") +
+         " of the " + counted(given->rows.size(), is_of_points ? "point" : "half-space") + " of " + quoted;
 }
 
 std::size_t HullBody::size() const {
@@ -499,8 +560,6 @@ bool PolygonTable::is_point(std::size_t polygon) const {
   return true;
 }
 
-bool Tables::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
-
 std::shared_ptr<const PartTable> Tables::parts_of(const std::vector<std::size_t>& which) const {
   if (last_parts_ == nullptr || last_named_ != which) {
     std::size_t size = 0;
@@ -514,7 +573,7 @@ std::shared_ptr<const PartTable> Tables::parts_of(const std::vector<std::size_t>
   return last_parts_;
 }
 
-Tables read_tables(const Json& item) {
+Tables read_tables(const Json& item, InputNames inputs) {
   using Reader = void (*)(const Json&, Tables&);
   std::map<std::string, Reader> readers;
   readers["bodies"] = read_bodies;
@@ -527,15 +586,30 @@ Tables read_tables(const Json& item) {
   readers["rings"] = read_rings;
   readers["segments"] = read_segments;
   Tables tables;
-  for (const auto& [name, reader] : readers) tables.names.push_back(name);
-  require_members(item, {}, tables.names, "tables");
-  tables.names.clear();
+  tables.inputs = std::move(inputs);
+  std::vector<std::string> names;
+  for (const auto& [name, reader] : readers) names.push_back(name);
+  require_members(item, {}, names, "tables");
   for (const auto& [key, list] : item.members()) {
     const std::string name(key);
-    readers.at(name)(list_member(item, name.c_str(), "tables"), tables);
-    tables.names.push_back(name);
+    const ReadNow table(*list);
+    if (!(*table).is_array()) refuse_form("tables." + name + " is not a list");
+    readers.at(name)(*table, tables);
+    tables.sizes[name] = (*table).size();
   }
   return tables;
+}
+
+void read_said(const Json& item, Tables& tables) {
+  if (!item.is_object()) refuse_form("said is not an object");
+  for (const auto& [key, list] : item.members()) {
+    const std::string name(key), where = "said." + name;
+    const auto size = tables.sizes.find(name);
+    if (size == tables.sizes.end() || name == "bodies" || name == "polytopes") {
+      refuse_form(where + " is of no table of rows that the file has");
+    }
+    tables.said[name] = read_said_of_rows(*ReadNow(*list), tables.inputs, size->second, where);
+  }
 }
 
 }  // namespace sunder_verifier

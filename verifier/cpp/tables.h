@@ -1,9 +1,10 @@
-// The tables of a certificate file of version 2, as integers: docs/claims.md, "Tables". Whatever is not as it must be
+// The tables of a certificate file of version 3, as integers: docs/claims.md, "Tables". Whatever is not as it must be
 // is refused by rule F.
 #pragma once
 
 #include <verifier/cpp/json.h>
 #include <verifier/cpp/numbers.h>
+#include <verifier/cpp/said.h>
 
 #include <array>
 #include <cstddef>
@@ -29,7 +30,8 @@ enum class Around : std::uint8_t { nothing, hull, cylinder, cone, ellipsoid };
 
 // A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one.
 struct HullBody {
-  std::string name;
+  std::string name, quoted;             // cut, as it is told; and in quotes, as in sentences
+  std::string said;                     // what it is said to be made of; empty: nothing
   std::size_t base = 0;                 // its own index, or that of the body that it is the image of
   std::shared_ptr<const Scaled> given;  // its points, then its ways; an image has those of the body that it is of
   std::size_t count = 0;                // of points
@@ -37,6 +39,7 @@ struct HullBody {
   Scaled translation;                   // one row
   Around around = Around::nothing;
   Number radius{};
+  std::string radius_text;
   Integers axis;  // of a cylinder or cone: from point 0 to point 1, placed, times a power of two
 
   const std::vector<Integers>& rows() const { return given->rows; }
@@ -44,7 +47,7 @@ struct HullBody {
   bool is_image() const { return !linear.rows.empty(); }
   bool is_way(std::size_t k) const { return k >= count; }
   bool is_round() const { return around != Around::nothing; }
-  std::string title() const;  // what it is, in a word; of one without a radius empty
+  std::string title() const;  // what it is, and of how many points
   // The bits of its longest number, of the longest of what places it, and of its radius, with all exponents.
   std::size_t size() const;
 };
@@ -66,12 +69,13 @@ std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers&
 
 // The hull of points of R^d, or the common part of half-spaces a x <= b, of rows a1, .., ad, b; or the image of one.
 struct RowBody {
-  std::string name;
+  std::string name, quoted, said;  // as of HullBody
   std::size_t dimension = 0;
   bool is_of_points = false;
   std::shared_ptr<const Scaled> given;  // the rows; an image has those of what it is of
   Scaled linear, translation;           // one row each; no row where it is no image
 
+  std::string title() const;
   bool is_image() const { return !linear.rows.empty(); }
 };
 
@@ -117,9 +121,17 @@ using Constraints = std::vector<LinearConstraint>;
 Integer turn(const LinearConstraint& h, const LinearConstraint& k);
 // Does each turn to the next, and all by one turn?
 bool goes_round_once(const Constraints& sides);
-// Edges begin to end - 1.
+// Edges begin to end - 1; their blocks are first_block and those after it.
 struct EdgeRange {
   std::size_t begin, end;
+  std::size_t first_block = 0;
+};
+
+constexpr std::size_t edges_of_block = 32;
+
+// Some edges of a ring that follow each other: these are between two abscissas, and not below an ordinate.
+struct EdgeBlock {
+  Integer left, right, low;
 };
 
 // Edge k goes from vertex k to the next one of its ring.
@@ -130,6 +142,7 @@ struct PolygonTable {
   std::vector<std::vector<EdgeRange>> rings;  // of each polygon
   std::vector<PlanarSegment> edges;
   std::vector<std::size_t> owner;  // the polygon of each edge
+  std::vector<EdgeBlock> blocks;   // of all rings
   std::int64_t exponent = 0;
   std::size_t bits = 0;
 };
@@ -138,13 +151,17 @@ struct PolygonTable {
 struct PartTable {
   PolygonTable polygons;
   std::vector<EdgeRange> rings;
-  std::vector<std::size_t> ring_of;  // of each edge
-  std::vector<std::size_t> part;     // of each ring
-  std::vector<std::size_t> shell;    // of each part, its first ring
+  std::vector<std::size_t> ring_of;                // of each edge
+  std::vector<std::size_t> part;                   // of each ring
+  std::vector<std::size_t> shell;                  // of each part, its first ring
+  std::vector<std::array<std::size_t, 2>> beside;  // of each edge of some length those before and after it on its
+                                                   // ring, those of no length left out
 };
 
 struct Tables {
-  std::vector<std::string> names;  // of those that the file has
+  InputNames inputs;
+  std::map<std::string, std::size_t> sizes;  // of those that the file has: numbers of entries
+  std::map<std::string, std::string> said;   // of tables of rows: what these are said to be made of, in words
   std::vector<HullBody> bodies;
   std::vector<RowBody> polytopes;
   std::vector<PlanarSegment> segments;
@@ -158,8 +175,6 @@ struct Tables {
   std::vector<Constraints> rings;  // what is on the inner side of the edges of each
   Constraints convex_polygons;     // the sides of all
 
-  bool has(const std::string& name) const;
-
   // Those of the call before, if it named the same: statements that follow each other mostly do.
   std::shared_ptr<const PartTable> parts_of(const std::vector<std::size_t>& which) const;
 
@@ -168,6 +183,8 @@ struct Tables {
   mutable std::shared_ptr<const PartTable> last_parts_;
 };
 
-Tables read_tables(const Json& item);
+Tables read_tables(const Json& item, InputNames inputs);
+// What rows are said to be made of.
+void read_said(const Json& item, Tables& tables);
 
 }  // namespace sunder_verifier

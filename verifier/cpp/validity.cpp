@@ -9,6 +9,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace sunder_verifier {
@@ -35,31 +36,13 @@ Filling filling(const PartTable& parts, const Set& label) {
   return result;
 }
 
-// Of each edge of some length those before and after it on its ring, those of no length left out.
-using Neighbours = std::vector<std::array<std::size_t, 2>>;
-
-Neighbours neighbours_of(const PartTable& parts, std::span<const EdgeRange> rings) {
-  const std::vector<PlanarSegment>& edges = parts.polygons.edges;
-  Neighbours beside(edges.size());
-  for (const EdgeRange& ring : rings) {
-    std::vector<std::size_t> on;
-    for (std::size_t k = ring.begin; k < ring.end; ++k) {
-      if (!is_point(edges[k])) on.push_back(k);
-    }
-    for (std::size_t k = 0; k < on.size(); ++k) {
-      beside[on[k]] = {on[k == 0 ? on.size() - 1 : k - 1], on[k + 1 == on.size() ? 0 : k + 1]};
-    }
-  }
-  return beside;
-}
-
 // Of the edges around a point, one that passes twice: does each way of a ring through it have, on either side, all of
 // another one, or nothing?
-bool is_nested(const Neighbours& beside, const std::vector<std::size_t>& ways) {
+bool is_nested(const PartTable& parts, const std::vector<std::size_t>& ways) {
   std::vector<std::size_t> begun;
   for (const std::size_t s : ways) {
-    const bool ends =
-        !begun.empty() && (begun.back() == s || begun.back() == beside[s][0] || begun.back() == beside[s][1]);
+    const auto& [before, after] = parts.beside[s];
+    const bool ends = !begun.empty() && (begun.back() == s || begun.back() == before || begun.back() == after);
     if (ends) {
       begun.pop_back();
     } else {
@@ -113,15 +96,14 @@ class Regions {
 
   void look_at_labels() {
     const Set* label = &label_below();
-    std::uint64_t looks = label->size();
+    take_steps(2 * label->size(), 1, 1);
     for (const std::size_t s : sweep.here) label_[s] = {};
     for (const std::size_t s : going) {
       label_[s] = toggled(*label, parts_.ring_of[s]);
       label = &label_[s];
-      looks += label->size();
+      take_steps(2 * label->size(), 1, 1);
       fit = fit && filling(parts_, *label).fits;
     }
-    take_steps(looks, 1, 1);
   }
 
   // What is below and what is above the point are one: just right of it nothing is between.
@@ -155,9 +137,7 @@ void require_no_lines(const std::vector<PlanarSegment>& edges, const std::vector
 class Validity {
  public:
   Validity(const Claim& claim, const PartTable& parts, ValidRule rule)
-      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {
-    if (rule == ValidRule::with_self_touch) beside_ = neighbours_of(parts, parts.rings);
-  }
+      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {}
 
   void check() {
     while (regions_.next()) {
@@ -194,7 +174,7 @@ class Validity {
     if (rule_ != ValidRule::with_self_touch) return;
     std::vector<std::size_t> ways = going;
     ways.insert(ways.end(), sweep.here.rbegin(), sweep.here.rend());
-    require(is_nested(beside_, ways), "valid", "a ring crosses itself");
+    require(is_nested(parts_, ways), "valid", "a ring crosses itself");
   }
 
   void look_at_rings() {
@@ -208,7 +188,6 @@ class Validity {
   const PartTable& parts_;
   const ValidRule rule_;
   Regions regions_;
-  Neighbours beside_;
   std::vector<bool> seen_;
   Set at_;  // rings
 };
@@ -221,10 +200,8 @@ struct AtRing {
 
 // Requires, by a rule, that an edge of some length holds the point.
 AtRing at_ring(const char* rule, const PartTable& parts, std::size_t ring, const Numbers& point) {
-  const EdgeRange& edges = parts.rings[ring];
-  take_steps(4 * (edges.end - edges.begin), length(point), parts.polygons.bits);
   AtRing at{place_in_units(point, parts.polygons.exponent), {}};
-  for (std::size_t k = edges.begin; k < edges.end; ++k) {
+  for (const std::size_t k : edges_near(parts.polygons, parts.rings[ring], point, at.place)) {
     const PlanarSegment& edge = parts.polygons.edges[k];
     if (!is_point(edge) && is_on(edge, at.place)) at.edges.push_back(k);
   }
@@ -296,22 +273,25 @@ void check_crosses(const PartTable& parts, std::size_t ring, const Numbers& poin
   std::sort(ways.begin(), ways.end(), [](const WayAlong& p, const WayAlong& q) { return is_before(p, q); });
   std::vector<std::size_t> around;
   for (const WayAlong& way : ways) around.push_back(way.edge);
-  const Neighbours beside = neighbours_of(parts, std::span(&parts.rings[ring], 1));
-  require(!is_nested(beside, around), "crosses", "the ring does not cross itself there");
+  require(!is_nested(parts, around), "crosses", "the ring does not cross itself there");
 }
 
 void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& point) {
   const SweepPoint place = at_ring("misplaced", parts, ring, point).place;
-  const std::vector<PlanarSegment>& edges = parts.polygons.edges;
+  const auto is_hole = [&](std::size_t r) { return r != parts.shell[parts.part[r]]; };
   Set label;
+  std::unordered_set<std::size_t> parts_of_holes;  // the part of the ring, if it is one, and of those in the label
+  if (is_hole(ring)) parts_of_holes.insert(parts.part[ring]);
   for (std::size_t r = 0; r < parts.rings.size(); ++r) {
-    const EdgeRange& own = parts.rings[r];
-    take_steps(4 * (own.end - own.begin), length(point), parts.polygons.bits);
     if (r == ring) continue;
-    for (std::size_t k = own.begin; k < own.end; ++k) {
-      require(!is_on(edges[k], place), "misplaced", "the point is on ring " + std::to_string(r) + ", too");
+    const std::vector<std::size_t> near = edges_near(parts.polygons, parts.rings[r], point, place);
+    for (const std::size_t k : near) {
+      require(!is_on(parts.polygons.edges[k], place), "misplaced",
+              "the point is on ring " + std::to_string(r) + ", too");
     }
-    if (is_above_odd(edges, std::span(&own, 1), place)) label.push_back(r);
+    if (!is_above_odd(parts.polygons, near, place)) continue;
+    if (is_hole(r) && !parts_of_holes.insert(parts.part[r]).second) return;  // two holes of one part
+    label.push_back(r);
   }
   require(!filling(parts, label).fits || !filling(parts, toggled(label, ring)).fits, "misplaced", "rings fit there");
 }

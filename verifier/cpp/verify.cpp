@@ -3,7 +3,7 @@
 #include <verifier/cpp/verify.h>
 
 #include <algorithm>
-#include <exception>
+#include <cstdlib>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,8 +14,10 @@ namespace {
 
 std::vector<FileInput> read_inputs(const Json& list) {
   std::vector<FileInput> result;
-  for (const Json& item : list) {
+  for (const Json& entry : list) {
     const std::string where = "inputs[" + std::to_string(result.size()) + "]";
+    const ReadNow now(entry);
+    const Json& item = *now;
     require_members(item, {"name", "sha256"}, {}, where);
     FileInput input{text_member(item, "name", where), string_member(item, "sha256", where)};
     const bool is_digest =
@@ -26,33 +28,40 @@ std::vector<FileInput> read_inputs(const Json& list) {
   return result;
 }
 
-std::vector<std::string> read_left_out(const Json& list) {
+std::vector<std::string> read_texts(const Json& top, const char* key) {
   std::vector<std::string> result;
-  for (const Json& item : list) {
-    const std::string where = "left_out[" + std::to_string(result.size()) + "]";
-    if (!item.is_string()) refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
-    const std::string text(item.text());
-    const std::size_t size = characters(text);
-    if (size == 0 || size > most_name) {
-      refuse_form(where + " is not a text of 1 to " + std::to_string(most_name) + " characters");
-    }
-    result.push_back(text);
+  for (const Json& item : list_member(top, key, "the file")) {
+    result.push_back(read_text(item, std::string(key) + "[" + std::to_string(result.size()) + "]"));
   }
   return result;
+}
+
+constexpr std::int64_t version_needed = 3;
+
+void require_version(const Json& top) {
+  const Json* const version = top.find("sunder_certificate");
+  const bool is_number = version != nullptr && version->is_integer() &&
+                         std::abs(version->integer()) <= static_cast<std::int64_t>(most_number);
+  const bool is_first = version == nullptr && top.contains("sunder_set_certificate");
+  if (!is_number && !is_first) refuse_form("the file has no version, sunder_certificate");
+  const std::int64_t number = is_first ? 1 : version->integer();
+  if (number == version_needed) return;
+  refuse_form("the file is of version " + std::to_string(number) + ", and version " + std::to_string(version_needed) +
+              " is needed; make it again");
 }
 
 StatementResult check(const ClaimedStatement& statement) {
   StatementResult result;
   const bool is_pair = !statement.a.empty();
   result.question = statement.question;
-  result.name_a = is_pair ? statement.a : statement.question;
-  result.name_b = is_pair ? statement.b : statement.sentence;
   result.sentence = statement.sentence;
   result.verdict = statement.verdict;
   try {
     for (const auto& check : statement.checks) check();
     result.accepted = true;
   } catch (const Refused& refused) {
+    result.name_a = is_pair ? statement.a : statement.question;
+    result.name_b = is_pair ? statement.b : statement.sentence;
     result.failed_check = refused.check;
     result.reason = refused.reason;
   }
@@ -74,37 +83,70 @@ void note(const ClaimedStatement& statement, Proved& proved) {
   if (statement.verdict == "overlapping") pair.overlap = true;
 }
 
-// Lets the text go as soon as all of it is read.
-void verify_file(JsonText text, FileResult& result) {
+// The statements of a file. Reads all of them first, for their form. The first ones are kept so: claims take some ten
+// times the memory of their text, so the others are read again where they are checked.
+class Statements {
+ public:
+  Statements(const Json& list, const Tables& tables) : list_(list), tables_(tables) {
+    std::size_t k = 0;
+    for (const Json& item : list) {
+      ClaimedStatement statement = read(item, k++);
+      if (k <= most_kept) kept_.push_back(std::move(statement));
+    }
+  }
+
+  std::vector<StatementResult> check_all() {
+    std::vector<StatementResult> results;
+    results.reserve(list_.size());
+    std::size_t k = 0;
+    for (const Json& item : list_) {
+      const ClaimedStatement statement = k < kept_.size() ? std::move(kept_[k]) : read_again(item, k);
+      ++k;
+      results.push_back(check(statement));
+      if (results.back().accepted) note(statement, proved_);
+    }
+    return results;
+  }
+
+ private:
+  static constexpr std::size_t most_kept = 1000;
+
+  ClaimedStatement read(const Json& item, std::size_t k) {
+    return read_statement(*ReadNow(item), tables_, proved_, "statements[" + std::to_string(k) + "]");
+  }
+
+  ClaimedStatement read_again(const Json& item, std::size_t k) {
+    const StepsAreTaken are_taken;
+    return read(item, k);
+  }
+
+  const Json& list_;
+  const Tables& tables_;
+  Proved proved_;
+  std::vector<ClaimedStatement> kept_;
+};
+
+// The text has the members of the file, and those of its tables, and its statements unread.
+void verify_file(const JsonText& text, FileResult& result) {
   const Json& top = text.top();
   if (!top.is_object()) refuse_form("the file is not an object");
-  const auto is_version = [&](std::int64_t number) {
-    const Json* version = top.find("sunder_certificate");
-    return version != nullptr && version->is_integer() && version->integer() == number;
-  };
-  require(!top.contains("sunder_set_certificate") && !is_version(1), "F",
-          "this is a certificate of version 1, which is no longer read; make it again");
-  require_members(top, {"sunder_certificate", "tables", "statements"}, {"inputs", "left_out"}, "the file");
-  require(is_version(2), "F", "sunder_certificate is not 2");
+  require_version(top);
+  require_members(top, {"sunder_certificate", "inputs", "call", "left_out", "tables", "statements"}, {"said"},
+                  "the file");
   FileResult read;
-  if (top.contains("inputs")) read.inputs = read_inputs(list_member(top, "inputs", "the file"));
-  if (top.contains("left_out")) read.left_out = read_left_out(list_member(top, "left_out", "the file"));
-  const Tables tables = read_tables(top["tables"]);
+  read.inputs = read_inputs(list_member(top, "inputs", "the file"));
+  read.call = read_texts(top, "call");
+  read.left_out = read_texts(top, "left_out");
+  InputNames names;
+  for (const FileInput& input : read.inputs) names.push_back(input.name);
+  Tables tables = read_tables(top["tables"], std::move(names));
+  if (top.contains("said")) read_said(top["said"], tables);
   const Json& statements = list_member(top, "statements", "the file");
   if (statements.empty()) refuse_form("the file states nothing");
-  std::vector<ClaimedStatement> claimed;
-  Proved proved;
-  for (const Json& item : statements) {
-    claimed.push_back(read_statement(item, tables, proved, "statements[" + std::to_string(claimed.size()) + "]"));
-  }
-  text = JsonText();
-  for (const ClaimedStatement& statement : claimed) {
-    read.statements.push_back(check(statement));
-    if (read.statements.back().accepted) note(statement, proved);
-  }
+  result.statements = Statements(statements, tables).check_all();
   result.inputs = std::move(read.inputs);
+  result.call = std::move(read.call);
   result.left_out = std::move(read.left_out);
-  result.statements = std::move(read.statements);
 }
 
 // ---- The text.
@@ -124,10 +166,10 @@ std::string words(const NotJson& error, std::string_view text) {
 
 void verify_into(std::string_view text, const std::string& prefix, FileResult& result) {
   try {
-    JsonText read = read_json(text);
+    const JsonText read = read_json(text, 2);
     result.readable = true;
     if (read.has_key_twice) refuse_form("an object has a key twice");
-    verify_file(std::move(read), result);
+    verify_file(read, result);
   } catch (const NotJson& error) {
     result.error = prefix + words(error, text);
   } catch (const Refused& refused) {
@@ -153,9 +195,6 @@ FileResult verify_text(std::string_view text, std::string_view place, Limit limi
     result = FileResult();
     result.error = prefix + "checking it takes more than " + std::to_string(error.most) +
                    " steps, the limit for a file of its size; give --no-limit to check it all the same";
-  } catch (const std::exception& error) {  // memory ran out
-    result = FileResult();
-    result.error = error.what();
   }
   return result;
 }

@@ -11,12 +11,13 @@ namespace sunder_verifier {
 
 // What became of one statement of a file.
 struct StatementResult {
-  std::string question;      // "pair", ..
-  std::string name_a;        // where it is about two bodies the name of the first, any UTF-8 text; else the question
-  std::string name_b;        // the name of the second; else the sentence
-  std::string sentence;      // what is stated, in words: one line of ASCII
-  std::string verdict;       // stated, not what is true
-  bool accepted = false;     // the statement is proved
+  std::string question;   // "pair", ..
+  std::string name_a;     // of one that is refused, where it is about two bodies the name of the first, UTF-8, cut as
+                          // in sentences; else the question
+  std::string name_b;     // the name of the second; else the sentence
+  std::string sentence;   // what is stated, in words: one line of ASCII
+  std::string verdict;    // stated, not what is true
+  bool accepted = false;  // the statement is proved
   std::string failed_check;  // the first rule that failed; empty if accepted
   std::string reason;        // what failed, in words; empty if accepted
 };
@@ -33,6 +34,7 @@ struct FileResult {
   std::string error;                        // one line with the place; empty if readable
   std::string failed_form;                  // rule F failed: what, in words; empty otherwise
   std::vector<FileInput> inputs;            // to be printed with the verdict, control characters escaped
+  std::vector<std::string> call;            // likewise: the words that it was made by
   std::vector<std::string> left_out;        // likewise: what the file does not speak of
   std::vector<StatementResult> statements;  // in the order of the file; empty if not readable or wrong in form
 
@@ -47,7 +49,7 @@ enum class Limit : std::uint8_t {
 
 // Checks the text of a certificate file. `place` says where the text is from and starts `error`.
 //
-// 1. Never throws, whatever the text.
+// 1. Throws only std::bad_alloc and std::length_error, where memory runs out, whatever the text.
 // 2. Needs memory in proportion to the text; with a limit, time, too. JSON nested more than 500 deep is not readable.
 // 3. An accepted statement is proved. A refused one may still be true: only its evidence is wrong.
 FileResult verify_text(std::string_view text, std::string_view place, Limit limit = Limit::by_size);

@@ -132,7 +132,7 @@ TEST(Corpus, ResultsNameTheStatements) {
   EXPECT_EQ(result.statements[1].name_b, "third");
   EXPECT_EQ(result.statements[1].verdict, "apart");
   EXPECT_EQ(result.statements[1].failed_check, "parted");
-  EXPECT_EQ(result.statements[1].reason, "first is not strictly less far along the direction than third");
+  EXPECT_EQ(result.statements[1].reason, "\"first\" is not strictly less far along the direction than \"third\"");
   EXPECT_EQ(result.statements[2].verdict, "meet");
   EXPECT_TRUE(result.statements[0].accepted && result.statements[2].accepted && result.statements[3].accepted);
   EXPECT_FALSE(result.accepted());
@@ -150,7 +150,7 @@ TEST(Corpus, WhatWasLeftOut) {
 TEST(Corpus, VersionOneIsNoLongerRead) {
   for (const char* file : {"refused/F_version_1.json", "refused/F_version_1_of_a_set.json"}) {
     EXPECT_EQ(verify_text(read_text(kCases / file), "here").failed_form,
-              "this is a certificate of version 1, which is no longer read; make it again");
+              "the file is of version 1, and version 3 is needed; make it again");
   }
 }
 
@@ -395,7 +395,8 @@ json to_file(const std::vector<Statement>& statements, Generator& random) {
     stated.push_back(item);
   }
   json file = json::object();
-  file["sunder_certificate"] = 2;
+  file["sunder_certificate"] = 3;
+  for (const char* key : {"inputs", "call", "left_out"}) file[key] = json::array();
   file["tables"]["bodies"] = bodies;
   file["statements"] = stated;
   return file;
@@ -448,6 +449,9 @@ std::string summary(const FileResult& result, const std::string& place) {
   for (const sunder_verifier::FileInput& input : result.inputs) {
     lines += place + ": of " + quoted(input.name) + ", SHA-256 " + input.sha256 + "\n";
   }
+  std::string call;
+  for (const std::string& word : result.call) call += " " + quoted(word);
+  if (!call.empty()) lines += place + ": called with:" + call + "\n";
   for (const std::string& text : result.left_out) lines += place + ": left out: " + quoted(text) + "\n";
   for (std::size_t i = 0; i < result.statements.size(); ++i) {
     const StatementResult& pair = result.statements[i];
@@ -476,7 +480,7 @@ std::string python_summary(const fs::path& folder, std::size_t count) {
     const auto tells = [&](const char* what) { return line.starts_with(place + what); };
     if (tells(": refused: F: ")) {
       line = place + ": refused: F";
-    } else if (!tells(": statement ") && !tells(": of \"") && !tells(": left out: ")) {
+    } else if (!tells(": statement ") && !tells(": called with: ") && !tells(": of \"") && !tells(": left out: ")) {
       line = place + ": unreadable";
     }
     result += line + "\n";

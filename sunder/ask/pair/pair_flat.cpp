@@ -33,6 +33,7 @@ class FlatPair : public PairQuestion {
                                                           : "signs, with the help of exact arithmetic");
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
+    if (meet_) not_proved_.emplace_back("the common part");
   }
 
   std::string certificate() const {

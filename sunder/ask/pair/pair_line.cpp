@@ -154,6 +154,7 @@ class LinePair : public PairQuestion {
     CutTold told = cut_told(cut_, body_, body_is_a_ ? "A" : "B", line_.object.points[0], line_.object.points[1]);
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"common", std::move(told.json), std::move(told.text)}};
+    if (meet_) not_proved_.emplace_back("the common part");
   }
 
   // The body is the first of the file, whichever of A and B it is. Only the front door names evidence.
@@ -196,5 +197,7 @@ int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat
   LinePair question(call, body, line, body_is_a, files);
   return answer(question);
 }
+
+std::string line_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

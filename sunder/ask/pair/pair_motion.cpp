@@ -56,9 +56,10 @@ class MotionPair : public PairQuestion {
   }
 
   std::string certificate() const {
-    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const Translation& motion) {
+        file.say(object.said);
         const std::uint32_t body = pairs.add_body(object.name, object.vertices);
         const std::uint32_t begin = pairs.add_placed(object.name, body, motion.begin().affine());
         return std::pair(begin, motion.rests() ? begin : pairs.add_placed(object.name, body, motion.end().affine()));
@@ -102,7 +103,7 @@ class MotionPair : public PairQuestion {
          {"extreme_a", apart_.extreme_a},
          {"extreme_b", apart_.extreme_b}},
         fmt::format("all the way an empty slab across the direction of about {},\nfrom vertex {} of A to vertex {} "
-                    "of B, about {} wide at the begin and {} at the end",
+                    "of B, about {} wide at the beginning and {} at the end",
                     about(first.direction), apart_.extreme_a, apart_.extreme_b, about(first.width), about(last.width))};
   }
 
@@ -144,8 +145,8 @@ void require_at_rest(const PairCall& call, const char* of_what) {
   for (const PairSide* side : {&call.a, &call.b}) {
     if (side->to.empty()) continue;
     throw Error(ErrorCode::bad_call,
-                fmt::format("is for two bodies, polygons, segments or points of space, not for {}; "
-                            "leave it out",
+                fmt::format("is for two bodies, polygons, segments or points of space: there is no motion of {} yet; "
+                            "leave it out, or give objects of space",
                             of_what),
                 side->option("to"));
   }

@@ -33,7 +33,11 @@ class BoundedPair : public PairQuestion {
  public:
   BoundedPair(const PairCall& asked, Method* method, const PlanarBody& a, const PlanarBody& b, double least,
               const PairFiles& files)
-      : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {}
+      : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {
+    for (const PlanarBody* body : {&a, &b}) {
+      if (!body->remark.empty()) note(body->remark);
+    }
+  }
 
   std::uint64_t drawn() const { return std::uint64_t{of_a_.given} + of_b_.given; }
 
@@ -63,8 +67,13 @@ class BoundedPair : public PairQuestion {
                           });
   }
   std::string picture() const {
-    return picture::pair_svg({of_a_.polygon, of_a_.pose, a_.name}, {of_b_.polygon, of_b_.pose, b_.name},
-                             distance_.closest, call.title);
+    return picture::pair_svg({{of_a_.polygon, of_a_.pose, a_.name, a_.text},
+                              {of_b_.polygon, of_b_.pose, b_.name, b_.text},
+                              answer_,
+                              call.method,
+                              distance_.closest,
+                              files_.left_out.clause(),
+                              call.title});
   }
 
  private:
@@ -103,11 +112,18 @@ int run_planar_pair(const PairCall& call) {
   if (call.hull && call.mend) throw Error(ErrorCode::bad_call, "give --mend or --hull, not both", "--mend");
   PairFiles files(call);
   const PlanarInput read_a = read_planar_input(call, call.a, files), read_b = read_planar_input(call, call.b, files);
+  for (const PlanarInput* input : {&read_a, &read_b}) {
+    const io::PlanarObject& object = input->object;
+    files.systems.add(input->path,
+                      std::array{io::SystemOfFile{object.system, fmt::format("feature {}", io::quote(object.name))}});
+  }
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
   Method* const method = method_by(call.method, methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
   BoundedPair question(call, method, a, b, least_clearance(call), files);
   return answer(question);
 }
+
+std::string planar_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

@@ -17,6 +17,10 @@ namespace sunder::ask {
 // What poses may be, for help texts.
 extern const char* const planar_pose_forms;
 
+// The methods of two bounded objects, and of one with a line, for help texts.
+std::string planar_method_names();
+std::string planar_line_method_names();
+
 // Answers; returns the exit code. Throws Error for bad input.
 int run_planar_pair(const PairCall& call);
 
@@ -26,6 +30,7 @@ struct PlanarInput {
   std::string file, name, format;  // for people
   io::PlanarObject object;
   planar::Pose pose;
+  Said said{};  // in proofs
 };
 
 // What the file holds that is no object here is left out, unless an object is named. Throws Error for bad input, also
@@ -39,6 +44,7 @@ struct PlanarBody {
   std::uint32_t given = 0;       // vertices in the file
   std::vector<Point3> vertices;  // in the plane z = 0
   PairObject object{};
+  std::string remark{};  // to be noted: that its vertices are those of the file in reverse
 
   // "vertex 2 of A", "edge 2-3 of A"; {"vertex": 2}, {"edge": [2, 3]}.
   std::string feature_text(const char* letter, std::uint32_t v, bool edge) const;

@@ -2,16 +2,21 @@
 
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
+#include <sunder/planar/object/convex_either_way.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <utility>
 
 namespace sunder::ask {
 
-const char* const planar_pose_forms = "tx,ty; or angle,tx,ty (radians); or 6 or 9 numbers of a matrix row by row";
+const char* const planar_pose_forms =
+    "tx,ty; or x=..,y=..,angle=.. (radians); or 6 or 9 numbers of a matrix row by row";
 
 namespace {
 
@@ -19,13 +24,41 @@ using io::PlanarObject;
 using planar::ConvexPolygon;
 using planar::Pose;
 
+// "x=1,y=2,angle=0.5", in any order; what is missing is 0.
+Pose parse_named_pose(std::string_view text, const std::string& place) {
+  constexpr std::array<std::string_view, 3> names{"x", "y", "angle"};
+  std::array<std::optional<double>, 3> values;
+  const auto refuse = [&](std::string_view part, const char* why) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} {}; write x=..,y=..,angle=.. (radians)", io::quote(part), why),
+                place);
+  };
+  for (bool more = true; more;) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    more = comma < text.size();
+    const std::string_view part = io::trimmed(text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const auto name = std::find(names.begin(), names.end(), io::trimmed(part.substr(0, equals)));
+    if (equals == part.size() || name == names.end()) refuse(part, "is none of x=.., y=.. and angle=..");
+    std::optional<double>& value = values.at(static_cast<std::size_t>(name - names.begin()));
+    if (value) refuse(part, "is given a second time");
+    value = 0;
+    const char* const problem = io::parse_number(io::trimmed(part.substr(equals + 1)), *value);
+    if (problem != nullptr) refuse(part, problem);
+  }
+  return Pose::from_angle(values[2].value_or(0), {values[0].value_or(0), values[1].value_or(0)});
+}
+
 Pose parse_planar_pose(const std::string& text, const std::string& place) {
   if (text.empty()) return {};
+  if (text.find('=') != std::string::npos) return parse_named_pose(text, place);
   const std::vector<double> n = parse_numbers(text, place);
   try {
     switch (n.size()) {
       case 2: return Pose::from_matrix({1, 0, 0, 1}, {n[0], n[1]});
-      case 3: return Pose::from_angle(n[0], {n[1], n[2]});
+      case 3:
+        throw Error(ErrorCode::bad_call,
+                    "three numbers do not say which is the angle; write x=..,y=..,angle=.. (radians)");
       case 9:
         if (n[6] != 0 || n[7] != 0 || n[8] != 1) {
           throw Error(ErrorCode::bad_pose, "the last row of the 3 x 3 matrix is not 0 0 1; give rows, not columns");
@@ -59,11 +92,11 @@ const PlanarObject& chosen(const io::PlanarFile& file, const PairSide& side, Lef
       option);
 }
 
-ConvexPolygon shape_of(const PlanarObject& object, const std::string& path, const PairCall& call) {
+planar::EitherWay shape_of(const PlanarObject& object, const std::string& path, const PairCall& call) {
   try {
-    if (call.hull) return ConvexPolygon::hull_of(object.vertices);
-    if (call.mend) return ConvexPolygon::mended(object.vertices);
-    return ConvexPolygon::from_vertices(object.vertices);
+    if (call.hull) return {ConvexPolygon::hull_of(object.vertices)};
+    if (call.mend) return {ConvexPolygon::mended(object.vertices)};
+    return planar::convex_either_way(object.vertices);
   } catch (const Error& error) {
     const std::string what =
         fmt::format("{}; {}", error.what(), call.mend ? "or give --hull" : "or give --mend, or --hull");
@@ -79,19 +112,34 @@ PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFi
   const std::string shown = io::one_line(side.file);
   for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", shown, remark));
   const PlanarObject& object = chosen(file, side, files.left_out);
+  io::require_object(object, side.file);
   // What the file does not name is called as the file is.
   const bool unnamed = file.objects.size() == 1 && object.name == "1";
+  Said said = said_of_file(object.unbounded() ? Said::Source::shape : Said::Source::vertices, files.read, side.file,
+                           file.objects.size() == 1 ? "" : object.name);
+  said = said_in(std::array{io::SystemOfFile{object.system, {}}}, std::move(said));
+  if (call.drop_z && !said.empty()) said = said.dropped("z");
   const std::string name = unnamed ? io::one_line(std::filesystem::path(side.file).stem().string()) : object.name;
-  return {side.file, shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose"))};
+  return {side.file,      shown, name, file.format, object, parse_planar_pose(side.pose, side.option("pose")),
+          std::move(said)};
 }
 
 PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
-  PlanarBody body{shape_of(input.object, input.path, call),
-                  input.pose,
-                  static_cast<std::uint32_t>(input.object.vertices.size()),
-                  {}};
+  auto [polygon, reversed] = shape_of(input.object, input.path, call);
+  PlanarBody body{std::move(polygon), input.pose, static_cast<std::uint32_t>(input.object.vertices.size()), {}};
+  if (reversed) {
+    body.remark = fmt::format(
+        "{}: the vertices of {} are clockwise and are taken in reverse: vertex k is vertex {} - k of the file",
+        input.file, io::quote(input.name), body.given - 1);
+  }
   for (const Point2& p : body.polygon.vertices()) body.vertices.push_back({p.x, p.y, 0});
   const std::uint32_t n = body.polygon.size();
+  Said said = input.said;
+  if (n != body.given && !said.empty()) {
+    const std::uint32_t fewer = body.given - n;
+    said = call.hull ? said.hull()
+                     : said.mended({fewer == 1 ? "1 vertex left out" : fmt::format("{} vertices left out", fewer)});
+  }
   const char* const shape = n == 1 ? "point" : n == 2 ? "segment" : "polygon";
   body.object = {
       .file = input.file,
@@ -106,7 +154,8 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
                {"vertices", n},
                {"given_vertices", body.given}},
       .vertices = body.vertices,
-      .pose = planar::in_space(input.pose.affine())};
+      .pose = planar::in_space(input.pose.affine()),
+      .said = std::move(said)};
   return body;
 }
 

@@ -47,6 +47,7 @@ class PlanePair : public PairQuestion {
     if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"evidence", evidence_json(), evidence_text()}};
+    if (!meet_) not_proved_.emplace_back("the nearest vertex");
   }
 
   // The body is the first of the file, whichever of A and B it is.
@@ -107,5 +108,7 @@ int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFla
   PlanePair question(call, body, plane, body_is_a, files);
   return answer(question);
 }
+
+std::string plane_method_names() { return method_names(plane_methods); }
 
 }  // namespace sunder::ask

@@ -95,7 +95,9 @@ PolytopeInput read_input(const PairSide& side, PairFiles& files) {
                              {"shape", read.is_of_points() ? "points" : "half-spaces"},
                              {"dimension", read.dimension()},
                              {"rows", read.size()}},
-                    .vertices = {}};
+                    .vertices = {},
+                    .said = said_of_file(read.is_of_points() ? Said::Source::points : Said::Source::half_spaces,
+                                         files.read, side.file)};
   return {std::move(read), pose, std::move(object)};
 }
 
@@ -162,8 +164,9 @@ class PolytopePair : public PairQuestion {
   }
 
   std::string certificate() const {
-    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
-      const polytope::NamedPolytope a{a_.name, of_a_.polytope, of_a_.pose}, b{b_.name, of_b_.polytope, of_b_.pose};
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+      const polytope::NamedPolytope a{a_.name, of_a_.polytope, of_a_.pose, a_.said},
+          b{b_.name, of_b_.polytope, of_b_.pose, b_.said};
       if (hyperplanes_) {
         add_claims(file, a, b, *hyperplanes_);
       } else {
@@ -249,5 +252,7 @@ int run_polytope_pair(const PairCall& call) {
   PolytopePair question(call, method, a, b, files);
   return answer(question);
 }
+
+std::string polytope_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

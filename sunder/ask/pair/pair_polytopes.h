@@ -8,6 +8,9 @@ namespace sunder::ask {
 // Is the pair asked about so: by --polytopes, or by the names of columns of one of the files?
 bool are_polytopes(const PairCall& call);
 
+// Their methods, for help texts.
+std::string polytope_method_names();
+
 // Answers; returns the exit code. Throws Error for bad input, and for options that are not for polytopes.
 int run_polytope_pair(const PairCall& call);
 

@@ -65,13 +65,14 @@ std::string PairQuestion::text() const {
   for (const Fact& fact : facts_) {
     if (!fact.text.empty()) text += titled(fact.key, fact.text);
   }
-  return text + titled("decided by", decided_text_);
+  return text + systems_line(files_.systems) + titled("decided by", decided_text_);
 }
 
 void PairQuestion::add_to(Json& json) const {
   json["decided_by"] = name_of(decided_by_);
   json["objects"] = Json::array({a_.json, b_.json});
   if (!files_.left_out.empty()) json["left_out"] = to_json(files_.left_out);
+  add_systems(files_.systems, json);
   if (call.classify) json["contact"] = name_of(contact_);
   for (const Fact& fact : facts_) json[fact.key] = fact.json;
 }
@@ -94,9 +95,10 @@ PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, const Int
 
 std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
                                          const Write& write) const {
-  return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+  return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
     PairClaims pairs(file, space);
     const auto add = [&](const PairObject& object) {
+      file.say(object.said);
       return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices, object.ways), object.pose);
     };
     const std::uint32_t a = add(first), b = add(second);

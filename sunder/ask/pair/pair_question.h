@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/ask/question.h>
+#include <sunder/ask/said_of.h>
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/direction.h>
@@ -35,7 +36,7 @@ struct PairCall : QuestionCall {
   bool depth = false;               // of bodies of space that are bounded
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
-  bool drop_z = false;
+  bool drop_z = false, mixed_crs = false;
   std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
   bool require_convex = false;
@@ -45,9 +46,11 @@ struct PairCall : QuestionCall {
 
 // What the files are, and what of them is left out.
 struct PairFiles {
-  explicit PairFiles(const PairCall& call) : left_out(call.leave_out), tells_inputs(call.proves()) {}
+  explicit PairFiles(const PairCall& call)
+      : left_out(call.leave_out), systems(call.mixed_crs), tells_inputs(call.proves()) {}
 
   LeftOutList left_out;
+  io::CoordinateSystems systems;  // planar
   bool tells_inputs;
   InputFiles read;
   InputFiles* inputs() { return tells_inputs ? &read : nullptr; }  // as of io::read_file
@@ -63,6 +66,7 @@ struct PairObject {
   std::span<const Point3> vertices;
   Affine3 pose{};
   std::span<const Way3> ways{};
+  Said said{};  // what it is made of, in proofs
 
   PlacedVertices in_space() const { return {vertices, pose, false}; }
 };
@@ -74,11 +78,14 @@ class PairQuestion {
   const PairCall& call;
 
   PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files)
-      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {}
+      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {
+    note_systems(files.systems);
+  }
 
   const char* answer() const { return meet_ ? "meet" : "apart"; }
   bool yes() const { return meet_; }
   const Cost& cost() const { return cost_; }
+  const std::vector<std::string>& not_proved() const { return not_proved_; }
   std::string cost_text() const;
   std::string text() const;
   void add_to(Json& json) const;
@@ -119,6 +126,7 @@ class PairQuestion {
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
   std::vector<Fact> facts_;
+  std::vector<std::string> not_proved_;
 };
 
 // Throws Error bad_call where the depth is asked for.

@@ -25,8 +25,7 @@ std::string exact_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x
 
 // A body that is bounded, as one with a radius.
 PlacedRoundBody rounded(const PlacedBody& body) {
-  PlacedRoundBody round{body.mesh.file, body.mesh.name, {}, body, RoundBody::rounded(body.mesh.hull, 0), body.pose};
-  return round;
+  return {body.mesh.file, body.mesh.name, {}, body, RoundBody::rounded(body.mesh.hull, 0), body.pose, body.said};
 }
 
 class RoundPair : public PairQuestion {
@@ -53,7 +52,7 @@ class RoundPair : public PairQuestion {
 
   void ask() {
     answer_ = round_round(placed_a_, placed_b_);
-    take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-40 of their size"
+    take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-76 of their size"
                                       : decided_text(answer_.decided_by));
     if (answer_.undecided()) verdict_ = "undecided";
     if (call.classify && meet_) {
@@ -93,9 +92,12 @@ class RoundPair : public PairQuestion {
       throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
                   "--certificate");
     }
-    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
-      const std::uint32_t a = add_round(pairs, a_.name, placed_a_), b = add_round(pairs, b_.name, placed_b_);
+      file.say(a_.said);
+      const std::uint32_t a = add_round(pairs, a_.name, placed_a_);
+      file.say(b_.said);
+      const std::uint32_t b = add_round(pairs, b_.name, placed_b_);
       add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, found_);
       if (call.distance && !distance_.meet()) solid::add_claims(pairs, a, b, distance_);
       if (call.depth) add_depth(file, a, b, depth_);
@@ -153,13 +155,14 @@ PlacedRoundBody round_of(const SpaceInput& input) { return input.round ? *input.
 PairObject PlacedRoundBody::object_of() const {
   if (core) {
     PairObject result = ask::object_of(*core);
+    result.said = said;
     if (body.radius() > 0) {
       result.text += fmt::format("\nand all within {} of it", body.radius());
       result.json["radius"] = body.radius();
     }
     return result;
   }
-  PairObject result{.file = file, .name = name, .text = {}, .json = {}, .vertices = {}};
+  PairObject result{.file = file, .name = name, .text = {}, .json = {}, .vertices = {}, .said = said};
   const std::string_view kind = io::name_of(object.kind);
   result.json = {{"file", file}, {"name", name}, {"format", object.format}, {"shape", kind}};
   if (body.kind() == RoundKind::ellipsoid) {

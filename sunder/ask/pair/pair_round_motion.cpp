@@ -21,6 +21,7 @@ namespace {
 
 using solid::PlacedRound;
 using solid::RoundVerdict;
+using solid::SweepContact;
 using solid::Translation;
 
 class RoundMotionPair : public PairQuestion {
@@ -58,6 +59,10 @@ class RoundMotionPair : public PairQuestion {
     first_ = round_round_first_contact(round_a_.body, of_a_, round_b_.body, of_b_, answer_);
     facts_.push_back(told_point());
     facts_.push_back(told_time());
+    const SweepContact& contact = first_->contact;
+    const bool is_proved = std::any_of(contact.direction.begin(), contact.direction.end(),
+                                       [](const Dyadic& x) { return x.sign() != Sign::zero; });
+    if (!is_proved && contact.time.sign() != Sign::zero) not_proved_.emplace_back("that they do not meet before");
   }
 
   std::string certificate() const {
@@ -65,9 +70,10 @@ class RoundMotionPair : public PairQuestion {
       throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
                   "--certificate");
     }
-    return claims_text({files_.read, files_.left_out.texts()}, [&](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const PlacedRoundBody& body, const Translation& motion) {
+        file.say(object.said);
         const PlacedRound begin(body.body, motion.begin()), end(body.body, motion.end());
         const std::uint32_t index = solid::add_shape(pairs, object.name, body.body);
         const std::uint32_t first = pairs.add_placed(object.name, index, begin.pose.affine());
@@ -111,11 +117,12 @@ class RoundMotionPair : public PairQuestion {
     evidence.direction = {near.x.low, near.y.low, near.z.low};
     const Point3 direction = scene::rounded_direction(evidence);
     const double first = gap(false), last = gap(true);
-    return {"evidence",
-            {{"direction_about", to_json(direction)}, {"gap_about", std::min(first, last)}},
-            fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the begin and "
-                        "{} at the end",
-                        about(direction), about(first), about(last))};
+    return {
+        "evidence",
+        {{"direction_about", to_json(direction)}, {"gap_about", std::min(first, last)}},
+        fmt::format("all the way an empty slab across the direction of about {},\nabout {} wide at the beginning and "
+                    "{} at the end",
+                    about(direction), about(first), about(last))};
   }
 
   const PlacedRoundBody &round_a_, &round_b_;

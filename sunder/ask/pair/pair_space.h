@@ -21,6 +21,7 @@ struct PlacedBody {
   MeshBody mesh;
   solid::Pose pose;                         // with the frame of a polygon that has one
   std::optional<io::SpaceObject> object{};  // where it is none of a mesh file
+  Said said{};                              // in proofs; so below
 
   bool is_hull() const { return mesh.shape == io::BodyShape::hull; }
 };
@@ -34,6 +35,7 @@ struct PlacedFlat {
   io::SpaceObject object;
   solid::Flat flat;
   std::optional<solid::FlatBody> body;  // nothing: a plane without a point of three doubles
+  Said said{};
 
   // Throws Error where a proof is asked for, and there is no body for it.
   PairObject object_of(const PairCall& call) const;
@@ -46,6 +48,7 @@ struct PlacedRoundBody {
   std::optional<PlacedBody> core{};  // of --radius
   solid::RoundBody body;
   solid::Pose pose;
+  Said said{};
 
   bool is_hull() const { return core && core->is_hull(); }
   PairObject object_of() const;
@@ -106,6 +109,10 @@ int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFla
                    const PairFiles& files);
 int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
                   const PairFiles& files);
+
+// Their methods, for help texts.
+std::string plane_method_names();
+std::string line_method_names();
 
 // What a line, a ray or a segment through a and b has in common with the body called `letter`.
 struct CutTold {

@@ -169,6 +169,22 @@ bool is_space_input(const PairCall& call, const std::string& file) { return !cal
 
 namespace {
 
+// What is said of it, where a proof is written.
+void say(const PairSide& side, const PairFiles& files, SpaceInput& input) {
+  if (!input.bounded) {
+    const Said said = said_of_file(Said::Source::shape, files.read, side.file);
+    if (input.flat) input.flat->said = said;
+    if (input.round) input.round->said = said;
+    return;
+  }
+  PlacedBody& body = *input.bounded;
+  body.said = said_of_mesh(body.mesh, files.read, files.left_out);
+  const bool is_projected = body.object && body.object->moved && body.object->frame;
+  if (!is_projected || body.said.empty()) return;
+  const auto& [o, u, v] = *body.object->frame;
+  body.said = body.said.projected({o.x, o.y, o.z, u.x, u.y, u.z, v.x, v.y, v.z});
+}
+
 SpaceInput read_without_radius(const PairCall& call, const PairSide& side, PairFiles& files) {
   const solid::Pose pose = side.pose.empty() ? solid::Pose() : parse_pose(side.pose, side.option("pose"));
   if (is_space_input(call, side.file)) return parse_input(io::read_file(side.file, files.inputs()), pose, call, side);
@@ -178,14 +194,18 @@ SpaceInput read_without_radius(const PairCall& call, const PairSide& side, PairF
   const std::string text = io::read_file(side.file, files.inputs());
   if (io::is_space_text(text)) return parse_input(text, pose, call, side);
   io::Mesh mesh = io::parse_mesh(text, side.file, io::mesh_format(text, side.file));
+  const std::uint64_t inner_vertices = io::drop_inner_vertices(mesh);
   files.left_out.add(side.file, mesh.left_out, "mend the file");
-  return {PlacedBody{io::body_of_mesh(std::move(mesh), side.file, call.require_convex), pose, {}}, {}};
+  PlacedBody body{io::body_of_mesh(std::move(mesh), side.file, call.require_convex), pose, {}};
+  body.mesh.inner_vertices = inner_vertices;
+  return {std::move(body), {}};
 }
 
 }  // namespace
 
 SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFiles& files) {
   SpaceInput input = read_without_radius(call, side, files);
+  say(side, files, input);
   if (side.radius.empty()) return input;
   const std::vector<double> numbers = parse_numbers(side.radius, side.option("radius"));
   if (numbers.size() != 1 || !(numbers[0] >= 0)) {
@@ -199,6 +219,8 @@ SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFile
   const MeshBody& mesh = input.bounded->mesh;
   const solid::RoundBody body = solid::RoundBody::rounded(mesh.hull, numbers[0]);
   PlacedRoundBody round{mesh.file, mesh.name, {}, {}, body, input.bounded->pose};
+  round.said = input.bounded->said;
+  if (numbers[0] > 0 && !round.said.empty()) round.said = round.said.with_radius();
   round.core = std::move(input.bounded);
   return {{}, {}, std::move(round)};
 }
@@ -237,7 +259,8 @@ PairObject object_of(const PlacedBody& placed) {
           .text = std::move(text),
           .json = std::move(json),
           .vertices = mesh.hull.vertices(),
-          .pose = placed.pose.affine()};
+          .pose = placed.pose.affine(),
+          .said = placed.said};
 }
 
 PairObject PlacedFlat::object_of(const PairCall& call) const {
@@ -253,7 +276,8 @@ PairObject PlacedFlat::object_of(const PairCall& call) const {
       .name = name,
       .text = {},
       .json = {{"file", file}, {"name", name}, {"format", object.format}, {"shape", io::name_of(object.kind)}},
-      .vertices = {}};
+      .vertices = {},
+      .said = said};
   if (const auto* plane = std::get_if<solid::Plane>(&flat)) {
     result.json["normal"] = to_json(plane->normal);
     if (plane->offset == 0) {

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,14 +29,14 @@ using Kind = io::PlanarObject::Kind;
 
 using Method = planar::PolygonCommon(const planar::ConvexPolygon&, const Pose&, const planar::Unbounded&);
 
+// The last one is for lines alone.
+constexpr std::array<Named<Method>, 3> methods{{{"automatic", planar::polygon_unbounded},
+                                                {"scan", planar::polygon_unbounded_by_scan},
+                                                {"fibonacci", planar::polygon_unbounded_by_fibonacci}}};
+
 Method* method_of(const std::string& name, Kind kind) {
-  if (name == "automatic") return planar::polygon_unbounded;
-  if (name == "scan") return planar::polygon_unbounded_by_scan;
-  if (name == "fibonacci" && kind == Kind::line) return planar::polygon_unbounded_by_fibonacci;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("there is no method {} where one object is a {}; choose one of automatic, {}scan",
-                          io::quote(name), io::name_of(kind), kind == Kind::line ? "fibonacci, " : ""),
-              "--method");
+  const std::span<const Named<Method>> all = methods;
+  return method_by(name, kind == Kind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
 }
 
 std::string exact_text(const planar::ExactFraction& t) { return fraction_text(t.numerator, t.denominator); }
@@ -87,7 +89,8 @@ PairObject object_of(const PlanarInput& input, const planar::Line& line, const p
                    {"shape", io::name_of(kind)},
                    {"points", {{line.a.x, line.a.y}, {line.b.x, line.b.y}}}},
           .vertices = body.points,
-          .ways = body.ways};
+          .ways = body.ways,
+          .said = input.said};
 }
 
 // A bounded object and an unbounded one, of which either is A.
@@ -117,7 +120,9 @@ class UnboundedPair : public PairQuestion {
   UnboundedPair(const PairCall& asked, const Mixed& mixed, const PairFiles& files)
       : PairQuestion(asked, mixed.body_is_a ? mixed.body.object : mixed.object,
                      mixed.body_is_a ? mixed.object : mixed.body.object, files),
-        mixed_(mixed) {}
+        mixed_(mixed) {
+    if (!body_.remark.empty()) note(body_.remark);
+  }
 
   std::uint64_t drawn() const { return std::uint64_t{body_.given} + 2; }
 
@@ -127,6 +132,10 @@ class UnboundedPair : public PairQuestion {
                                                           : "signs, with the help of exact arithmetic");
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
+    if (meet_) not_proved_.emplace_back("the common part");
+    if (kind_ == Kind::half_plane || (kind_ == Kind::line && !meet_)) {
+      not_proved_.emplace_back(meet_ ? "the furthest vertex" : "the nearest vertex");
+    }
   }
 
   // The body is the first of the file, whichever of A and B it is.
@@ -139,7 +148,7 @@ class UnboundedPair : public PairQuestion {
   }
   std::string picture() const {
     const auto& [a, b] = mixed_.line;
-    picture::CutPicture picture{{body_.polygon, body_.pose, body_.object.name},
+    picture::CutPicture picture{{body_.polygon, body_.pose, body_.object.name, body_.object.text},
                                 kind_,
                                 a,
                                 b,
@@ -147,7 +156,8 @@ class UnboundedPair : public PairQuestion {
                                 mixed_.body_is_a,
                                 {},
                                 common_text(),
-                                call.title};
+                                call.title,
+                                files_.left_out.clause()};
     if (common_.cut.meet() && common_.kind != CommonKind::whole) {
       picture.marks = {exact(common_.cut.first).rounded(), exact(common_.cut.last).rounded()};
     }
@@ -243,5 +253,7 @@ int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarI
   UnboundedPair question(call, mixed, files);
   return answer(question);
 }
+
+std::string planar_line_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

@@ -76,10 +76,12 @@ class SolidPair : public PairQuestion {
     const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
     const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
     if (cut) facts_.push_back({"cut", cut->json, cut->text});
+    if (cut && meet_) not_proved_.emplace_back("the common part");
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (call.depth && meet_) {
       depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
       facts_.push_back({"depth", depth_json(), depth_text()});
+      if (deepest()) not_proved_.emplace_back("what is against each other there");
     }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
@@ -88,9 +90,10 @@ class SolidPair : public PairQuestion {
   bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return claims_text({files_.read, files_.left_out.texts()}, [this](ClaimsWriter& file) {
+    return claims_text(origin_of(files_.read, files_.left_out.texts()), [this](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object) {
+        file.say(object.said);
         return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices), object.pose);
       };
       const std::uint32_t a = add(a_), b = add(b_);
@@ -160,7 +163,7 @@ solid::PairAnswer polygon_polyhedron_by_drums(const solid::ConvexPolyhedron& pol
 }
 
 PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
-  if (call.method != "drums") return pair_method(call.method);
+  if (call.method != "drums") return pair_method(call.method, ", drums");
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 3) return solid::polyhedron_polyhedron_by_drums;
   if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
   if (a.mesh.hull.dimension() == 2 && b.mesh.hull.dimension() == 3) return polygon_polyhedron_by_drums;
@@ -185,14 +188,18 @@ int run(const PairCall& call) {
   if (planar_a || planar_b) {
     if (space_a || space_b) {
       throw Error(ErrorCode::bad_call,
-                  fmt::format("{} is an object of space, the other one is planar; give two of one kind; of WKT Z, "
-                              "--drop-z ignores third coordinates",
+                  fmt::format("{} is an object of space, the other one is planar, and these are not asked about "
+                              "together; give the planar one in space (JSON, or WKT POLYGON Z), or two planar ones "
+                              "(of WKT Z, --drop-z ignores third coordinates)",
                               io::quote(io::one_line(space_a ? call.a.file : call.b.file))));
     }
     if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
     for (const PairSide* side : {&call.a, &call.b}) {
       if (!side->radius.empty())
-        throw Error(ErrorCode::bad_call, "is for objects of space; leave it out", side->option("radius"));
+        throw Error(ErrorCode::bad_call,
+                    "is for objects of space: planar ones have no radius in sunder pair; for circles ask sunder "
+                    "circles",
+                    side->option("radius"));
     }
     if (call.require_convex) {
       throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
@@ -205,11 +212,13 @@ int run(const PairCall& call) {
                                          {call.mend, "--mend"},
                                          {call.hull, "--hull"},
                                          {call.drop_z, "--drop-z"},
+                                         {call.mixed_crs, "--mixed-crs"},
                                          {!call.a.feature.empty(), "--feature-a"},
                                          {!call.b.feature.empty(), "--feature-b"}}) {
     if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
   }
-  if (!space_a && !space_b && call.method != "drums") pair_method(call.method);  // before what takes time is read
+  if (!space_a && !space_b && call.method != "drums")
+    pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
@@ -238,7 +247,7 @@ Verb pair_verb() {
   const auto call = std::make_shared<PairCall>();
   return {
       "pair",
-      "Do two convex objects meet? A common point, or what parts them.",
+      "Do two convex objects meet? Finds a common point, or a direction that separates them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
         "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; a point, segment, flat polygon, line, ray or "
@@ -252,16 +261,17 @@ Verb pair_verb() {
         "POSE"},
        {"--pose-b", &call->b.pose, "where B is", "POSE"},
        {"--to-a", &call->a.to,
-        "of space, bounded: where A is at the end, to which it goes straight, without a turn; do the two meet at any "
-        "time?",
+        "of space, bounded: where A is at the end of a straight motion without a turn; do the two meet at any time?",
         "POSE"},
-       {"--to-b", &call->b.to, "the same of B, at the same time; one that has none rests", "POSE"},
-       {"--radius-a", &call->a.radius, "of space, bounded: A is all within this distance of it; 0: A itself", "NUMBER"},
-       {"--radius-b", &call->b.radius, "the same of B", "NUMBER"},
+       {"--to-b", &call->b.to, "the same for B, at the same time; a body without an end pose rests", "POSE"},
+       {"--radius-a", &call->a.radius, "of space, bounded: A becomes all points within this distance of it", "NUMBER"},
+       {"--radius-b", &call->b.radius, "the same for B", "NUMBER"},
        {"--method", &call->method,
-        "automatic, scan, gjk (both bounded), hierarchy (of bodies), difference, halving, triangles (both bounded, in "
-        "the plane), fibonacci (with a line of the plane), or drums (of a body, with a body, plane, line, ray or "
-        "flat polygon)",
+        fmt::format(
+            "of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
+            "of polytopes: {}",
+            pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
+            planar_line_method_names(), polytope_method_names()),
         "NAME"},
        {"--classify", &call->classify, "tell touching from overlapping"},
        {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
@@ -271,7 +281,7 @@ Verb pair_verb() {
        {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
        {"--depth", &call->depth,
         "bounded, of space, and they meet: tell how far A has to be moved until they do not overlap, and which way"},
-       {"--clearance", &call->clearance, "both bounded: are they so far apart, or further? If not, the exit code is 1",
+       {"--clearance", &call->clearance, "both bounded: are they at least this far apart? If not, the exit code is 1",
         "NUMBER"},
        {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},
        {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
@@ -281,17 +291,16 @@ Verb pair_verb() {
         "of space: project polygons on the plane with this origin, u and v, nine numbers; the answer says by how much",
         "FRAME"},
        {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
+       {"--mixed-crs", &call->mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
        {"--polytopes", &call->polytopes,
-        "the files are polytopes of two to six dimensions, CSV with a row for each point x1,..,xd or half-space "
-        "a1,..,ad,b; so they are, too, where the first line has these names, without which rows are points, and NPY "
-        "files"},
+        "the files are polytopes of two to six dimensions: CSV with a row for each point; not needed for NPY, and for "
+        "CSV whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces)"},
        {"--half-spaces-a", &call->a.half_spaces,
-        "of polytopes: the rows of A, which have no names, are half-spaces a1,..,ad,b; a .npy file, a row of the array "
-        "for each, is of points without this"},
-       {"--half-spaces-b", &call->b.half_spaces, "the same of B"},
+        "of polytopes: the rows of A, CSV without column names or NPY, are half-spaces a1,..,ad,b, not points"},
+       {"--half-spaces-b", &call->b.half_spaces, "the same for B"},
        {"--hyperplanes", &call->hyperplanes,
-        "of polytopes, with --method tree: that they are apart is proved by several half-spaces that hold A, and such "
-        "that hold B, as the trees were walked down"},
+        "of polytopes, with --method tree: prove that they are apart by several half-spaces that contain A, and "
+        "several that contain B"},
        {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace sunder::ask {
 
@@ -42,7 +43,10 @@ class CirclesQuestion final : public RegionQuestion {
   static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {}
+      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {
+    system_ = {io::system_beside(asked.file, asked.proves() ? &origin_.inputs : nullptr), {}};
+    systems_.add(asked.file, std::span(&system_, 1));
+  }
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {
@@ -66,16 +70,19 @@ class CirclesQuestion final : public RegionQuestion {
       corners_.push_back(rounded(planar::corner(circles_, part_, m)));
     }
     corner_count_ = corners_.size();
+    not_proved_.emplace_back("that the point inside is the deepest");
   }
-  std::string certificate() const { return planar::certificate_text(circles_, part_, origin_); }
+  std::string certificate() const { return planar::certificate_text(circles_, part_, origin()); }
 
   std::string text() const {
     const bool is_one_circle = is_region() && corners_.empty();
-    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "");
+    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "") +
+           systems_line(systems_);
   }
 
   void add_to(Json& json) const {
     RegionQuestion::add_to(json);
+    add_systems(systems_, json);
     json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", part_.deepest.basis()}};
   }
 
@@ -99,6 +106,13 @@ class CirclesQuestion final : public RegionQuestion {
   }
 
  private:
+  Origin origin() const {
+    Origin origin = by_this_call(origin_);
+    const Said said = said_of_file(Said::Source::circles, origin.inputs, call.file);
+    origin.said = said_of_rows("circles", circles_.size(), said_in(std::span(&system_, 1), said));
+    return origin;
+  }
+
   static io::CirclesFile read(const RegionCall& call, Origin& origin) {
     Progress progress("reading");
     return io::read_circles(call.file,
@@ -158,6 +172,8 @@ class CirclesQuestion final : public RegionQuestion {
 
   Method* method_;
   Origin origin_;
+  io::SystemOfFile system_;
+  io::CoordinateSystems systems_;
   io::CirclesFile read_;
   const Discs& circles_ = read_.circles;
   DiscIntersection part_;
@@ -171,5 +187,7 @@ int run_region_circles(const RegionCall& call) {
   CirclesQuestion question(call);
   return answer(question);
 }
+
+std::string circle_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

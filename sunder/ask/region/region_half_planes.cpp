@@ -122,10 +122,11 @@ class HalfPlanesQuestion final : public RegionQuestion {
     verdict_ = fmt::format("{}, bounded by {}", shape_of(region_.kind), count_of(sides.size(), "half-plane"));
     corners_ = corners(region_);
     corner_count_ = corners_.size();
+    if (objective_) not_proved_.emplace_back("the region");
   }
   std::string certificate() const {
-    return objective_ ? planar::certificate_text(constraints_, *objective_, best_, origin_)
-                      : planar::certificate_text(constraints_, region_, origin_);
+    return objective_ ? planar::certificate_text(constraints_, *objective_, best_, origin())
+                      : planar::certificate_text(constraints_, region_, origin());
   }
 
   std::string text() const {
@@ -159,6 +160,13 @@ class HalfPlanesQuestion final : public RegionQuestion {
   }
 
  private:
+  Origin origin() const {
+    Origin origin = by_this_call(origin_);
+    origin.said = said_of_rows("half_planes", constraints_.size(),
+                               said_of_file(Said::Source::half_planes, origin.inputs, call.file));
+    return origin;
+  }
+
   std::string thing_text(std::uint32_t k) const override {
     const auto& [a, b, c] = constraints_[k];
     return fmt::format("half-plane {}, line {}: {} <= {:.10g}", file_.name[k], file_.line[k], form_text(a, b), c);
@@ -219,5 +227,7 @@ int run_region_half_planes(const RegionCall& call) {
   HalfPlanesQuestion question(call);
   return answer(question);
 }
+
+std::string half_plane_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

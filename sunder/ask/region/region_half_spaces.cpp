@@ -126,6 +126,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
       is_empty_ = region_.empty();
       cost_ = region_.cost;
       rows_ = rows_of(is_empty_ ? region_.contradiction : region_.flat);
+      if (!is_empty_) not_proved_.emplace_back("how far it goes along each axis");
     } else {
       best_ = method_(half_spaces_, objective_);
       is_empty_ = !best_.feasible();
@@ -135,8 +136,9 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   }
 
   std::string certificate() const {
-    return claims_text(origin_, [&](ClaimsWriter& file) {
+    return claims_text(by_this_call(origin_), [&](ClaimsWriter& file) {
       const std::string name = std::filesystem::path(call.file).stem().string();
+      file.say(said_of_file(Said::Source::half_spaces, origin_.inputs, call.file));
       if (objective_.empty()) {
         add_claims(file, name, half_spaces_, region_);
       } else {
@@ -259,5 +261,7 @@ int run_region_half_spaces(const RegionCall& call) {
   HalfSpacesQuestion question(call);
   return answer(question);
 }
+
+std::string half_space_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

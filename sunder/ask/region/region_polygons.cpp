@@ -4,6 +4,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/text.h>
 #include <sunder/picture/plane.h>
+#include <sunder/planar/object/convex_either_way.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/regions_json.h>
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace sunder::ask {
@@ -32,10 +34,11 @@ constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::convex_pol
                                                 {"edges", planar::convex_polygon_intersection_by_edges},
                                                 {"scan", planar::convex_polygon_intersection_by_scan}}};
 
-ConvexPolygon convex(const planar::Polygon& polygon, bool mend) {
+planar::EitherWay convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
   try {
-    return mend ? ConvexPolygon::mended(polygon.vertices()) : ConvexPolygon::from_vertices(polygon.vertices());
+    if (mend) return {ConvexPolygon::mended(polygon.vertices())};
+    return planar::convex_either_way(polygon.vertices());
   } catch (const Error& error) {
     throw Error(error.code(), fmt::format("{}{}", error.what(), mend ? "" : "; or give --mend"));
   }
@@ -57,18 +60,24 @@ std::string change_text(const ConvexPolygon& convex, const std::vector<Point2>& 
   return text;
 }
 
-// Those of the input; it loses the ones that are skipped.
-std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput& input) {
+// Those of the input; it loses the ones that are skipped. changed: how many are not as they were given.
+std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput& input, std::uint64_t& changed) {
   std::vector<ConvexPolygon> polygons;
   polygons.reserve(input.polygons.size());
   std::vector<planar::Polygon> given;  // those that are not skipped, like kept
   std::vector<PolygonSource> kept;
+  std::uint64_t clockwise = 0;
+  std::string first_clockwise;
   for (std::uint32_t i = 0; i < input.polygons.size(); ++i) {
     const PolygonSource& source = input.source[i];
     const std::string feature = input.feature_text(source.file, source.feature);
     try {
-      polygons.push_back(convex(input.polygons[i], call.polygons.mend));
-      const std::string change = change_text(polygons.back(), input.polygons[i].vertices());
+      auto [polygon, reversed] = convex(input.polygons[i], call.polygons.mend);
+      polygons.push_back(std::move(polygon));
+      if (reversed && clockwise++ == 0) first_clockwise = feature;
+      const std::string change =
+          call.polygons.mend ? change_text(polygons.back(), input.polygons[i].vertices()) : std::string();
+      if (!change.empty()) ++changed;
       if (!change.empty())
         input.files.front().remarks.push_back(fmt::format("feature {}: mended: {}", feature, change));
       given.push_back(std::move(input.polygons[i]));
@@ -77,6 +86,12 @@ std::vector<ConvexPolygon> convex_polygons(const RegionCall& call, PolygonsInput
       if (!call.polygons.skip_invalid) io::fail_file(call.file, fmt::format("feature {}: {}", feature, error.what()));
       input.skipped.push_back({source.file, source.feature, source.line, error.what()});
     }
+  }
+  if (clockwise > 0) {
+    input.files.front().remarks.push_back(fmt::format(
+        "{} clockwise, the first of feature {}: their vertices are taken in reverse, so that vertex k of n is "
+        "vertex n - 1 - k of the file, and edge k is edge n - 2 - k",
+        clockwise == 1 ? "1 polygon is" : fmt::format("{} polygons are", clockwise), first_clockwise));
   }
   if (polygons.empty()) io::fail_file(call.file, "no polygon is convex, so nothing is left to ask about");
   input.polygons = std::move(given);
@@ -92,10 +107,11 @@ class PolygonsQuestion final : public RegionQuestion {
       : RegionQuestion(asked),
         method_(method_by(asked.method, methods)),
         input_(read_with_progress(asked.request())),
-        polygons_(convex_polygons(asked, input_)) {}
+        polygons_(convex_polygons(asked, input_, changed_)) {}
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
+    note_systems(input_.systems);
     part_ = method_(polygons_);
     for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
     corner_count_ = corners_.size();
@@ -111,14 +127,15 @@ class PolygonsQuestion final : public RegionQuestion {
     std::sort(named_.begin(), named_.end());
     named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
   }
-  std::string certificate() const { return planar::certificate_text(polygons_, input_.origin()); }
+  std::string certificate() const { return planar::certificate_text(polygons_, by_this_call(origin())); }
 
-  std::string text() const { return RegionQuestion::text() + tell(input_); }
+  std::string text() const { return RegionQuestion::text() + tell(input_) + systems_line(input_.systems); }
 
   void add_to(Json& json) const {
     RegionQuestion::add_to(json);
     if (is_empty_) json["contradiction"] = named_;
     tell(input_, json);
+    add_systems(input_.systems, json);
   }
 
   std::string picture() const {
@@ -137,10 +154,20 @@ class PolygonsQuestion final : public RegionQuestion {
     }
     return drawing.text(call.title_or("What is common to these convex polygons?"),
                         fmt::format("{}: {}", count_of(polygons_.size(), "convex polygon"),
-                                    is_empty_ ? "nothing is common to all" : shape()));
+                                    is_empty_ ? "nothing is common to all" : shape()) +
+                            without());
   }
 
  private:
+  Origin origin() const {
+    Origin origin = origin_of(input_, "convex_polygons", call.polygons.drop_z);
+    if (changed_ == 0) return origin;
+    for (auto& [entries, said] : origin.said.at(0).parts) {
+      said = said.mended({fmt::format("{} made convex or turned round", count_of(changed_, "polygon"))});
+    }
+    return origin;
+  }
+
   // Of what the verdict does not speak.
   std::string without() const {
     const std::string words = input_.left_out_words();
@@ -176,6 +203,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   Method* method_;
   PolygonsInput input_;
+  std::uint64_t changed_ = 0;  // polygons that --mend changed
   std::vector<ConvexPolygon> polygons_;
   PolygonsPart part_;
   std::vector<Point2> corners_;  // rounded
@@ -187,5 +215,7 @@ int run_region_polygons(const RegionCall& call) {
   PolygonsQuestion question(call);
   return answer(question);
 }
+
+std::string polygon_method_names() { return method_names(methods); }
 
 }  // namespace sunder::ask

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/ask/question.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/polygons_input.h>
 
 #include <sunder/picture/plane.h>
@@ -33,12 +34,14 @@ class FeasibilityQuestion {
   bool yes() const { return is_empty_; }
   const char* answer() const { return is_empty_ ? "infeasible" : "feasible"; }
   const Cost& cost() const { return cost_; }
+  const std::vector<std::string>& not_proved() const { return not_proved_; }
   std::string cost_text() const { return count_of(cost_.probes, counted_); }
 
  protected:
   bool is_empty_ = false;
   Cost cost_;
   const char* counted_ = "sign";
+  std::vector<std::string> not_proved_;
 };
 
 // The same where the common part is that of one file.
@@ -86,6 +89,12 @@ class RegionQuestion : public FeasibilityQuestion {
 
 // By --of, or by the names in the first line of the file.
 bool is_of_half_spaces(const RegionCall& call);
+
+// Methods of each kind, for help texts.
+std::string half_plane_method_names();
+std::string half_space_method_names();
+std::string circle_method_names();
+std::string polygon_method_names();
 
 // Each answers about a kind of things; returns the exit code. Throws Error for bad input, also where a polygon is not
 // convex.

@@ -61,6 +61,7 @@ class KernelQuestion : public FeasibilityQuestion {
       }
       results_.push_back({i, {}, {}});
     }
+    not_proved_.emplace_back("that the polygon is simple");
     if (results_.empty()) {
       throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                   "--feature");
@@ -75,6 +76,7 @@ class KernelQuestion : public FeasibilityQuestion {
                            [this](std::uint64_t sum, const Result& r) { return sum + polygon(r).size(); });
   }
   void ask() {
+    note_systems(input_.systems);
     for (Result& result : results_) {
       const PolygonSides sides(polygon(result));
       result.kernel = method_(sides, {call.proves()});
@@ -90,8 +92,9 @@ class KernelQuestion : public FeasibilityQuestion {
     }
   }
   std::string certificate() const {
-    Origin origin = input_.origin();
+    Origin origin = by_this_call(input_.origin());
     if (input_.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
+    origin.said = said_of_rows("rings", 1, said_of_ring());
     return planar::certificate_text(PolygonSides(polygon(results_[0])), results_[0].kernel, origin);
   }
 
@@ -100,20 +103,15 @@ class KernelQuestion : public FeasibilityQuestion {
     for (const Result& result : results_) {
       text += fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result));
     }
-    const auto seen =
-        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
-    const std::string without = input_.left_out_words();
-    text +=
-        fmt::format("{}: {} of {} {} a kernel{}\n", io::one_line(call.file), seen, count_of(results_.size(), "polygon"),
-                    results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", said of these only: " + without);
-    return text + tell(input_);
+    text += fmt::format("{}: {}\n", io::one_line(call.file), verdict());
+    return text + tell(input_) + systems_line(input_.systems);
   }
 
   void add_to(Json& json) const {
     for (const Result& result : results_) {
       const PolygonSource& source = input_.source[result.polygon];
       Json object = {{"file", io::one_line(call.file)},
-                     {"feature", source.feature},
+                     {"feature", source.feature + 1},
                      {"name", input_.name(result.polygon)},
                      {"part", source.part},
                      {"kind", name_of(result.kernel.kind)},
@@ -123,6 +121,7 @@ class KernelQuestion : public FeasibilityQuestion {
       json["objects"].push_back(object);
     }
     tell(input_, json);
+    add_systems(input_.systems, json);
   }
 
   std::string picture() const {
@@ -145,10 +144,33 @@ class KernelQuestion : public FeasibilityQuestion {
     }
     drawing.legend(Ink::bold, "sees all of the polygon");
     drawing.legend(Ink::accent, "edges that no point sees together");
-    return drawing.text(call.title_or("From where is all of it seen?"), count_of(results_.size(), "polygon"));
+    return drawing.text(call.title_or("From where is all of it seen?"), verdict());
   }
 
  private:
+  // "1 of 2 polygons have a kernel, said of these only: skipped: 1 invalid feature"
+  std::string verdict() const {
+    const auto seen =
+        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
+    const std::string without = input_.left_out_words();
+    return fmt::format("{} of {} {} a kernel{}", seen, count_of(results_.size(), "polygon"),
+                       results_.size() == 1 ? "has" : "have",
+                       without.empty() ? "" : ", said of these only: " + without);
+  }
+
+  Said said_of_ring() const {
+    const PolygonSource& source = input_.source[results_[0].polygon];
+    Said said = said_of_file(Said::Source::polygons, input_.inputs, call.file, input_.name(results_[0].polygon));
+    if (said.empty()) return said;
+    const io::LineFile& file = input_.files[source.file];
+    said = said_in(std::span(&file.systems[file.system[source.feature]], 1), std::move(said));
+    if (call.polygons.drop_z) said = said.dropped("z");
+    for (const io::MendedFeature& feature : input_.mended) {
+      if (feature.feature == source.feature) said = said.mended({ask::text_of(feature.changes)});
+    }
+    return said;
+  }
+
   static PolygonsRequest request_of(const RegionCall& call) {
     PolygonsRequest request = call.request();
     request.rule = planar::PolygonRule::simple;
@@ -195,12 +217,13 @@ Verb kernel_verb() {
            {"--skip-invalid", &call->polygons.skip_invalid, skip_invalid_help},
            {"--mend", &call->polygons.mend, mend_help},
            {"--leave-out", &call->polygons.leave_out, leave_out_help},
-           {"--method", &call->method, "automatic, half-planes, lee-preparata, or scan", "NAME"},
+           {"--method", &call->method, method_names(methods), "NAME"},
            certificate_option(call->certificate),
            {"--svg", &call->svg, "draw the polygons and their kernels here", "FILE"},
            title_option(call->title),
            svg_limit_option(call->svg_limit),
            {"--drop-z", &call->polygons.drop_z, "ignore third coordinates"},
+           {"--mixed-crs", &call->polygons.mixed_crs, mixed_crs_help},
            json_option(call->json)},
           [call] { return run(*call); }};
 }

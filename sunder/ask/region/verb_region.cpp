@@ -31,6 +31,7 @@ int run(const RegionCall& call) {
                                       {call.polygons.drop_z, "--drop-z"},
                                       {call.polygons.leave_out, "--leave-out"},
                                       {call.polygons.skip_invalid, "--skip-invalid"},
+                                      {call.polygons.mixed_crs, "--mixed-crs"},
                                       {!call.polygons.name.empty(), "--name"}}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
@@ -57,7 +58,10 @@ Verb region_verb() {
        {"--maximize", &call->maximize, "two numbers p,q: where is p x + q y greatest? Of half-spaces one a dimension",
         "P,Q"},
        {"--method", &call->method,
-        "automatic, sort (of half-planes), edges (of polygons), seidel (of half-spaces), division, or scan", "NAME"},
+        fmt::format("of half-planes: {}; of polygons: {}; of circles: {}; of half-spaces with --maximize: {}",
+                    half_plane_method_names(), polygon_method_names(), circle_method_names(),
+                    half_space_method_names()),
+        "NAME"},
        certificate_option(call->certificate,
                           "write the proof here: of the region, or with --maximize of the best point"),
        {"--svg", &call->svg, "draw the common part here", "FILE"},
@@ -70,6 +74,7 @@ Verb region_verb() {
        {"--name", &call->polygons.name, "polygons: the property that names them; unless given, name, NAME, id",
         "FIELD"},
        {"--drop-z", &call->polygons.drop_z, "polygons: ignore third coordinates"},
+       {"--mixed-crs", &call->polygons.mixed_crs, fmt::format("polygons: {}", mixed_crs_help)},
        json_option(call->json)},
       [call] { return run(*call); }};
 }

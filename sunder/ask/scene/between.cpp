@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
@@ -72,7 +73,7 @@ class Lines {
       }
       json["pairs"].push_back(std::move(of_pair));
     }
-    out += to_line(json) + "\n";
+    out += json.on_one_line() + "\n";
   }
 
   // step,answer,meeting,pairs
@@ -81,8 +82,8 @@ class Lines {
     std::string list;
     for (const SweptPair& pair : answer.pairs) {
       if (is_apart(pair)) continue;
-      list += fmt::format("{}{} and {} ({})", list.empty() ? "" : "; ", name_a(pair), name_b(pair),
-                          pair.meet() ? time_text(pair) : "undecided");
+      list += fmt::format("{}{} and {} ({}{})", list.empty() ? "" : "; ", name_a(pair), name_b(pair),
+                          pair.meet() ? time_text(pair) : "undecided", is_hull(pair) ? ", as hulls" : "");
     }
     if (!list.empty()) {
       out += '"';
@@ -95,7 +96,7 @@ class Lines {
  private:
   static bool is_apart(const SweptPair& pair) { return !pair.meet() && !pair.undecided(); }
   static std::string time_text(const SweptPair& pair) {
-    if (!pair.all_the_way) return fmt::format("at the {}", pair.time.low == 0 ? "begin" : "end");
+    if (!pair.all_the_way) return fmt::format("at the {}", pair.time.low == 0 ? "beginning" : "end");
     return fmt::format("from {}{:.6g} of the way on", pair.time.low == pair.time.high ? "" : "about ", pair.time.high);
   }
   std::string name_a(const SweptPair& pair) const { return part_name(bodies_[pair.body_a], pair.part_a); }
@@ -110,7 +111,7 @@ class Lines {
 
 // What all steps have in common: the first line of JSON lines.
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
-                        const io::JointTable& table) {
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
   Json json{{"verb", "scene"}, {"between", true}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const Body& body : bodies) {
@@ -120,8 +121,10 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   }
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  json["allowed_reasons"] = allowed_json(allowed);
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
-  return to_line(json) + "\n";
+  if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
+  return json.on_one_line() + "\n";
 }
 
 struct Stated {
@@ -154,8 +157,9 @@ struct Chain {
 class Between {
  public:
   Between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-          const io::JointTable& table, const InputFiles& inputs)
+          const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed)
       : call_(call),
+        allowed_(allowed),
         inputs_(inputs),
         input_(input),
         table_(table),
@@ -171,7 +175,7 @@ class Between {
   int run() {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
-    if (json_) json_->write(header_line(input_, question_, bodies_, table_));
+    if (json_) json_->write(header_line(input_, question_, bodies_, table_, allowed_, call_));
     if (csv_) csv_->write("step,answer,meeting,pairs\n");
     Progress progress("placements");
     const auto report = progress.reporter();
@@ -269,8 +273,11 @@ class Between {
       place(k + 1, next);
       return scene::SweptStep{last, next, stated->pairs};
     };
-    write_motion_certificate(bodies_, asked_, step, question_, {inputs_, input_.left_out().texts()},
-                             [&](std::string_view text) { certificate_->write(text); });
+    const scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_),
+                                  [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
+    write_motion_certificate(
+        bodies_, asked_, step, question_, origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)),
+        [&](std::string_view text) { certificate_->write(text); }, said);
   }
 
   std::string summary() const {
@@ -284,13 +291,16 @@ class Between {
     if (totals_.at_ends_only > 0) {
       text += fmt::format("; at their ends only, as a part turns: {}", totals_.at_ends_only);
     }
-    text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
+            file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_) return text + "  no proofs are written, as there is nothing to be stated\n";
-    return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate);
+    return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate) +
+           not_proved_line(not_proved(call_));
   }
 
   const PlacementsCall& call_;
+  const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
   const SceneInput& input_;
   const io::JointTable& table_;
@@ -310,7 +320,7 @@ class Between {
 }  // namespace
 
 int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                   const io::JointTable& table, const InputFiles& inputs) {
+                   const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed) {
   if (question.contacts) {
     throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; leave out --classify and --allow touch",
                 option);
@@ -318,7 +328,7 @@ int answer_between(const PlacementsCall& call, const SceneInput& input, const sc
   if (table.rows() < 2) {
     throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", option);
   }
-  return Between(call, input, question, table, inputs).run();
+  return Between(call, input, question, table, inputs, allowed).run();
 }
 
 }  // namespace sunder::ask

@@ -7,14 +7,17 @@
 #include <sunder/io/joint_table.h>
 #include <sunder/scene/scene.h>
 
+#include <span>
+
 namespace sunder::ask {
 
 // Asks about each step, in chains (scene/chains.h): a line a step on standard output, or the files that are asked for.
 // Parts that turn are asked about at both ends only, and this is said. Returns the exit code: `yes` where some meet,
 // and where, because of such parts, or of a pair that is undecided, it is not known. inputs: what a certificate was
-// made of. Throws Error where there are no two placements, and for a question that tells touching from overlapping;
+// made of. allowed: the pairs of question.allowed, with their reasons. Throws Error where there are no two
+// placements, and for a question that tells touching from overlapping;
 // then no file is written.
 int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                   const io::JointTable& table, const InputFiles& inputs);
+                   const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

@@ -49,6 +49,10 @@ Nearness NearnessLines::ask(std::span<const scene::Body> placed,
   return found;
 }
 
+bool NearnessLines::is_hull(const PartDistance& pair) const {
+  return input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
+}
+
 std::string NearnessLines::names_of(const PartDistance& pair) const {
   return part_name(bodies_[pair.body_a], pair.part_a) + " and " + part_name(bodies_[pair.body_b], pair.part_b);
 }
@@ -57,10 +61,7 @@ std::string NearnessLines::names_of(const PartDistance& pair) const {
 // apart"
 void NearnessLines::add_text(const Nearness& found, std::string& text) const {
   std::string piece;
-  const auto hulls = [&](const PartDistance& pair) {
-    const bool is_hull = input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
-    return is_hull ? " as hulls" : "";
-  };
+  const auto hulls = [&](const PartDistance& pair) { return is_hull(pair) ? " as hulls" : ""; };
   if (found.clearance) {
     const auto& [closer, undecided] = std::pair(&found.clearance->closer, &found.clearance->undecided);
     if (closer->empty()) piece += undecided->empty() ? "; none are closer" : "; none are known to be closer";
@@ -82,15 +83,18 @@ void NearnessLines::add_text(const Nearness& found, std::string& text) const {
 }
 
 std::string NearnessLines::json_of(const PartDistance& pair, bool has_margin) const {
-  const bool is_hull = input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
-  Json json{{"a", bodies_[pair.body_a].name}, {"b", bodies_[pair.body_b].name},          {"part_a", pair.part_a},
-            {"part_b", pair.part_b},          {"said_of", is_hull ? "hulls" : "bodies"}, {"low", pair.distance.low},
+  Json json{{"a", bodies_[pair.body_a].name},
+            {"b", bodies_[pair.body_b].name},
+            {"part_a", pair.part_a},
+            {"part_b", pair.part_b},
+            {"said_of", is_hull(pair) ? "hulls" : "bodies"},
+            {"low", pair.distance.low},
             {"high", pair.distance.high}};
   if (has_margin) json["least"] = pair.least;
   if (const auto points = rounded_nearest_points(pair)) {
     json["points_about"] = Json::array({to_json(points->of_a), to_json(points->of_b)});
   }
-  return to_line(json);
+  return json.on_one_line();
 }
 
 void NearnessLines::add_json(const Nearness& found, std::string& text) const {
@@ -118,7 +122,8 @@ void NearnessLines::add_json_header(std::string& text) const {
   for (const auto& [a, b, least] : question_.clearance->margins) {
     margins.push_back({{"a", bodies_[a].name}, {"b", bodies_[b].name}, {"least", least}});
   }
-  insert("}\n", ", \"clearance\": " + to_line({{"least", question_.clearance->least}, {"margins", margins}}), text);
+  insert("}\n", ", \"clearance\": " + Json{{"least", question_.clearance->least}, {"margins", margins}}.on_one_line(),
+         text);
 }
 
 void NearnessLines::add_csv_header(std::string& text) const {
@@ -131,8 +136,8 @@ void NearnessLines::add_csv(const Nearness& found, std::string& text) const {
   if (found.clearance) {
     std::string list;
     const auto add = [&](const PartDistance& pair, const char* what) {
-      fmt::format_to(std::back_inserter(list), "{}{} ({}{} of {})", list.empty() ? "" : "; ", names_of(pair), what,
-                     pair.distance.high, pair.least);
+      fmt::format_to(std::back_inserter(list), "{}{} ({}{} of {}{})", list.empty() ? "" : "; ", names_of(pair), what,
+                     pair.distance.high, pair.least, is_hull(pair) ? ", as hulls" : "");
     };
     for (const PartDistance& pair : found.clearance->closer) add(pair, "");
     for (const PartDistance& pair : found.clearance->undecided) add(pair, "undecided, ");
@@ -140,7 +145,7 @@ void NearnessLines::add_csv(const Nearness& found, std::string& text) const {
   }
   if (question_.nearest && found.nearest) {
     fmt::format_to(std::back_inserter(piece), ",{},{},{}", found.nearest->distance.low, found.nearest->distance.high,
-                   quoted_csv(names_of(*found.nearest)));
+                   quoted_csv(names_of(*found.nearest) + (is_hull(*found.nearest) ? " (as hulls)" : "")));
   } else if (question_.nearest) {
     piece += ",,,";
   }

@@ -1,3 +1,4 @@
+#include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
@@ -133,11 +134,10 @@ class Lines {
         add_quoted(names_[pair.body_a][pair.part_a].csv, out);
         out += " and ";
         add_quoted(names_[pair.body_b][pair.part_b].csv, out);
-        if (pair.undecided()) {
-          out += " (undecided)";
-        } else if (question_.contacts) {
-          fmt::format_to(std::back_inserter(out), " ({})", contact_name(pair));
-        }
+        const auto &a = names_[pair.body_a][pair.part_a], &b = names_[pair.body_b][pair.part_b];
+        std::string said = pair.undecided() ? "undecided" : question_.contacts ? std::string(contact_name(pair)) : "";
+        if (a.is_hull || b.is_hull) said += said.empty() ? "as hulls" : ", as hulls";
+        if (!said.empty()) fmt::format_to(std::back_inserter(out), " ({})", said);
         between = "; ";
       }
       out += '"';
@@ -169,13 +169,13 @@ class Lines {
     add(R"(", "counted": )", pair.counts ? "true" : "false");
     if (pair.undecided()) {
       const Json direction = to_json(scene::rounded_direction(*pair.round));
-      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", to_line(direction));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", direction.on_one_line());
       return;
     }
     if (pair.round) {
       const Point3 p =
           rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]);
-      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_line(to_json(p)));
+      fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"point": {}}}}})", to_json(p).on_one_line());
       return;
     }
     const PairCertificate& c = pair.answer.certificate();
@@ -211,7 +211,7 @@ class Lines {
 
 // What all placements have in common: the first line of JSON lines.
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
-                        const io::JointTable& table) {
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
   Json json{{"verb", "scene"}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const scene::Body& body : bodies) {
@@ -222,8 +222,10 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   json["allowed"] = question.touching_allowed ? "touch" : "nothing";
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  json["allowed_reasons"] = allowed_json(allowed);
   if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
-  return to_line(json) + "\n";
+  if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
+  return json.on_one_line() + "\n";
 }
 
 // What meets, or is undecided, in a placement; and what is closer than it has to be, likewise.
@@ -250,8 +252,10 @@ struct Chain {
 class Placements {
  public:
   Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near)
+             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
+             std::span<const AllowedPair> allowed)
       : call_(call),
+        allowed_(allowed),
         inputs_(inputs),
         near_(near),
         input_(input),
@@ -271,7 +275,7 @@ class Placements {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
     if (json_) {
-      std::string header = header_line(input_, question_, start_.bodies(), table_);
+      std::string header = header_line(input_, question_, start_.bodies(), table_, allowed_, call_);
       near_lines_.add_json_header(header);
       json_->write(header);
     }
@@ -306,14 +310,16 @@ class Placements {
       text += fmt::format("; not asked about, after the first that meets{}: {}", near_.clearance ? " or is closer" : "",
                           table_.rows() - asked_);
     }
-    text += left_out.clause() + "\n" + file_line("JSON lines", call_.json_lines) + file_line("table", call_.csv);
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
+            file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
     if (!certificate_)
       return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
                                 near_.clearance ? ", or to be closer" : "");
     std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
     if (near_.clearance && !call_.parted) of += fmt::format(" that meet, and of {} closer", closer_);
-    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate);
+    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate) +
+           not_proved_line(not_proved(call_));
   }
 
   static void open(const std::string& name, std::optional<io::OutputFile>& file) {
@@ -405,19 +411,23 @@ class Placements {
       return scene::MeetingPlacement{std::to_string(row), bodies, met.pairs, met.closer};
     };
     const auto write = [&](std::string_view text) { certificate_->write(text); };
+    const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
+    scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_), joints_in};
     if (call_.parted) {
       const auto any = [&](std::size_t k) {
         const auto met =
             std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
         return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
       };
-      scene::write_whole_certificate(start_.bodies(), asked_, any, question_, {inputs_, input_.left_out().texts()},
-                                     write, near_.clearance ? &*near_.clearance : nullptr);
+      scene::write_whole_certificate(start_.bodies(), asked_, any, question_,
+                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write,
+                                     near_.clearance ? &*near_.clearance : nullptr, said);
       return;
     }
     const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
+    said.joints = [&](std::size_t k) { return joints_in(met_[k].row); };
     scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
-                                     {inputs_, input_.left_out().texts()}, write);
+                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write, said);
   }
 
   bool end(Chain& chain, const std::function<void(double)>& report) {
@@ -436,6 +446,7 @@ class Placements {
   }
 
   const PlacementsCall& call_;
+  const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
   const NearnessQuestion& near_;
   const SceneInput& input_;
@@ -456,6 +467,22 @@ class Placements {
 };
 
 }  // namespace
+
+SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs) {
+  const auto file = std::find_if(inputs.begin(), inputs.end(),
+                                 [&](const InputFile& input) { return io::one_line(input.name) == table.file; });
+  std::vector<std::pair<std::string, double>> values;
+  for (std::size_t c = 0; c < table.columns; ++c) values.emplace_back(table.joints[c], table.row(row)[c]);
+  return SaidNote::joint_values(
+      values, row,
+      file == inputs.end() ? std::nullopt : std::optional(static_cast<std::size_t>(file - inputs.begin())));
+}
+
+std::vector<std::string> not_proved(const PlacementsCall& call) {
+  std::vector<std::string> words{"the joint values"};
+  if (!call.parted) words.emplace_back("what is apart");
+  return words;
+}
 
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
   const io::Robot& robot = input.robot(option);
@@ -508,9 +535,9 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
 }
 
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs,
-                                   const NearnessQuestion& near) {
-  return Placements(call, input, question, table, inputs, near).run();
+                                   const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
+                                   std::span<const AllowedPair> allowed) {
+  return Placements(call, input, question, table, inputs, near, allowed).run();
 }
 
 }  // namespace sunder::ask

@@ -10,6 +10,7 @@
 #include <sunder/scene/scene.h>
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,12 @@ struct PlacementsAnswer {
   int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
 
+// What the answer says and a proof of --meeting-certificate does not, in words.
+std::vector<std::string> not_proved(const PlacementsCall& call);
+
+// What a proof says of a placement: the values of its row. inputs: the files that were read.
+SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs);
+
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs);
 
@@ -45,9 +52,10 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
 // Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
 // output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
-// nearest no certificate is written. Throws Error; then no file is written.
+// nearest no certificate is written. allowed: the pairs of question.allowed, with their reasons. Throws Error; then no
+// file is written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs = {},
-                                   const NearnessQuestion& near = {});
+                                   const NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

@@ -1,6 +1,7 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/file.h>
 #include <sunder/io/joint_values.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
@@ -28,6 +29,7 @@ namespace fs = std::filesystem;
 bool is_urdf(const std::string& file) { return fs::path(file).extension() == ".urdf" || file.ends_with(".URDF"); }
 
 bool is_there(const std::string& file) {
+  if (io::GivenFiles::now() != nullptr) return io::is_file(file);
   std::error_code problem;  // a name that is too long, and the like
   return file == "-" || fs::exists(file, problem);
 }
@@ -163,7 +165,7 @@ void SceneInput::add_scene(const std::string& file, bool require_convex, InputFi
     const bool is_taken = named(name, bodies_) != bodies_.end();
     bodies_.push_back({is_taken ? unused_name(name) : name, inputs_.size() - 1, {}, std::move(all[b])});
   }
-  for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({first + a, first + b});
+  for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({{first + a, first + b}, io::one_line(file)});
   if (!scene.allowed.empty()) scene_files_.push_back(file);
 }
 
@@ -213,6 +215,21 @@ std::vector<const io::BodyPart*> SceneInput::parts() const {
   return all;
 }
 
+std::vector<std::vector<Said>> SceneInput::said(const InputFiles& inputs) const {
+  std::vector<std::vector<Said>> all;
+  for (const Body& body : bodies_) {
+    all.emplace_back();
+    for (const io::BodyPart& part : body.parts) {
+      const bool is_mesh = !part.round && !is_urdf(part.body.file) && !io::is_scene_file(part.body.file);
+      const std::string name = body.parts.size() == 1 ? body.name : body.name + "/" + part.name;
+      Said said = is_mesh ? said_of_mesh(part.body, inputs, left_out_)
+                          : said_of_file(Said::Source::shape, inputs, part.body.file, name);
+      all.back().push_back(said.empty() || part.unit.empty() ? said : said.unit(part.unit));
+    }
+  }
+  return all;
+}
+
 std::vector<const MeshBody*> SceneInput::meshes() const {
   std::vector<const MeshBody*> all;
   for (const io::BodyPart* part : parts()) {
@@ -227,40 +244,41 @@ std::uint32_t SceneInput::body_named(const std::string& name, const std::string&
   fail_call("no body is named " + io::quote(name) + "; bodies are " + names_of(bodies_), place);
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::adjacent() const {
+std::vector<AllowedPair> SceneInput::adjacent() const {
   if (!robot_) fail_call("there is no robot whose links could be adjacent; name a URDF file", "--allow adjacent");
   // Of all links, so that those on both sides of one that is left out are not taken for neighbours.
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<AllowedPair> pairs;
   for (const auto& [a, b] : io::adjacent_bodies(*robot_, robot_bodies_)) {
     const auto body_a = body_of_link(robot_->links[robot_bodies_.bodies[a].link].name),
                body_b = body_of_link(robot_->links[robot_bodies_.bodies[b].link].name);
-    if (body_a && body_b) pairs.push_back({*body_a, *body_b});
+    if (body_a && body_b) pairs.push_back({{*body_a, *body_b}, "adjacent"});
   }
   return pairs;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const std::string& text) const {
+std::vector<AllowedPair> SceneInput::allowed(const std::string& text, InputFiles* inputs) const {
   if (text == "adjacent") return adjacent();
   const std::size_t comma = text.find(',');
   if (comma != std::string::npos && !is_there(text)) {
     const std::string place = "--allow";
-    return {{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
-             body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)}};
+    return {{{body_named(std::string(io::trimmed(std::string_view(text).substr(0, comma))), place),
+              body_named(std::string(io::trimmed(std::string_view(text).substr(comma + 1))), place)},
+             place}};
   }
   if (!is_there(text)) {
     fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",
               "--allow " + io::one_line(text));
   }
-  std::vector<std::array<std::uint32_t, 2>> pairs;
+  std::vector<AllowedPair> pairs;
   std::vector<std::string> shapeless;
-  for (const auto& [place, names] : io::read_name_pairs(text)) {
+  for (const auto& [place, names] : io::read_name_pairs(text, inputs)) {
     bool both = true;
     for (const std::string& name : names) {
       if (named(name, bodies_) != bodies_.end() || !is_link(name)) continue;
       if (!is_outside(name)) add_once(name, shapeless);
       both = false;
     }
-    if (both) pairs.push_back({body_named(names[0], place), body_named(names[1], place)});
+    if (both) pairs.push_back({{body_named(names[0], place), body_named(names[1], place)}, io::one_line(text)});
   }
   if (!shapeless.empty()) {
     note(fmt::format("{}: lines about links without a shape are passed over: {}", io::one_line(text),
@@ -284,9 +302,10 @@ std::optional<std::uint32_t> SceneInput::body_of_link(const std::string& name) c
   return std::nullopt;
 }
 
-std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& srdf, const std::string& file) const {
+std::vector<AllowedPair> SceneInput::allowed(const io::Srdf& srdf, const std::string& file) const {
   if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", "--srdf");
-  std::set<std::array<std::uint32_t, 2>> pairs;
+  std::set<std::array<std::uint32_t, 2>> known;
+  std::vector<AllowedPair> pairs;
   std::vector<io::Srdf::Pair> taken;
   std::vector<std::string> shapeless, unknown;
   for (const io::Srdf::Pair& pair : srdf.disabled) {
@@ -297,7 +316,10 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
       add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
     }
     if (!both[0] || !both[1]) continue;
-    if (pairs.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) taken.push_back(pair);
+    if (!known.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) continue;
+    taken.push_back(pair);
+    pairs.push_back({{std::min(*both[0], *both[1]), std::max(*both[0], *both[1])},
+                     pair.reason.empty() ? "without a reason" : pair.reason});
   }
   const std::string shown = io::one_line(file);
   note(fmt::format("{} allows {}", shown, io::reasons_text(taken)));
@@ -307,7 +329,8 @@ std::vector<std::array<std::uint32_t, 2>> SceneInput::allowed(const io::Srdf& sr
   if (!unknown.empty()) {
     note(fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
   }
-  return {pairs.begin(), pairs.end()};
+  std::sort(pairs.begin(), pairs.end(), [](const AllowedPair& p, const AllowedPair& q) { return p.bodies < q.bodies; });
+  return pairs;
 }
 
 void SceneInput::keep_groups(const io::Srdf& srdf, const std::vector<std::string>& names) {
@@ -333,9 +356,8 @@ void SceneInput::keep_groups(const io::Srdf& srdf, const std::vector<std::string
   }
   if (kept_links == 0) fail_call("no link of the group has a shape, so there is nothing to ask about", place);
   bodies_.resize(kept);
-  for (auto& [a, b] : allowed_by_files_) {  // of bodies of scene files, which stay
-    a = numbers[a];
-    b = numbers[b];
+  for (AllowedPair& pair : allowed_by_files_) {  // of bodies of scene files, which stay
+    for (std::uint32_t& body : pair.bodies) body = numbers[body];
   }
   const auto all = static_cast<std::uint32_t>(kept_links + left_out.size());
   note(fmt::format("of the robot {} of {} links with shapes are asked about, those of --group {}", kept_links, all,

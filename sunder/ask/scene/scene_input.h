@@ -3,6 +3,8 @@
 #pragma once
 
 #include <sunder/ask/objects.h>
+#include <sunder/ask/said_of.h>
+#include <sunder/ask/scene/allowed_pairs.h>
 
 #include <sunder/io/packages.h>
 #include <sunder/io/robot_bodies.h>
@@ -38,15 +40,15 @@ class SceneInput {
 
   // Pairs of bodies out of: "adjacent" (links joined by a joint, or by joints through links without shapes),
   // "NAME,NAME", or a file with two names a line. Lines that name a link without a shape are passed over, with a
-  // remark. Throws Error.
-  std::vector<std::array<std::uint32_t, 2>> allowed(const std::string& text) const;
+  // remark. inputs: as of io::read_file. Throws Error.
+  std::vector<AllowedPair> allowed(const std::string& text, InputFiles* inputs) const;
 
   // The pairs that the file of --srdf disables, each once; those with links that have no shape, or that the robot does
   // not have, are passed over. Notes say how many, and why. Throws Error where there is no robot.
-  std::vector<std::array<std::uint32_t, 2>> allowed(const io::Srdf& srdf, const std::string& file) const;
+  std::vector<AllowedPair> allowed(const io::Srdf& srdf, const std::string& file) const;
 
   // The pairs that scene files allow, and these files as they were named.
-  const std::vector<std::array<std::uint32_t, 2>>& allowed_by_files() const { return allowed_by_files_; }
+  const std::vector<AllowedPair>& allowed_by_files() const { return allowed_by_files_; }
   const std::vector<std::string>& scene_files() const { return scene_files_; }
   const std::string& unit() const { return unit_; }  // of lengths, as a scene file says it; empty: none does
 
@@ -86,8 +88,10 @@ class SceneInput {
   // Its index. Throws Error bad_call with this place where there is none.
   std::uint32_t body_named(const std::string& name, const std::string& place) const;
 
-  bool is_hull(std::uint32_t body, std::uint32_t part) const;                        // does it stand for a mesh?
-  std::vector<const io::BodyPart*> parts() const;                                    // of all bodies, in order
+  bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
+  std::vector<const io::BodyPart*> parts() const;              // of all bodies, in order
+  // Of each part of each body, what a proof says that it is made of.
+  std::vector<std::vector<Said>> said(const InputFiles& inputs) const;
   std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius
   const LeftOutList& left_out() const { return left_out_; }                          // what is not read: must be shown
   const std::vector<std::filesystem::path>& meshes_read() const { return meshes_; }  // those that files name
@@ -114,14 +118,14 @@ class SceneInput {
   std::optional<std::uint32_t> body_of_link(const std::string& name) const;
   bool is_link(const std::string& name) const;
   bool is_outside(const std::string& name) const;
-  std::vector<std::array<std::uint32_t, 2>> adjacent() const;
+  std::vector<AllowedPair> adjacent() const;
 
   std::vector<Input> inputs_;
   std::vector<Body> bodies_;
   std::optional<io::Robot> robot_;
   std::string robot_file_;
   io::RobotBodies robot_bodies_;  // without their parts, which are those of bodies_
-  std::vector<std::array<std::uint32_t, 2>> allowed_by_files_;
+  std::vector<AllowedPair> allowed_by_files_;
   std::vector<std::string> scene_files_;
   std::string unit_, unit_file_;  // and the file that says so
   std::vector<std::filesystem::path> meshes_;

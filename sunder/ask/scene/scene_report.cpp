@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -175,15 +176,73 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
   text += undecided_text(placed, prefix);
+  const char* const of_those = report.allowed.empty() ? "" : ", of the pairs asked about";
   if (listed == 0 && placed.answer.counts.undecided > 0) {
-    text += prefix + "no others meet" + left_out.clause() + "\n";
+    text += prefix + "no others meet" + of_those + left_out.clause() + "\n";
   } else if (listed == 0) {
     const char* const none = placed.bodies.empty() ? "nothing can meet: no link has a collision shape"
                              : left_out.empty()    ? "none meet"
                                                    : "none of the bodies read meet";
-    text += prefix + none + left_out.clause() + "\n";
+    text += prefix + none + (placed.bodies.empty() ? "" : of_those) + left_out.clause() + "\n";
   } else if (!left_out.empty()) {
     text += fmt::format("{}this is of the bodies read{}\n", prefix, left_out.clause());
+  }
+  return text;
+}
+
+// Why pairs of bodies, the lower first, are allowed to meet.
+using Reasons = std::map<std::array<std::uint32_t, 2>, std::string>;
+Reasons reasons_by_bodies(const SceneReport& report) {
+  Reasons reasons;
+  for (const auto& [bodies, reason] : report.allowed) {
+    reasons[{std::min(bodies[0], bodies[1]), std::max(bodies[0], bodies[1])}] = reason;
+  }
+  return reasons;
+}
+
+// Of the pairs that are allowed to meet those that do, or may, by reason, in the order of reasons_of().
+std::string allowed_meeting_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
+  const Reasons reasons = reasons_by_bodies(report);
+  std::vector<const PartPair*> found;
+  for (const PartPair& pair : placed.of_allowed->pairs) {
+    if (pair.meet() || pair.undecided()) found.push_back(&pair);
+  }
+  if (found.empty()) return prefix + "none of these meet\n";
+  std::string text;
+  for (const AllowedFor& of : reasons_of(report.allowed)) {
+    std::uint64_t count = 0;
+    std::string neighbours;
+    for (const PartPair* pair : found) {
+      if (reasons.at({pair->body_a, pair->body_b}) != of.reason || ++count > most_listed) continue;
+      const char* const verdict = pair->undecided()              ? ", undecided whether they meet"
+                                  : meet_as_hulls(report, *pair) ? " meet as hulls"
+                                                                 : " meet";
+      const std::string names = name_a(placed, *pair) + " and " + name_b(placed, *pair);
+      if (is_of_neighbours(of.reason)) {
+        neighbours += (neighbours.empty() ? "" : "; ") + names + verdict;
+      } else {
+        text += fmt::format("{}allowed ({}), and {}{}{}\n", prefix, of.reason, names, verdict,
+                            pair->undecided() ? "" : ", at about " + about(common_point(placed, *pair)));
+      }
+    }
+    if (!neighbours.empty()) text += fmt::format("{}allowed ({}): {}\n", prefix, of.reason, neighbours);
+    if (count > most_listed) text += fmt::format("{}and {} more of {}\n", prefix, count - most_listed, of.reason);
+  }
+  return text;
+}
+
+std::string allowed_pairs_text(const SceneReport& report) {
+  return (report.checks_allowed ? "not counted, as allowed to meet: " : "not asked about, as allowed to meet: ") +
+         allowed_text(report.allowed);
+}
+
+std::string allowed_report_text(const SceneReport& report) {
+  if (report.allowed.empty()) return "";
+  std::string text = allowed_pairs_text(report);
+  if (!report.checks_allowed) return text + "; --check-allowed asks about them\n";
+  text += "\n";
+  for (const Placed& placed : report.placements) {
+    text += allowed_meeting_text(report, placed, report.placements.size() > 1 ? placed.title + ": " : "  ");
   }
   return text;
 }
@@ -234,6 +293,30 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
                  : evidence_json(pair.answer.certificate(), placed_vertices(a.shape.core(), a.pose),
                                  placed_vertices(b.shape.core(), b.pose));
   return json;
+}
+
+// Null where allowed pairs were not asked about.
+Json allowed_meeting_json(const SceneReport& report) {
+  if (!report.checks_allowed) return nullptr;
+  const Reasons reasons = reasons_by_bodies(report);
+  Json list = Json::array();
+  for (std::size_t p = 0; p < report.placements.size(); ++p) {
+    const Placed& placed = report.placements[p];
+    for (const PartPair& pair : placed.of_allowed->pairs) {
+      if (!pair.meet() && !pair.undecided()) continue;
+      Json json{{"placement", p},
+                {"a", placed.bodies[pair.body_a].name},
+                {"b", placed.bodies[pair.body_b].name},
+                {"part_a", pair.part_a},
+                {"part_b", pair.part_b},
+                {"reason", reasons.at({pair.body_a, pair.body_b})},
+                {"answer", pair.verdict()},
+                {"said_of", meet_as_hulls(report, pair) ? "hulls" : "bodies"}};
+      if (pair.meet()) json["point_about"] = to_json(common_point(placed, pair));
+      list.push_back(std::move(json));
+    }
+  }
+  return list;
 }
 
 // What is counted, in the order of reports.
@@ -292,6 +375,13 @@ std::string_view contact_name(const PartPair& pair) {
 
 bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.contact == Contact::none; }
 
+std::vector<std::string> not_proved(const SceneReport& report) {
+  for (const Placed& placed : report.placements) {
+    if (!placed.joints.empty()) return {"the joint values"};
+  }
+  return {};
+}
+
 std::string scene_text(const SceneReport& report) {
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
   std::string text =
@@ -301,7 +391,21 @@ std::string scene_text(const SceneReport& report) {
   if (bodies.size() <= most_in_matrix && bodies.size() > 1) text += matrix_text(report);
   text += counts_text(report);
   for (const Placed& placed : report.placements) text += meeting_text(report, placed);
-  return text + nearness_text(report);
+  return text + allowed_report_text(report) + nearness_text(report);
+}
+
+std::vector<std::string> picture_notes(const SceneReport& report, const Placed& placed) {
+  std::string text = report.allowed.empty() ? "" : allowed_pairs_text(report) + "\n";
+  if (report.checks_allowed) text += allowed_meeting_text(report, placed, "");
+  if (report.question.touching_allowed) text += "what only touches is allowed, and does not count\n";
+  if (!report.input.left_out().empty()) text += "left out: " + report.input.left_out().text() + "\n";
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return lines;
 }
 
 Json scene_json(const SceneReport& report) {
@@ -324,6 +428,8 @@ Json scene_json(const SceneReport& report) {
   json["allowed"] = report.question.touching_allowed ? "touch" : "nothing";
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : report.question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
+  json["allowed_reasons"] = allowed_json(report.allowed);
+  json["allowed_meeting"] = allowed_meeting_json(report);
 
   json["placements"] = Json::array();
   json["pairs"] = Json::array();
@@ -332,9 +438,11 @@ Json scene_json(const SceneReport& report) {
   std::uint64_t meeting = 0;
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const Placed& placed = report.placements[p];
+    Json joints = Json::object();
+    for (const auto& [joint, value] : placed.joints) joints[joint] = value;
     json["placements"].push_back({{"name", placed.title},
                                   {"answer", placed.answer.verdict()},
-                                  {"joints", placed.joints},
+                                  {"joints", joints},
                                   {"totals", to_json(placed.answer.counts)},
                                   {"seconds", placed.seconds}});
     for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;
@@ -350,6 +458,7 @@ Json scene_json(const SceneReport& report) {
   json["count"] = meeting;
   json["totals"] = to_json(counts);
   add_nearness(report, json);
+  if (report.is_proved) json["not_proved"] = not_proved(report);
   return json;
 }
 

@@ -21,7 +21,8 @@ struct Placed {
   std::vector<scene::Body> bodies;
   scene::Answer answer;
   Nearness near{};
-  double seconds = 0;  // of the question itself, without reading files
+  std::optional<scene::Answer> of_allowed{};  // about the pairs that are allowed to meet, where they were asked about
+  double seconds = 0;                         // of the question itself, without reading files
 };
 
 struct SceneReport {
@@ -31,8 +32,11 @@ struct SceneReport {
   std::optional<scene::ClearanceQuestion> clearance{};
   bool asks_for_nearest = false;
   std::vector<std::string> allowed_because{};  // as the user wrote it
-  std::vector<Placed> placements{};            // at least one, all with the same bodies
-  bool colour = false;                         // mark what meets by terminal colours
+  std::vector<AllowedPair> allowed{};          // those of the question, with their reasons
+  bool checks_allowed = false;
+  std::vector<Placed> placements{};  // at least one, all with the same bodies
+  bool is_proved = false;            // a proof of all this is written
+  bool colour = false;               // mark what meets by terminal colours
 
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
   bool none_meet() const { return verdict() == "none"; }
@@ -45,7 +49,14 @@ struct SceneReport {
 std::string_view contact_name(const scene::PartPair& pair);
 bool has_unknown_contact(const scene::PartPair& pair);
 
+// What of all this a proof does not say, in words.
+std::vector<std::string> not_proved(const SceneReport& report);
+
 std::string scene_text(const SceneReport& report);
+
+// The lines of the text that a picture of the placement has below its answer: what is allowed to meet, and does, and
+// what was left out.
+std::vector<std::string> picture_notes(const SceneReport& report, const Placed& placed);
 Json scene_json(const SceneReport& report);
 
 }  // namespace sunder::ask

@@ -1,5 +1,6 @@
 // sunder scene FILE...: which of these bodies meet?
 #include <sunder/ask/outputs.h>
+#include <sunder/ask/packages_option.h>
 #include <sunder/ask/question.h>
 #include <sunder/ask/scene/between.h>
 #include <sunder/ask/scene/placements.h>
@@ -34,6 +35,7 @@ struct Call : QuestionCall {
   std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
   std::string srdf, gltf;
   bool classify = false;
+  bool check_allowed = false, no_check_allowed = false;
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
@@ -41,11 +43,6 @@ struct Call : QuestionCall {
   bool between = false;
   PlacementsCall placements;  // none where it names no table
 };
-
-io::Packages packages_of(const Call& call) {
-  const char* search = std::getenv("ROS_PACKAGE_PATH");
-  return io::parse_packages(call.packages, search == nullptr ? "" : search);
-}
 
 // Reports, proofs and pictures hold all placements at once.
 constexpr std::size_t most_held = 10'000;
@@ -77,6 +74,12 @@ Placed ask(const SceneReport& report, const io::JointValues& joints, const std::
   Placed placed{joints.values, joints.name.empty() ? number : joints.name, report.input.bodies(joints.values), {}};
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
+  if (report.checks_allowed) {
+    scene::Question of_allowed = question;
+    of_allowed.allowed_alone = true;
+    of_allowed.every_pair = false;
+    placed.of_allowed = scene::meeting_pairs(placed.bodies, of_allowed);
+  }
   if (report.clearance) placed.near.clearance = scene::closer_pairs(placed.bodies, *report.clearance);
   if (report.asks_for_nearest) placed.near.nearest = scene::nearest_parts(placed.bodies, question.allowed);
   placed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -111,6 +114,12 @@ void require_drawable(const Call& call, const SceneInput& input, std::size_t pla
   }
 }
 
+// Where some are given.
+std::optional<SaidNote> joint_values_note(const std::map<std::string, double>& joints) {
+  if (joints.empty()) return std::nullopt;
+  return SaidNote::joint_values({joints.begin(), joints.end()});
+}
+
 // Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
 // file would state nothing.
 std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
@@ -129,17 +138,23 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
                               : "no pair is asked about, so there is nothing to prove; leave it out, or allow less",
                 "--certificate");
   }
+  const scene::SaidOfScene said{report.input.said(inputs), reason_of_each(report.allowed), [&](std::size_t placement) {
+                                  return joint_values_note(report.placements[placement].joints);
+                                }};
   io::OutputFile file(name);
   scene::write_certificate(
-      placements, report.question, {inputs, report.input.left_out().texts()},
-      [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()));
+      placements, report.question, origin_of(inputs, left_out_texts(report.input.left_out(), report.allowed)),
+      [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()), said);
   file.commit();
   return pairs;
 }
 
 void draw(const Call& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
-  for (const Placed& placed : report.placements) panels.push_back({placed.title, placed.bodies, placed.answer});
+  const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.input.is_hull(body, part); };
+  for (const Placed& placed : report.placements) {
+    panels.push_back({placed.title, placed.bodies, placed.answer, is_hull, picture_notes(report, placed)});
+  }
   if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
   if (call.gltf.empty()) return;
   const bool is_binary = io::ending_of(call.gltf) == ".glb";
@@ -152,7 +167,7 @@ int run(const Call& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call),
+  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call.packages),
                    call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
   if (!call.groups_of_links.empty()) input.keep_groups(srdf, call.groups_of_links);
   require_apart(call, input);
@@ -172,21 +187,29 @@ int run(const Call& call) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
     } else {
-      const auto pairs = input.allowed(word);
-      question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+      add_allowed(input.allowed(word, inputs), report.allowed);
       report.allowed_because.push_back(word);
     }
   }
   if (!call.srdf.empty()) {
-    const auto pairs = input.allowed(srdf, call.srdf);
-    question.allowed.insert(question.allowed.end(), pairs.begin(), pairs.end());
+    add_allowed(input.allowed(srdf, call.srdf), report.allowed);
     report.allowed_because.push_back(call.srdf);
   }
-  question.allowed.insert(question.allowed.end(), input.allowed_by_files().begin(), input.allowed_by_files().end());
+  add_allowed(input.allowed_by_files(), report.allowed);
+  question.allowed = bodies_of(report.allowed);
   for (const std::string& file : input.scene_files()) report.allowed_because.push_back(io::one_line(file));
   report.clearance = clearance_question(call.clearance, input, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
+  const bool is_one = !is_by_lines && placements.size() == 1;
+  report.checks_allowed = !report.allowed.empty() && !call.no_check_allowed && (call.check_allowed || is_one);
   if (is_by_lines) {
+    if (call.check_allowed) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("a line a placement does not tell of pairs that are allowed to meet; give --json, which "
+                              "does, for up to {} placements, or leave it out",
+                              most_held),
+                  "--check-allowed");
+    }
     if (call.clearance.nearest && !call.placements.meeting_certificate.empty()) {
       throw Error(ErrorCode::bad_call,
                   "proves what meets, and what is closer than --clearance, and not which are the nearest: leave out "
@@ -195,9 +218,10 @@ int run(const Call& call) {
     }
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
-    if (call.between) return answer_between(call.placements, input, question, table, files);
+    if (call.between) return answer_between(call.placements, input, question, table, files, report.allowed);
     const NearnessQuestion near{report.clearance, report.asks_for_nearest};
-    const PlacementsAnswer answer = answer_placements(call.placements, input, question, table, files, near);
+    const PlacementsAnswer answer =
+        answer_placements(call.placements, input, question, table, files, near, report.allowed);
     print_for_people(answer.summary);
     return answer.code();
   }
@@ -207,6 +231,7 @@ int run(const Call& call) {
     report.placements.push_back(ask(report, joints, number));
   }
 
+  report.is_proved = call.proves();
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
   draw(call, report);
   note_hulls(input.meshes());
@@ -217,6 +242,7 @@ int run(const Call& call) {
     if (call.proves()) {
       text += fmt::format("proofs of {}, all but the allowed{}: {}\n", count_of(proved, "pair"),
                           report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate));
+      for (const std::string& words : not_proved(report)) text += fmt::format("not proved: {}\n", words);
     }
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
     if (!call.gltf.empty()) text += fmt::format("model: {}\n", io::one_line(call.gltf));
@@ -239,18 +265,18 @@ Verb scene_verb() {
         "links are the bodies); FILE@POSE places it",
         "", true},
        {"--pose", &call->poses, std::string("place the file of this name: ") + pose_forms, "NAME=POSE"},
-       {"--joints", &call->joints, "name=value,... or LABEL:name=value,...; again for another placement", "VALUES"},
-       {"--joints-file", &call->joints_files, "the same from a file, one joint a line", "FILE"},
+       {"--joints", &call->joints, "name=value,... or LABEL:name=value,...; repeat it for further placements",
+        "VALUES"},
+       {"--joints-file", &call->joints_files, "the same from a file, one joint on each line", "FILE"},
        {"--srdf", &call->srdf, "allow the pairs that this file (SRDF) disables, and take states from it", "FILE"},
        {"--state", &call->states, "the joints as in a state of --srdf, NAME or GROUP/NAME, or several with commas",
         "NAME", false, "--srdf"},
        {"--group", &call->groups_of_links,
-        "ask about the links of this group of --srdf alone; again for more; others are left out, which is told", "NAME",
-        false, "--srdf"},
-       {"--package", &call->packages, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"},
+        "ask only about the links of this group of --srdf; repeat it for more groups", "NAME", false, "--srdf"},
+       package_option(call->packages),
        {.name = "--placements",
         .value = &call->placements.table,
-        .help = "joint values, a placement a row: CSV with the joints' names in the first line, or NPY",
+        .help = "joint values, one placement in each row: CSV with the joints' names in the first line, or NPY",
         .type = "FILE",
         .excludes = {"--joints", "--joints-file"}},
        {.name = "--joint-names",
@@ -272,13 +298,13 @@ Verb scene_verb() {
         .excludes = {"--json", "--certificate", "--svg", "--gltf", "--clearance", "--margin", "--distance"}},
        {.name = "--json-lines",
         .value = &call->placements.json_lines,
-        .help = "write a line of JSON a placement here",
+        .help = "write a line of JSON for each placement here",
         .type = "FILE",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--csv",
         .value = &call->placements.csv,
-        .help = "write a line a placement here, as a table",
+        .help = "write a table with a line for each placement here",
         .type = "FILE",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
@@ -290,21 +316,29 @@ Verb scene_verb() {
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {.name = "--parted",
         .value = &call->placements.parted,
-        .help = "the same file proves what is apart, too: all of each placement, or of each way",
+        .help = "with --meeting-certificate: also prove which pairs are apart",
         .needs = "--meeting-certificate"},
        {.name = "--threads",
         .value = &call->placements.threads,
-        .help = "how many; the output is the same (unless given: as many as there are cores)",
+        .help = "use N threads, by default one for each core; the output does not depend on N",
         .type = "N",
         .needs = "--placements",
         .excludes = {"--json", "--certificate", "--svg", "--gltf"}},
        {"--allow", &call->allow,
-        "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names a line", "WHAT"},
-       {"--method", &call->method, "automatic, gjk, hierarchy, or scan", "NAME"},
+        "what may meet: adjacent (links joined by a joint), touch, NAME,NAME, or a file with two names on each line",
+        "WHAT"},
+       {.name = "--check-allowed",
+        .value = &call->check_allowed,
+        .help = "ask about allowed pairs, too, and list those that meet; they do not count (so for one placement)"},
+       {.name = "--no-check-allowed",
+        .value = &call->no_check_allowed,
+        .help = "do not ask about allowed pairs",
+        .excludes = {"--check-allowed"}},
+       {"--method", &call->method, pair_method_names(), "NAME"},
        {"--groups", &call->groups, "the groups (g) of an OBJ file are parts of their own, as its objects (o) are"},
        {"--clearance", &call->clearance.least,
         "which parts of different bodies are closer than this? If any are, the exit code is 1", "NUMBER"},
-       {"--margin", &call->clearance.margins, "the same of these two bodies, in the stead of --clearance's",
+       {"--margin", &call->clearance.margins, "the same for these two bodies, instead of --clearance",
         "NAME,NAME=NUMBER"},
        {"--distance", &call->clearance.nearest, "which two parts of different bodies are nearest, and how near?"},
        {"--classify", &call->classify, "tell touching from overlapping"},

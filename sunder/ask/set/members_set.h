@@ -9,6 +9,7 @@
 #pragma once
 
 #include <sunder/ask/progress.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
 #include <sunder/base/error.h>
@@ -51,10 +52,13 @@ class MembersSet {
 
   explicit MembersSet(const Call& call)
       : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
+    system_ = {io::system_beside(call.files[0], call.proves() ? &origin_.inputs : nullptr), {}};
+    systems_.add(call.files[0], std::span(&system_, 1));
     options_.allowed = allowed_by(call.allow, may_be_allowed);
     options_.groups = file_.group;
   }
 
+  const io::CoordinateSystems& systems() const { return systems_; }
   std::uint64_t drawn() const { return members_.size(); }
 
   void ask(Result& result) const {
@@ -84,12 +88,17 @@ class MembersSet {
 
   std::vector<std::string> prove(const Result& result) const {
     if (call_.lists()) require_provable(result.pairs());
-    write_proof(call_.certificate, origin_, [&](ClaimsWriter& claims) { write_statements(claims, result); });
+    Origin origin = origin_;
+    const auto source = verb == "circles" ? Said::Source::circles : Said::Source::boxes;
+    const Said said = said_in(std::span(&system_, 1), said_of_file(source, origin.inputs, call_.files[0]));
+    origin.said = said_of_rows(verb.data(), members_.size(), said);
+    write_proof(call_.certificate, origin, [&](ClaimsWriter& claims) { write_statements(claims, result); });
     return {call_.certificate};
   }
 
-  SetFacts facts(const Result&) const {
+  SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some() && !call_.lists() && call_.count) facts.not_proved = {"how many of each kind"};
     facts.head = fmt::format("{}: {}", io::one_line(call_.files[0]), count_of(size(), noun));
     if (!file_.groups.empty()) {
       facts.head += ", " + count_of(file_.groups.size(), "group");
@@ -123,11 +132,11 @@ class MembersSet {
     return row;
   }
 
-  std::string picture(const Result& result, const std::vector<Contact>& contacts) const {
+  std::string picture(const Result& result, const std::vector<Contact>& contacts, const std::string& said) const {
     std::vector<Point2> seen;
     for (const Box2& box : boxes_of(members_)) seen.insert(seen.end(), {box.low, box.high});
     return picture_of_members(
-        call_, result, contacts, seen, size(), "", [this](std::uint32_t i) { return file_.names[i]; },
+        call_, result, contacts, seen, size(), said, [this](std::uint32_t i) { return file_.names[i]; },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { Of::draw(drawing, members_[i], ink); },
         [](const Contact&) { return std::optional<Point2>(); });
   }
@@ -173,14 +182,14 @@ class MembersSet {
   Origin origin_;
   MembersFile<Members> file_;
   const Members& members_;
+  io::SystemOfFile system_;
+  io::CoordinateSystems systems_;
   SetOptions options_;
 };
 
 template <class Of>
 Verb members_verb() {
-  std::string methods;
-  for (const auto& method : MembersSet<Of>::methods())
-    methods += (methods.empty() ? "" : ", ") + std::string(method.name);
+  const std::string methods = method_names(MembersSet<Of>::methods());
   const std::string members(Of::verb);
   return set_verb<MembersSet<Of>>(
       std::make_shared<SetCall>(),

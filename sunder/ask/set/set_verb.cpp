@@ -31,6 +31,7 @@ std::vector<Option> set_options(SetCall& call, const SetHelp& help) {
 void add_file_options(Verb& verb, SetCall& call) {
   verb.options.push_back({"--leave-out", &call.leave_out, leave_out_help});
   verb.options.push_back({"--drop-z", &call.drop_z, "ignore third coordinates"});
+  verb.options.push_back({"--mixed-crs", &call.mixed_crs, mixed_crs_help});
 }
 
 void require_provable(std::uint64_t contacts) {

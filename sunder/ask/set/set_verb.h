@@ -6,13 +6,14 @@
 //   Set::verb, Set::noun, Set::kinds     "circles", "circle", all kinds but none, the strongest first
 //   static check(call)                   what can be told before a file is read; throws Error
 //   Set(call)                            reads; throws Error
+//   systems()                            io::CoordinateSystems of what was read
 //   drawn(), drawn_noun                  how many things a picture shows
 //   ask(result)                          answers
 //   prove(result)                        writes the certificates, where one is asked for; returns their names
 //   facts(result)                        what is told besides the contacts
 //   kind_of(contact), row(contact)       to all lists
 //   text(contact)                        for people, after its number
-//   picture(result, contacts)            an SVG
+//   picture(result, contacts, said)      an SVG, in which this is said
 #pragma once
 
 #include <sunder/ask/list_stream.h>
@@ -52,7 +53,7 @@ struct SetCall : QuestionCall {
   std::string allow = "nothing";
   std::string group, name, csv, geojson;
   std::vector<std::string> properties;
-  bool leave_out = false, drop_z = false;
+  bool leave_out = false, drop_z = false, mixed_crs = false;
 
   // A picture, a map and a table show all.
   bool lists() const { return all || !csv.empty() || !geojson.empty() || !svg.empty(); }
@@ -66,13 +67,14 @@ struct SetHelp {
   int most_files = 1;
 };
 std::vector<Option> set_options(SetCall& call, const SetHelp& help);
-void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z
+void add_file_options(Verb& verb, SetCall& call);  // of files of features: --leave-out, --drop-z, --mixed-crs
 
 // What is told of a set and of the answer, besides the contacts: for people, and in JSON.
 struct SetFacts {
-  std::string head, tail;          // lines before the verdict, and after the contacts
-  std::string said_of, clause;     // within the verdict: " of the centre lines"; what it is not about
-  std::vector<std::string> rules;  // within the verdict: what may meet
+  std::string head, tail;               // lines before the verdict, and after the contacts
+  std::string said_of, clause;          // within the verdict: " of the centre lines"; what it is not about
+  std::vector<std::string> rules;       // within the verdict: what may meet
+  std::vector<std::string> not_proved;  // of all that is told, where there is a proof
   Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };
 
@@ -143,14 +145,25 @@ struct SetResult {
   }
 };
 
+// " (touch allowed; those of one net may meet)", or nothing.
+inline std::string rules_text(const SetCall& call, const SetFacts& facts) {
+  std::vector<std::string> rules = facts.rules;
+  if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
+  return rules.empty() ? "" : fmt::format(" ({})", fmt::join(rules, "; "));
+}
+
+// The verdict in a picture: "2 pairs of the tracks' centre lines meet (touch allowed)"
+inline std::string picture_text(const SetCall& call, const SetFacts& facts, std::uint64_t pairs) {
+  const std::string subject = pairs == 0 ? "none" : count_of(pairs, "pair");
+  return fmt::format("{}{} {}{}{}", subject, facts.said_of, pairs == 1 ? "meets" : "meet", rules_text(call, facts),
+                     facts.clause);
+}
+
 // "some meet (touch allowed): 2 pairs: 2 touching"
 template <class Set>
 std::string verdict_text(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
-  std::vector<std::string> rules = facts.rules;
-  if (call.allow != "nothing") rules.insert(rules.begin(), call.allow + " allowed");
-  std::string text = fmt::format("{}{} meet", result.some() ? "some" : "none", facts.said_of);
-  for (std::size_t k = 0; k < rules.size(); ++k) text += (k == 0 ? " (" : "; ") + rules[k];
-  if (!rules.empty()) text += ')';
+  std::string text =
+      fmt::format("{}{} meet{}", result.some() ? "some" : "none", facts.said_of, rules_text(call, facts));
   if (result.some() && call.counts()) {
     std::string counts;
     for (std::size_t k = 0; k < result.count.size(); ++k) {
@@ -173,20 +186,23 @@ std::string human_text(const SetCall& call, const Set& set, const SetFacts& fact
   if (call.lists() && result.pairs() > listed.size()) {
     text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
-  text += facts.tail + titled("cost", count_of(result.cost.probes, "comparison"));
+  text += facts.tail + systems_line(set.systems()) + titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
+  if (call.proves()) text += not_proved_line(facts.not_proved);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
 }
 
 // All but the contacts.
 template <class Set>
-Json report(const SetCall& call, const SetFacts& facts, const SetResult<Set>& result) {
+Json report(const SetCall& call, const Set& set, const SetFacts& facts, const SetResult<Set>& result) {
   Json json = envelope(Set::verb, result.some() ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   json.update(facts.first);
   json["allowed"] = call.allow;
   if (!call.group.empty()) json["group"] = call.group;
   json.update(facts.last);
+  add_systems(set.systems(), json);
+  if (call.proves()) json["not_proved"] = facts.not_proved;
   if (!call.counts()) return json;
   json["count"] = result.pairs();
   for (std::size_t k = 0; k < result.count.size(); ++k) {
@@ -206,12 +222,12 @@ std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact
   return strongest;
 }
 
-// A picture of full members: seen, what must be on it; name(i); draw(drawing, i, ink); mark(contact): where it has a
+// A picture of full members: seen, what must be on it; said, the verdict; name(i); draw(drawing, i, ink); mark(contact): where it has a
 // ring over all, or nothing.
 template <class Set, class Name, class Draw, class Mark>
 std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
                                const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,
-                               std::uint32_t size, const std::string& clause, const Name& name, const Draw& draw,
+                               std::uint32_t size, const std::string& said, const Name& name, const Draw& draw,
                                const Mark& mark) {
   constexpr std::array inks{Ink::accent, Ink::second, Ink::third, Ink::calm};
   std::array<picture::RingKind, Set::kinds.size()> ring_kinds;
@@ -238,24 +254,22 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
   }
   drawing.legend(Ink::calm,
                  call.allow == "nothing" && call.group.empty() ? "meets no other" : "no contact that counts");
-  const std::uint64_t pairs = result.pairs();
-  const std::string meet =
-      pairs == 0 ? "none meet" : fmt::format("{} {}", count_of(pairs, "pair"), pairs == 1 ? "meets" : "meet");
   return drawing.text(call.title_or(fmt::format("Which of these {} meet?", Set::verb)),
-                      fmt::format("{}; {}{}", count_of(size, Set::noun), meet, clause));
+                      fmt::format("{}; {}", count_of(size, Set::noun), said));
 }
 
 // Goes through the contacts once, and writes all that was asked for.
 template <class Set>
 void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result) {
   constexpr std::size_t most_listed = 20;
+  note_systems(set.systems());
   const SetFacts facts = set.facts(result);
   std::optional<ContactTable> table;
   if (!call.csv.empty()) table.emplace(call.csv);
   std::optional<GeojsonFile> geojson;
-  if (!call.geojson.empty()) geojson.emplace(call.geojson);
+  if (!call.geojson.empty()) geojson.emplace(call.geojson, set.systems());
   std::optional<ListReport> json;
-  if (call.json) json.emplace(report(call, facts, result), "contacts");
+  if (call.json) json.emplace(report(call, set, facts, result), "contacts");
   std::vector<typename Set::Contact> listed, drawn;
   result.visit([&](const typename Set::Contact& contact) {
     if (table || geojson || json) {
@@ -270,7 +284,8 @@ void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result
   });
   if (table) table->close();
   if (geojson) geojson->close();
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, set.picture(result, drawn));
+  if (!call.svg.empty())
+    io::write_file_atomically(call.svg, set.picture(result, drawn, picture_text(call, facts, result.pairs())));
   json ? json->close() : print_for_people(human_text(call, set, facts, result, listed));
 }
 

@@ -34,7 +34,8 @@ constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", pl
                                                                 {"sweep", planar::find_contacts_by_sweep},
                                                                 {"scan", planar::find_contacts_by_scan}}};
 
-constexpr std::uint64_t most_proved = 10'000'000;  // pairs, and numbers of a sweep
+constexpr std::uint64_t most_proved = 10'000'000;    // pairs
+constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some 0.8 GB
 
 [[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
   const std::size_t digits = std::to_string(input.edges()).size();
@@ -50,9 +51,9 @@ planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
     refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
   }
   Progress progress("proving");
-  const std::uint64_t most = std::max(most_proved, 8 * input.edges());  // six for an edge, where none cross
+  const std::uint64_t most = std::max(most_numbers, 8 * input.edges());  // six for an edge, where none cross
   std::optional<planar::SweepEvents> events = planar::polygon_events(input.polygons, most);
-  if (!events) refuse_proof(input, "edges cross, so that their sweep is long", most);
+  if (!events) refuse_proof(input, fmt::format("the sweep over all edges has more than {} numbers", most), most);
   return std::move(*events);
 }
 
@@ -98,7 +99,8 @@ PolygonsRequest request_of(const Call& call) {
           .group = call.group,
           .name = call.name,
           .properties = call.properties,
-          .tell_inputs = call.proves()};
+          .tell_inputs = call.proves(),
+          .mixed_crs = call.mixed_crs};
 }
 
 class PolygonsSet {
@@ -123,6 +125,7 @@ class PolygonsSet {
     options_.groups = input_.groups;
   }
 
+  const io::CoordinateSystems& systems() const { return input_.systems; }
   std::uint64_t drawn() const { return input_.edges(); }
 
   void ask(Result& result) const {
@@ -151,7 +154,7 @@ class PolygonsSet {
     const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
     const bool is_some = !call_.counts() && result.some();
     const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
-    write_proof(call_.certificate, input_.origin(), [&](ClaimsWriter& claims) {
+    write_proof(call_.certificate, origin_of(input_, "polygons", call_.drop_z), [&](ClaimsWriter& claims) {
       if (is_some) {
         result.for_each([&](const PolygonsContact& c) { write_some(claims, asked, c); });
       } else if (call_.lists()) {
@@ -166,8 +169,12 @@ class PolygonsSet {
     return {call_.certificate};
   }
 
-  SetFacts facts(const Result&) const {
+  SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some()) {
+      if (options_.allowed != Allowed::touch) facts.not_proved.emplace_back("touching told from overlapping");
+      if (call_.lists()) facts.not_proved.emplace_back("where they meet");
+    }
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
       const std::string name = io::one_line(input_.names[f]);
       const io::LineFile& file = input_.files[f];
@@ -207,7 +214,7 @@ class PolygonsSet {
     if (input_.files.size() > 1) add("files", i.file, j.file);
     row.properties.push_back({"shown_by", {shown_by(c)}});
     row.properties.push_back({"names", {input_.name(c.i), input_.name(c.j)}});
-    add("parts", part_of(input_, c, true).dump(), part_of(input_, c, false).dump());
+    add("parts", part_of(input_, c, true).compact(), part_of(input_, c, false).compact());
     if (i.line > 0) add("lines", i.line, j.line);
     if (grouped()) row.properties.push_back({"groups", {group_of(input_, c.i), group_of(input_, c.j)}});
     row.fields = fields_of(call_.properties, input_.files[i.file].properties, i.feature,
@@ -215,15 +222,15 @@ class PolygonsSet {
     return row;
   }
 
-  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts) const {
+  std::string picture(const Result& result, const std::vector<PolygonsContact>& contacts,
+                      const std::string& said) const {
     std::vector<Point2> seen;
     for (const Polygon& polygon : input_.polygons) {
       seen.insert(seen.end(), polygon.vertices().begin(), polygon.vertices().end());
     }
-    const std::string without = input_.left_out_words();
     return picture_of_members(
-        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()),
-        without.empty() ? "" : "; " + without, [this](std::uint32_t i) { return input_.name(i); },
+        call_, result, contacts, seen, static_cast<std::uint32_t>(input_.polygons.size()), said,
+        [this](std::uint32_t i) { return input_.name(i); },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
         [this](const PolygonsContact& c) {
           return c.contact == sunder::Contact::overlapping ? std::optional(place_of(input_, c)) : std::nullopt;
@@ -250,7 +257,7 @@ class PolygonsSet {
     std::string text = input_.name(i);
     if (grouped()) text += fmt::format(" of {}", group_of(input_, i));
     const Json part = part_of(input_, c, of_i);
-    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.dump());
+    if (!input_.source[i].part_of_ring.empty() && !part.is_null()) text += fmt::format(", part {}", part.compact());
     std::vector<std::string> place;
     if (input_.files.size() > 1) place.push_back(io::one_line(input_.names[input_.source[i].file]));
     if (line > 0) place.push_back(fmt::format("line {}", line));
@@ -282,7 +289,7 @@ Verb polygons_verb() {
       {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
        "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
        "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
-       name_help, "automatic, boxes, grid, sweep, or scan", 0});
+       name_help, method_names(any_methods), 0});
   add_file_options(verb, *call);
   verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
   verb.options.push_back({"--self-touch", &call->self_touch, "take rings that touch themselves in points"});

@@ -1,6 +1,7 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/progress.h>
+#include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
 #include <sunder/base/error.h>
@@ -11,6 +12,7 @@
 #include <sunder/planar/pair/segment_segment.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/sweep/sweep_events.h>
 
 #include <fmt/ranges.h>
 
@@ -119,6 +121,17 @@ void check_centre_lines(const Call& call, const io::LineFile& file) {
                                            fmt::join(file.remarks, "; ")));
 }
 
+// Those of the file, and what the verdict would hide.
+std::vector<std::string> remarks_of(const io::LineFile& file) {
+  std::vector<std::string> remarks = file.remarks;
+  if (!file.rings.empty()) {
+    remarks.emplace_back(
+        "polygons count as their boundaries: what lies inside of one does not meet it (sunder polygons "
+        "asks about insides)");
+  }
+  return remarks;
+}
+
 LeftOutList left_out_of(const io::LineFile& file) { return {"", file.left_out}; }
 
 // "proof.json", or of a layer among others "proof.F.Cu.json".
@@ -159,7 +172,7 @@ Block in_sheet(const Sheet& sheet, const Block& block) {
   return {number(block.first), number(block.last)};
 }
 
-// A proof of a list, or of its length, has an event for each place where some meet.
+// A proof of a list has the list, and an event for each place where some meet.
 void require_provable(const Sheet& sheet, SetOptions options) {
   options.transcript = false;
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
@@ -171,6 +184,20 @@ void require_provable(const Sheet& sheet, SetOptions options) {
                           "written; leave it out, or ask about less",
                           count, gigabytes, most_proved),
               "--certificate");
+}
+
+// What proves how many pairs meet, or that none do: the events alone, few where many meet in one place.
+planar::SweepEvents events_of(const Sheet& sheet) {
+  const std::uint64_t most = std::max(4 * most_proved, 8 * std::uint64_t{sheet.segments.size()});
+  std::optional<planar::SweepEvents> events = planar::sweep_events(sheet.segments, most);
+  if (events) return std::move(*events);
+  const std::size_t digits = std::to_string(sheet.segments.size()).size();
+  throw Error(
+      ErrorCode::bad_call,
+      fmt::format("segments meet in so many places that the proof would have {:.1f} GB or more; leave it out, or "
+                  "ask about less",
+                  static_cast<double>(most * (digits + 1)) / 1e9),
+      "--certificate");
 }
 
 Point2 place_of(const io::LineFile& file, const SegmentsContact& contact) {
@@ -221,6 +248,8 @@ class SegmentsSet {
 
   explicit SegmentsSet(const Call& call) : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
     check_centre_lines(call, file_);
+    systems_ = io::CoordinateSystems(call.mixed_crs);
+    systems_.add(call.files[0], file_.systems);
     sheets_ = sheets_of(call, file_);
     require_apart(call, sheets_);
     options_.allowed = allowed_by(call.allow);
@@ -233,11 +262,14 @@ class SegmentsSet {
     }
   }
 
+  const io::CoordinateSystems& systems() const { return systems_; }
   std::uint64_t drawn() const { return file_.segments.size(); }
 
   void ask(Result& result) {
     if (!call_.counts()) {
       find_any(result);
+    } else if (call_.proves() && call_.lists()) {
+      list_and_prove(result);
     } else if (call_.proves()) {
       count_and_prove(result);
     } else {
@@ -248,15 +280,20 @@ class SegmentsSet {
 
   std::vector<std::string> prove(const Result&) const {
     std::vector<std::string> files;
-    for (const auto& [file, write] : proofs_) {
-      write_proof(file, origin_, write);
-      files.push_back(file);
+    for (const Proof& proof : proofs_) {
+      Origin origin = origin_;
+      const std::string layer = layer_of(proof.sheet);
+      if (!layer.empty() && file_.layers.size() > 1) origin.left_out.push_back("all layers but " + layer);
+      origin.said = said_of_rows("segments", proof.sheet.segments.size(), said_of_layer(layer));
+      write_proof(proof.file, origin, proof.write);
+      files.push_back(proof.file);
     }
     return files;
   }
 
   SetFacts facts(const Result& result) const {
     SetFacts facts;
+    if (result.some() && !call_.lists() && call_.count) facts.not_proved = {"how many of each kind"};
     facts.head = fmt::format("{}: {} of {}", io::one_line(call_.files[0]), count_of(file_.segments.size(), "segment"),
                              count_of(file_.features.size(), "feature"));
     if (is_board(file_)) facts.said_of = " of the tracks' centre lines";
@@ -289,8 +326,9 @@ class SegmentsSet {
       facts.tail =
           "  edges that follow each other share an end: to pass over such contacts, give --allow shared-endpoint\n";
     }
-    for (const std::string& remark : file_.remarks) facts.tail += titled("remark", remark);
-    if (!file_.remarks.empty()) facts.last["remarks"] = file_.remarks;
+    const std::vector<std::string> remarks = remarks_of(file_);
+    for (const std::string& remark : remarks) facts.tail += titled("remark", remark);
+    if (!remarks.empty()) facts.last["remarks"] = remarks;
     const LeftOutList left_out = left_out_of(file_);
     facts.clause = left_out.clause();
     if (!left_out.empty()) facts.last["left_out"] = to_json(left_out);
@@ -328,8 +366,8 @@ class SegmentsSet {
     return row;
   }
 
-  std::string picture(const Result&, const std::vector<SegmentsContact>& contacts) const {
-    return picture::segments_svg({file_, Segments(file_.segments), contacts, call_.title, is_board(file_)});
+  std::string picture(const Result&, const std::vector<SegmentsContact>& contacts, const std::string& said) const {
+    return picture::segments_svg({file_, Segments(file_.segments), contacts, said, call_.title, is_board(file_)});
   }
 
  private:
@@ -341,6 +379,26 @@ class SegmentsSet {
     options.progress = progress.reporter();
     options.groups = sheet.groups;
     return ask(options);
+  }
+
+  struct Proof {
+    std::string file;
+    const Sheet& sheet;
+    std::function<void(ClaimsWriter&)> write;
+  };
+
+  // Empty: the file has none, or the sheet is of all.
+  std::string layer_of(const Sheet& sheet) const {
+    if (file_.layers.empty() || call_.across_layers) return "";
+    return file_.layers[file_.layer[sheet.members[0]]];
+  }
+
+  Said said_of_layer(const std::string& layer) const {
+    const Said said =
+        said_in(file_.systems, said_of_file(is_board(file_) ? Said::Source::centre_lines : Said::Source::lines,
+                                            origin_.inputs, call_.files[0], layer,
+                                            is_board(file_) ? std::vector<std::string>() : left_out_of(file_).texts()));
+    return call_.drop_z && !said.empty() ? said.dropped("z") : said;
   }
 
   // Calls take for each contact whose i, in the file, the block holds.
@@ -363,7 +421,7 @@ class SegmentsSet {
   // Keeps the answer until it is written.
   template <class Answer>
   void hold_proof(const Sheet& sheet, Answer answer) {
-    proofs_.push_back({certificate_of(call_, sheet).string(),
+    proofs_.push_back({certificate_of(call_, sheet).string(), sheet,
                        [this, &sheet, kept = std::make_shared<const Answer>(std::move(answer))](ClaimsWriter& claims) {
                          planar::write_statement(claims, sheet.segments, options_.allowed, *kept, sheet.groups);
                        }});
@@ -383,8 +441,26 @@ class SegmentsSet {
     }
   }
 
-  // With --count or --all, and a proof.
+  // With --count and a proof: contacts are counted, and not kept.
   void count_and_prove(Result& result) {
+    options_.transcript = false;
+    std::uint64_t before = 0;
+    for (const Sheet& sheet : sheets_) {
+      planar::SweepEvents events = events_of(sheet);
+      const Cost cost = of_sheet(sheet, [&](const SetOptions& options) {
+        return contact_method(call_.method)(sheet.segments, options, [&](const SegmentsContact& c) {
+          result.add(c);
+          return true;
+        });
+      });
+      result.cost.probes += cost.probes;
+      hold_proof(sheet, planar::SegmentsCountAnswer{{result.pairs() - before, cost}, std::move(events)});
+      before = result.pairs();
+    }
+  }
+
+  // With --all and a proof.
+  void list_and_prove(Result& result) {
     std::vector<SegmentsContact> all;
     for (const Sheet& sheet : sheets_) {
       planar::SegmentsAllAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
@@ -394,16 +470,10 @@ class SegmentsSet {
       result.cost.probes += answer.cost.probes;
       for (const SegmentsContact& c : answer.contacts) {
         result.add(c);
-        if (call_.lists()) all.push_back(in_file(sheet, c));
+        all.push_back(in_file(sheet, c));
       }
-      if (call_.lists()) {
-        hold_proof(sheet, std::move(answer));
-      } else {
-        hold_proof(sheet,
-                   planar::SegmentsCountAnswer{{answer.contacts.size(), answer.cost}, std::move(answer.transcript)});
-      }
+      hold_proof(sheet, std::move(answer));
     }
-    if (!call_.lists()) return;
     std::sort(all.begin(), all.end());
     result.hold(std::move(all));
   }
@@ -411,9 +481,10 @@ class SegmentsSet {
   const Call& call_;
   Origin origin_;
   io::LineFile file_;
+  io::CoordinateSystems systems_;
   std::vector<Sheet> sheets_;
   SetOptions options_;
-  std::vector<std::pair<std::string, std::function<void(ClaimsWriter&)>>> proofs_;  // files, and what writes them
+  std::vector<Proof> proofs_;
 };
 
 }  // namespace
@@ -428,7 +499,7 @@ Verb segments_verb() {
        "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a property of the "
        "GeoJSON; of a board net (unless told otherwise) or layer",
        "the column or property that names features; unless given, name, NAME, id",
-       "automatic, grid, sweep (not for lists), bentley-ottmann, balaban (for lists), or scan"});
+       fmt::format("{}; for lists and counts: {}", method_names(any_methods), method_names(all_methods))});
   add_file_options(verb, *call);
   verb.options.push_back({"--layer", &call->layer, "of a board, this layer only", "NAME"});
   verb.options.push_back({.name = "--across-layers",

@@ -37,7 +37,7 @@ struct Call : QuestionCall {  // svg_limit: of segments and defects
   std::vector<std::string> properties;
   bool strict = false, self_touch = false;
   bool all = false;
-  bool drop_z = false, leave_out = false, skip_invalid = false, mend = false;
+  bool drop_z = false, leave_out = false, skip_invalid = false, mend = false, mixed_crs = false;
 
   PolygonRule rule() const {
     return strict ? PolygonRule::simple : self_touch ? PolygonRule::self_touch : PolygonRule::valid;
@@ -55,7 +55,8 @@ struct Result {
   planar::MendedRings mended;
   bool skipped = false;
   std::uint64_t count = 0;                         // of defects
-  std::optional<std::vector<PolygonDefect>> held;  // the defects, unless they are too many: then they are found again
+  std::vector<io::OpenRing> open;                  // defects that come first: rings that do not end where they began
+  std::optional<std::vector<PolygonDefect>> held;  // the others, unless they are too many: then they are found again
 
   bool has_parts() const { return rings_of_part.size() > 1; }
   bool valid() const { return count == 0; }
@@ -68,6 +69,21 @@ constexpr std::size_t most_listed = 20;            // of a feature, and features
 using VisitDefects = std::function<void(const PolygonDefectVisitor&)>;
 
 Json place_json(const RingPlace& place) { return {{"part", place.part}, {"ring", place.ring}, {"edge", place.edge}}; }
+
+std::string open_text(const io::OpenRing& open, bool has_parts) {
+  return fmt::format("{}ring {} ends at {}, not where it began, at {}; asked about as if it did",
+                     has_parts ? fmt::format("part {}, ", open.part) : "", open.ring, place_text(open.last),
+                     place_text(open.first));
+}
+
+Json defect_json(const io::OpenRing& open, bool has_parts) {
+  const Json place = place_json({open.part, open.ring, open.edge});
+  return {{"kind", "open-ring"}, {"what", open_text(open, has_parts)}, {"places", {place, place}}};
+}
+
+Json at_json(const io::OpenRing& open) {
+  return Json::array({Json::array({open.last.x, open.last.y}), Json::array({open.first.x, open.first.y})});
+}
 
 Json defect_json(const PolygonDefect& defect, bool has_parts) {
   return {{"kind", name_of(defect.kind)},
@@ -87,10 +103,11 @@ Json at_json(const PolygonDefect& defect) {
 class ValidQuestion {
  public:
   explicit ValidQuestion(const Call& call) : call_(call) {
+    input_.systems = io::CoordinateSystems(call.mixed_crs);
     input_.read_file(call.file,
                      {.drop_z = call.drop_z,
                       .leave_out = call.leave_out,
-                      .keep_broken = call.mend || call.skip_invalid,
+                      .keep_broken = call.mend || call.skip_invalid || call.svg.empty(),
                       .name = call.name,
                       .properties = call.properties},
                      call.proves());
@@ -104,6 +121,7 @@ class ValidQuestion {
     require_drawable();
     if (asked_ == 0) io::fail_file(call_.file, "no polygon has all its rings, so nothing is left to ask about");
     if (call_.proves()) prove();
+    note_systems(input_.systems);
     if (!call_.geojson.empty()) write_geojson();
     if (!call_.svg.empty()) io::write_file_atomically(call_.svg, picture());
     call_.json ? print_report() : print_for_people(text());
@@ -117,7 +135,7 @@ class ValidQuestion {
   // Those that --property asks for.
   void add_properties(const Result& result, Json& json) const {
     for (std::size_t k = 0; k < call_.properties.size(); ++k) {
-      json["properties"][call_.properties[k]] = Json::parse(value_json(file().properties[result.feature][k]));
+      json["properties"][call_.properties[k]] = Json::written(value_json(file().properties[result.feature][k]));
     }
   }
 
@@ -125,14 +143,14 @@ class ValidQuestion {
     if (!call_.svg.empty()) ask::require_drawable(file().segments.size(), "segment", defects_, call_.svg_limit);
   }
 
-  Cost visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
+  planar::DefectCount visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
     planar::ValidOptions options{call_.rule()};
     if (call_.method == "automatic" && call_.lists()) return visit_polygon_defects(parts, options, visit);
     if (!call_.lists()) options.most = 1;
     const planar::PolygonDefects answer =
         call_.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
     static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
-    return answer.cost;
+    return {answer.defects.size(), answer.cost};
   }
 
   void ask() {
@@ -150,26 +168,34 @@ class ValidQuestion {
       }
       edges_ += result.edges;
       if (call_.mend) result.mended = mend(parts);
-      if (result.mended.all() > 0) input_.mended.push_back({0, result.feature, result.line, result.mended});
-      result.skipped = !parts.broken.empty();
+      if (result.mended.all() > 0) {
+        input_.mended.push_back({0, result.feature, result.line, result.mended, parts.rings.empty()});
+      }
+      result.skipped = call_.skip_invalid && !parts.broken.empty();
       if (result.skipped) {
         input_.skipped.push_back({0, result.feature, result.line, parts.broken});
         continue;
       }
+      result.open = std::move(parts.open);
+      if (!call_.lists() && result.open.size() > 1) result.open.resize(1);
+      result.count = result.open.size();
+      const bool asks = call_.lists() || result.open.empty();  // one defect of each is enough
       std::vector<PolygonDefect> defects;
-      const Cost cost = visit_by_method(parts.rings, [&](const PolygonDefect& defect) {
-        ++result.count;
-        if (held + result.count <= most_held) defects.push_back(defect);
-        return true;
-      });
-      if (defects.size() == result.count) {
+      if (asks) {
+        const auto [count, cost] = visit_by_method(parts.rings, [&](const PolygonDefect& defect) {
+          defects.push_back(defect);
+          return held + defects.size() <= most_held;
+        });
+        result.count += count;
+        cost_.probes += cost.probes;
+      }
+      if (held + result.count <= most_held) {
         held += defects.size();
         result.held = std::move(defects);
       }
       ++asked_;
       valid_ += result.valid() ? 1u : 0u;
       defects_ += result.count;
-      cost_.probes += cost.probes;
     }
   }
 
@@ -200,26 +226,38 @@ class ValidQuestion {
                               static_cast<double>(defects_) * 150 / 1e9),
                   "--certificate");
     }
-    write_proof(call_.certificate, input_.origin(), [this](ClaimsWriter& claims) {
-      claims.begin_table("polygons");
-      for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
-        if (!parts.empty()) planar::write_parts(claims, parts);
-      });
-      claims.end_table();
-      std::uint32_t first = 0;
-      for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
-        if (parts.empty()) return;
-        if (result.valid()) planar::write_valid(claims, parts, first, call_.rule());
-        visit([&](const PolygonDefect& defect) {
-          if (planar::write_defect(claims, parts, first, call_.rule(), defect)) return true;
-          throw Error(ErrorCode::bad_call,
-                      fmt::format("{}: one of its defects, {}, has no proof here; leave it out", feature_text(result),
-                                  text_of(defect, result.has_parts())),
-                      "--certificate");
+    std::uint64_t entries = 0;
+    for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
+    write_proof(
+        call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
+          claims.begin_table("polygons");
+          for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
+            if (!parts.empty()) planar::write_parts(claims, parts);
+          });
+          claims.end_table();
+          std::uint32_t first = 0;
+          for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
+            if (parts.empty()) return;
+            if (!result.open.empty()) {
+              throw Error(
+                  ErrorCode::bad_call,
+                  fmt::format("{}: that a ring does not end where it began has no proof here; leave it out, or give "
+                              "--skip-invalid",
+                              feature_text(result)),
+                  "--certificate");
+            }
+            planar::ValidClaims valid(claims, parts, first, call_.rule());
+            if (result.valid()) valid.write_valid();
+            visit([&](const PolygonDefect& defect) {
+              if (valid.write_defect(defect)) return true;
+              throw Error(ErrorCode::bad_call,
+                          fmt::format("{}: one of its defects, {}, has no proof here; leave it out",
+                                      feature_text(result), text_of(defect, result.has_parts())),
+                          "--certificate");
+            });
+            first += static_cast<std::uint32_t>(parts.size());
+          });
         });
-        first += static_cast<std::uint32_t>(parts.size());
-      });
-    });
   }
 
   // Of a result, or of a skipped feature: "feature 7 (Antarctica), line 8".
@@ -233,10 +271,17 @@ class ValidQuestion {
   std::string defects_text(const Result& result, const VisitDefects& visit) const {
     std::string text = fmt::format("{}: {}\n", feature_text(result), call_.answer(false));
     std::size_t listed = 0;
-    visit([&](const PolygonDefect& defect) {
-      text += fmt::format("  {:16}{}\n", name_of(defect.kind), text_of(defect, result.has_parts()));
-      return ++listed < most_listed;
-    });
+    for (const io::OpenRing& open : result.open) {
+      if (++listed > most_listed) break;
+      text += fmt::format("  {:16}{}\n", "open-ring", open_text(open, result.has_parts()));
+    }
+    if (listed < most_listed) {
+      visit([&](const PolygonDefect& defect) {
+        text += fmt::format("  {:16}{}\n", name_of(defect.kind), text_of(defect, result.has_parts()));
+        return ++listed < most_listed;
+      });
+    }
+    listed = std::min(listed, most_listed);
     if (result.count > listed) {
       text += fmt::format("  and {} more; --json or --geojson have all\n", result.count - listed);
     }
@@ -261,15 +306,22 @@ class ValidQuestion {
       text += fmt::format("{}: skipped: {}\n", feature_text(f), f.why);
     }
     if (skipped > most_listed) text += fmt::format("and {} more skipped; --json has all\n", skipped - most_listed);
-    text += fmt::format("{}: {} of {} {}, {}, {}\n", io::one_line(call_.file), valid_, count_of(asked_, "feature"),
-                        call_.answer(true), count_of(edges_, "edge"), file().format);
+    text += fmt::format("{}: {}, {}, {}\n", io::one_line(call_.file), valid_text(), count_of(edges_, "edge"),
+                        file().format);
     if (valid_ < asked_ && !call_.lists()) text += "one defect of each is named; --all lists all\n";
     if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
     if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, input_.skipped_kind));
     if (!input_.left_out.empty()) text += fmt::format("left out: {}\n", input_.left_out.text());
     for (const std::string& remark : file().remarks) text += fmt::format("remark: {}\n", remark);
+    if (!input_.systems.declared().empty()) text += fmt::format("crs: {}\n", input_.systems.text());
     if (call_.proves()) text += fmt::format("proof: {}\n", io::one_line(call_.certificate));
+    if (call_.proves() && !not_proved().empty()) text += fmt::format("not proved: {}\n", not_proved()[0]);
     return text;
+  }
+
+  std::vector<std::string> not_proved() const {
+    if (defects_ > 0 && call_.lists()) return {"that there are no other defects"};
+    return {};
   }
 
   // Prints the report, each feature and each defect as it comes.
@@ -278,12 +330,14 @@ class ValidQuestion {
     json["cost"] = to_json(cost_);
     json["rule"] = call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid";
     tell(input_, json);
+    add_systems(input_.systems, json);
+    if (call_.proves()) json["not_proved"] = not_proved();
     ListReport objects(json, "objects");
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       const auto& rings = result.rings_of_part;
       Json object = {{"file", io::one_line(call_.file)},
                      {"format", file().format},
-                     {"feature", result.feature},
+                     {"feature", result.feature + 1},
                      {"name", name(result)},
                      {"parts", rings.size()},
                      {"rings", std::accumulate(rings.begin(), rings.end(), 0u)},
@@ -291,12 +345,14 @@ class ValidQuestion {
                      {"answer", call_.answer(result.valid())}};
       add_properties(result, object);
       objects.add_list(object, "defects", [&](ListStream& defects) {
-        visit([&](const PolygonDefect& defect) {
+        const auto add = [&](const auto& defect) {
           Json entry = defect_json(defect, result.has_parts());
           entry["at"] = at_json(defect);
-          defects.add(to_line(entry));
+          defects.add(entry.on_one_line());
           return true;
-        });
+        };
+        static_cast<void>(std::all_of(result.open.begin(), result.open.end(), add));
+        visit(add);
       });
     });
     objects.close();
@@ -304,27 +360,29 @@ class ValidQuestion {
 
   // Each defect as a point, or a line where a piece is in common; a line of the text for each.
   void write_geojson() const {
-    GeojsonFile geojson(call_.geojson);
+    GeojsonFile geojson(call_.geojson, input_.systems);
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
-      visit([&](const PolygonDefect& defect) {
+      const auto add = [&](const auto& defect) {
         const Json at = at_json(defect);
         Json geometry = {{"type", "Point"}, {"coordinates", at[0]}};
         if (at.size() > 1) geometry = {{"type", "LineString"}, {"coordinates", at}};
-        Json properties = {{"feature", result.feature}, {"name", name(result)}};
+        Json properties = {{"feature", result.feature + 1}, {"name", name(result)}};
         add_properties(result, properties);
         properties.update(defect_json(defect, result.has_parts()));
         const Json feature = {{"type", "Feature"}, {"geometry", geometry}, {"properties", properties}};
-        geojson.add(feature.dump(-1, ' ', false, Json::error_handler_t::replace));
+        geojson.add(feature.compact());
         return true;
-      });
+      };
+      static_cast<void>(std::all_of(result.open.begin(), result.open.end(), add));
+      visit(add);
     });
     geojson.close();
   }
 
-  // Those defects that are two edges with a common point.
+  // All defects. (Of an open ring there is no picture: io::read_lines refuses it, or it is skipped.)
   std::string picture() const {
     const planar::Segments segments(file().segments);
-    std::vector<planar::SegmentsContact> contacts;
+    std::vector<picture::PicturedDefect> defects;
     for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
       const auto edge = [&](const RingPlace& place) {
         const auto parts = result.rings_of_part.begin();
@@ -332,14 +390,20 @@ class ValidQuestion {
         return file().rings[ring].first + place.edge;
       };
       visit([&](const PolygonDefect& defect) {
-        const auto [i, j] = std::minmax({edge(defect.a), edge(defect.b)});
-        const planar::ContactKind kind = segment_segment(segments[i], segments[j]);
-        if (i != j && kind != planar::ContactKind::none) contacts.push_back({i, j, kind});
+        const std::uint32_t i = edge(defect.a), j = edge(defect.b);
+        const bool both = segment_segment(segments[i], segments[j]) != planar::ContactKind::none;
+        defects.push_back({i, both ? j : i, defect.place, name_of(defect.kind), text_of(defect, result.has_parts())});
         return true;
       });
     });
+    std::string said = fmt::format("{}, {}", valid_text(), count_of(defects_, "defect"));
+    if (const std::string words = input_.left_out_words(); !words.empty()) said += "; " + words;
     const std::string title = call_.title_or("Are these polygons " + call_.answer(true) + "?");
-    return picture::segments_svg({file(), segments, contacts, title});
+    return picture::segments_svg({file(), segments, {}, said, title, false, defects});
+  }
+
+  std::string valid_text() const {
+    return fmt::format("{} of {} {}", valid_, count_of(asked_, "feature"), call_.answer(true));
   }
 
   const Call& call_;
@@ -349,8 +413,10 @@ class ValidQuestion {
   Cost cost_;
 };
 
+constexpr const char* methods = "automatic, scan";
+
 int run(const Call& call) {
-  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, "automatic, scan");
+  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, methods);
   require_different(call.properties);
   return ValidQuestion(call).answer();
 }
@@ -370,10 +436,10 @@ Verb simple_verb() {
         .value = &call->self_touch,
         .help = "a ring may touch itself in points",
         .excludes = {"--strict"}},
-       {"--method", &call->method, "automatic, or scan", "NAME"},
+       {"--method", &call->method, methods, "NAME"},
        certificate_option(call->certificate, "write the proofs here, of defects those that are listed"),
        {"--geojson", &call->geojson, "write all defects here, as points and lines", "FILE"},
-       {"--svg", &call->svg, "draw the polygons and the edges that meet here", "FILE"},
+       {"--svg", &call->svg, "draw the polygons and all defects here", "FILE"},
        title_option(call->title),
        {"--leave-out", &call->leave_out, leave_out_help},
        {"--name", &call->name, name_help, "FIELD"},
@@ -385,6 +451,7 @@ Verb simple_verb() {
         .excludes = {"--svg"}},
        svg_limit_option(call->svg_limit),
        {"--drop-z", &call->drop_z, "ignore third coordinates"},
+       {"--mixed-crs", &call->mixed_crs, mixed_crs_help},
        json_option(call->json)},
       [call] { return run(*call); }};
 }

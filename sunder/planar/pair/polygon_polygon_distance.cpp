@@ -20,24 +20,17 @@
 // When one window is empty its vertex is known; the edges left of the other one are compared with the two edges beside
 // this vertex first.
 #include <sunder/base/contract.h>
+#include <sunder/number/root.h>
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/predicate/stages.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sunder::planar {
 
 namespace {
-
-// sqrt of an interval of numbers that are not negative.
-Interval root(const Interval& x) {
-  const double low = std::sqrt(std::max(x.low, 0.0)), high = std::sqrt(x.high);
-  return {low == 0 ? 0 : interval_detail::down(low), interval_detail::up(high)};
-}
 
 // The square of the distance of a point from a point, or from a line, exactly.
 template <class V>
@@ -52,7 +45,7 @@ std::array<Dyadic, 2> squared_from_line(const V& p, const V& from, const V& to) 
   return {height * height, dot(e, e)};
 }
 
-// What is named by positions: edge_of_a, the edge of A from i; edge_of_b, that of B from j.
+// What is named by positions: edge_of_a, the edge of A from i; edge_of_b, that of B from j. Without `distance`.
 template <class A, class B>
 ClosestFeatures features(const A& a, std::uint32_t i, bool edge_of_a, const B& b, std::uint32_t j, bool edge_of_b) {
   ClosestFeatures out;
@@ -74,17 +67,6 @@ ClosestFeatures features(const A& a, std::uint32_t i, bool edge_of_a, const B& b
   };
   out.a = named(a, i, edge_of_a);
   out.b = named(b, j, edge_of_b);
-  // Of a fraction: scaled, so that neither part leaves the range of doubles.
-  const auto& [numerator, denominator] = out.squared;
-  std::int64_t shift = numerator.top() - denominator.top();
-  shift -= shift & 1;
-  const Interval ratio =
-      numerator.scaled(-numerator.top()).enclosure() / denominator.scaled(shift - numerator.top()).enclosure();
-  const Interval scaled = root(ratio);
-  const int power = static_cast<int>(shift / 2);
-  const double low = std::ldexp(scaled.low, power), high = std::ldexp(scaled.high, power);
-  out.distance = {power < -900 ? interval_detail::down(low) : low, power < -900 ? interval_detail::up(high) : high};
-  out.distance.low = std::clamp(out.distance.low, 0.0, std::numeric_limits<double>::max());  // where it overflows
   return out;
 }
 
@@ -154,6 +136,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
   const minkowski_difference_search::Found found = search_difference(a, 0, b, 0, out.answer.evidence, cost, tally);
   const auto finish = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
     out.closest = features(a, i, edge_of_a, b, j, edge_of_b);
+    out.closest->distance = root(out.closest->squared[0], out.closest->squared[1]);
   };
   if (!found.meet) {
     const std::uint32_t i = found.edge_a, j = found.edge_b;
@@ -250,6 +233,7 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
       if (b.size() > 1 && faces(a[i], b[j], vertex_at(b, j + 1))) try_one(i, false, j, true);
     }
   }
+  best.closest->distance = root(best.closest->squared[0], best.closest->squared[1]);
   best.answer.cost.exact += tally.exact;
   return best;
 }

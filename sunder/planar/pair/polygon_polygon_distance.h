@@ -4,7 +4,8 @@
 //
 //   D1. The features are those of the exact images: the distance between them is the distance of the polygons. Where
 //       parallel edges are closest, an edge and a vertex of the other one that faces it are named.
-//   D2. `distance` encloses the exact distance, within 2^-49 of it but for results below 2^-500 or above 2^500.
+//   D2. `distance` encloses the exact distance: no double is between its ends, and where the distance is a double, both
+//       are that (number/root.h).
 //   D3. compare_distance is exact for every finite radius.
 // None throws, but for want of memory. Cost: that of polygon_polygon, and 5 (log2 n + log2 m) + c probes.
 // Source: the question and its bound are those of Edelsbrunner 1985. Here it is one more search over the difference

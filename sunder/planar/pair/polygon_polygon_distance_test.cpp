@@ -38,8 +38,8 @@ TEST(PolygonPolygonDistanceTest, Features) {
   EXPECT_EQ(edge.closest->a, 1u);
   EXPECT_EQ(edge.closest->b, 0u);
   EXPECT_EQ(compare_distance(edge, 1), Sign::zero);
-  EXPECT_LE(edge.distance().low, 1);
-  EXPECT_GE(edge.distance().high, 1);
+  EXPECT_EQ(edge.distance().low, 1);
+  EXPECT_EQ(edge.distance().high, 1);
 
   const PolygonDistance points =
       distance(ConvexPolygon::from_vertices({{0, 0}}), ConvexPolygon::from_vertices({{3, 4}}));
@@ -73,7 +73,7 @@ TEST(PolygonPolygonDistanceTest, FarBeyondTheRangeOfSquares) {
 TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
   const int count = tests::scaled_count(4000);
   tests::PlanarPairs pairs(tests::chosen_seed(31));
-  int apart = 0, edges_a = 0, edges_b = 0, vertices = 0;
+  int apart = 0, edges_a = 0, edges_b = 0, vertices = 0, doubles = 0;
   for (int i = 0; i < count; ++i) {
     const tests::PlanarCase c = pairs.next(i % 4 == 0 ? PlanarFamily::grid : static_cast<PlanarFamily>(i % 9));
     if (c.a.size() + c.b.size() > 60) continue;
@@ -88,13 +88,13 @@ TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
     const auto &squared = d.closest->squared, &of_scan = scan.closest->squared;
     ASSERT_EQ((squared[0] * of_scan[1] - of_scan[0] * squared[1]).sign(), Sign::zero)
         << i << " " << name_of(c.family) << " " << d.distance().low << " " << scan.distance().low;
-    // The enclosure: low^2 <= numerator / denominator <= high^2, and narrow.
+    // The enclosure: low^2 <= numerator / denominator <= high^2, and no double is between.
     const Dyadic low(d.distance().low), high(d.distance().high);
     ASSERT_NE((squared[0] - low * low * squared[1]).sign(), Sign::negative) << i;
     ASSERT_NE((high * high * squared[1] - squared[0]).sign(), Sign::negative) << i;
-    if (d.distance().low > 0x1p-500) {
-      ASSERT_LE(d.distance().high - d.distance().low, 0x1p-49 * d.distance().low) << i;
-    }
+    const bool is_double = (squared[0] - low * low * squared[1]).sign() == Sign::zero;
+    doubles += is_double ? 1 : 0;
+    ASSERT_EQ(d.distance().high, is_double ? d.distance().low : std::nextafter(d.distance().low, HUGE_VAL)) << i;
     ASSERT_NE(compare_distance(d, d.distance().low), Sign::negative) << i;
     ASSERT_NE(compare_distance(d, d.distance().high), Sign::positive) << i;
   }
@@ -103,6 +103,8 @@ TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
   EXPECT_GT(edges_a, apart / 10);
   EXPECT_GT(edges_b, apart / 10);
   EXPECT_GT(vertices, apart / 10);
+  EXPECT_GT(doubles, apart / 50);
+  EXPECT_LT(doubles, apart / 2);
 }
 
 // Two regular polygons of n vertices: a constant times log2 n.

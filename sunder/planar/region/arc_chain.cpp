@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/planar/region/arc_chain.h>
 #include <sunder/planar/region/merge_in_pairs.h>
 
@@ -101,6 +102,7 @@ void ArcChains::merge(std::span<const ArcPiece> p, std::span<const ArcPiece> q, 
   Direction begin{no_disc, no_disc, {0, 0}};
   std::size_t i = 0, k = 0;
   for (;;) {
+    may_be_interrupted(10);
     const ArcPiece* next_p = i + 1 < p.size() ? &p[i + 1] : nullptr;
     const ArcPiece* next_q = k + 1 < q.size() ? &q[k + 1] : nullptr;
     const Sign order = next_p == nullptr && next_q == nullptr ? Sign::zero

@@ -85,11 +85,7 @@ std::string certificate_text(const Discs& circles, const DiscIntersection& part,
       write_point(file, circles, part);
     } else {
       file.begin_claims();
-      if (part.kind == DiscIntersectionKind::plane) {
-        file.claim("no_entries");
-      } else {
-        write_powers(file, part, discs_of(circles.all(), part.deepest.basis()));
-      }
+      write_powers(file, part, discs_of(circles.all(), part.deepest.basis()));
     }
     file.end_statement();
   });

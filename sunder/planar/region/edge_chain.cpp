@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/planar/region/edge_chain.h>
 #include <sunder/planar/region/merge_in_pairs.h>
 #include <sunder/predicate/height_order.h>
@@ -49,6 +50,7 @@ void EdgeChains::merge(std::span<const EdgePiece> p, std::span<const EdgePiece> 
   // The sign of p - q where the stretch begins, and where it ends.
   Sign at_begin = height_order(p[0].a, p[0].b, q[0].a, q[0].b, between_.low, &tally_);
   for (;;) {
+    may_be_interrupted(10);
     ++probes_;
     const EdgePiece &of_p = p[i], &of_q = q[k];
     const bool more_p = i + 1 < p.size(), more_q = k + 1 < q.size(), is_last = !more_p && !more_q;

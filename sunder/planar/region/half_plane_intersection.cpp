@@ -1,6 +1,7 @@
 // A search proposes: the region of a small random sample. Those that it implies, by a corner that they hold, are
 // dropped; of the rest, the same. Where a sample implies few, sorting decides: by angle, two chains, two joints
 // (region_search.h), which is also a method by itself.
+#include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/angle_order.h>
@@ -63,6 +64,7 @@ class Sampling {
     }
     if (4 * not_implied > sample_size) return false;
     for (std::uint32_t k = 0; k < size; ++k) {
+      if (k % 1024 == 0) may_be_interrupted(1024);
       if (!is_implied(region, table, number(k))) left.push_back(number(k));
     }
     if (2 * left.size() > size) return false;

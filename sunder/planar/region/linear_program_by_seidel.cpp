@@ -7,6 +7,7 @@
 // not, all normals lie within a half turn; then one line, of an outermost normal, tells whether there is a common
 // point.
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
 #include <sunder/planar/region/linear_program.h>
 
@@ -68,6 +69,7 @@ class ProgramSearch {
   // orders of the others.
   Basis optimum(Basis basis, std::span<const std::uint32_t> order) {
     for (std::size_t n = 2; n < order.size();) {
+      may_be_interrupted(10);
       const FixedCorner<Half> corner{given_[basis.before], given_[basis.after]};
       while (n < order.size() && corner_side(corner, given_[order[n]], &tally_) != Sign::positive) ++n, ++probes_;
       if (n == order.size()) break;

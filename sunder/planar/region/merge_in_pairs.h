@@ -2,7 +2,11 @@
 // Also called: divide and conquer; merging bottom-up.
 #pragma once
 
+#include <sunder/base/interruption.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,6 +25,7 @@ std::vector<Piece> merged_in_pairs(std::vector<Piece> chains, std::vector<std::s
     std::size_t begin = 0;
     for (std::size_t k = 0; k < ends.size(); k += 2) {
       const auto first = all.subspan(begin, ends[k] - begin);
+      may_be_interrupted(static_cast<std::uint32_t>(std::min<std::size_t>(ends[k] - begin, 1u << 20)));
       begin = ends[k];
       if (k + 1 == ends.size()) {
         next.insert(next.end(), first.begin(), first.end());

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/planar/object/polygon_sides.h>
 #include <sunder/planar/region/angle_order.h>
 #include <sunder/planar/region/region_search.h>
@@ -58,6 +59,7 @@ Sides sides_with_extent(Signs<Given>& signs, const Sides& sides, std::size_t cha
   Sides kept;
   kept.reserve(sides.size());
   for (std::size_t p = 0; p < sides.size(); ++p) {
+    if (p % 1024 == 0) may_be_interrupted(1024);
     if (has_extent(signs, sides, chain, p)) kept.push_back(sides[p]);
   }
   return kept;

@@ -14,6 +14,7 @@
 // in B as sides are dropped. So then the region is not empty.
 #pragma once
 
+#include <sunder/base/interruption.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 
 #include <algorithm>
@@ -99,6 +100,7 @@ template <class Given>
 void to_chain(Signs<Given>& signs, std::vector<std::uint32_t>& sides) {
   std::size_t count = 0;
   for (std::size_t n = 0; n < sides.size(); ++n) {
+    if (n % 1024 == 0) may_be_interrupted(1024);
     const std::uint32_t next = sides[n];
     signs.prefetch(sides, n);
     while (count >= 2 && signs.corner_side(sides[count - 2], sides[count - 1], next) != Sign::negative) --count;

@@ -47,10 +47,10 @@ ConvexPolygonsAnswer any_across_groups(std::span<const ConvexPolygon> polygons, 
       boxes,
       [&](std::uint32_t i, std::uint32_t j) {
         ++answer.cost.probes;
-        const bool are_apart = may_meet(options.groups, i, j) || surely_apart(diagonals[i], diagonals[j]);
+        const bool are_apart = surely_apart(diagonals[i], diagonals[j]);
         return (are_apart || !report_pair(polygons, i, j, options.allowed, answer)) && answer.cost.probes <= most;
       },
-      options.progress, &in_boxes);
+      options.progress, &in_boxes, options.groups);
   answer.cost.probes += in_boxes;
   if (!all && !answer.meet()) take_any_by_sweep(polygons, options, answer);
   return answer;

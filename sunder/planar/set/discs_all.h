@@ -4,7 +4,7 @@
 //   P1. Each pair that has a contact whose kind counts, and whose discs are not of one group, is given once.
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
-// k is the number of pairs whose boxes meet, also of those that do not count: all contacts are among them.
+// k is the number of pairs whose boxes meet and that are not of one group: all contacts are among them.
 // Throws Error bad_call where there are groups, and not one for each disc. Else none throws, but for want of
 // memory, or what `progress` or a visitor throws.
 // Source: Shamos & Hoey 1976, section VI (the question). That the list is complete is proved by an order
@@ -44,7 +44,8 @@ Cost discs_visit_block(const Discs& circles, const SetOptions& options, const Bl
 DiscsMethod discs_all_by_grid;
 
 // A line sweeps from left to right over the discs' boxes; a tree of greatest ordinates over those that it cuts finds
-// the boxes that a new one meets. O((N + k) log N) time, O(N) memory; k pairs are compared.
+// the boxes that a new one meets. O((N + k) log N) time, O(N) memory; k pairs are compared. Where there are groups, boxes
+// are halved (box_pairs.h): O(N log N + k).
 DiscsMethod discs_all_by_sweep;
 
 // Every pair: the oracle, by i, then j. O(N^2) time.

@@ -2,6 +2,8 @@
 // other: of these, those that it meets have a low ordinate not above its high one, and a high ordinate not below its
 // low one. Numbered by their low ordinates, they are found from the first on by a tree of the high ones.
 //
+// The tree would find pairs of one group, too: where there are groups, boxes are halved instead.
+//
 // Boxes are rounded, which keeps their order: all pairs that meet are found; which do is decided about the discs.
 #include <sunder/base/prefetch.h>
 #include <sunder/near/set_methods.h>
@@ -46,6 +48,7 @@ struct RankedBoxes {
 
 Cost discs_all_by_sweep(const Discs& circles, const SetOptions& options, const DiscsVisitor& visit) {
   check_groups(options.groups, circles.size());
+  if (!options.groups.empty()) return visit_by_halving(circles, rounded_boxes(circles), options, visit);
   const RankedBoxes ranked(rounded_boxes(circles));
   const std::vector<Box2>& boxes = ranked.boxes;
   const std::vector<KeyedItem> begins = in_order(boxes, [](const Box2& box) { return box.low.x; });

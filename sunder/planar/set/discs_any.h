@@ -48,13 +48,13 @@ inline DiscContact contact_kind(const Discs& discs, std::uint32_t i, std::uint32
 }
 
 // The front door: the fastest method measured, by grid. Cost: O(N log N) at most; about linear where discs are small.
-// With groups: that of the sweep at most, but for a constant.
+// With groups: O(N log N + k) for k pairs of boxes that meet and are not of one group.
 DiscsAnswer discs_any(const Discs& circles, const SetOptions& options = {});
 
 // Algorithm 1 with discs as units: discs are tested when they become neighbours on the line.
 // Cost: at most 3 N pairs, two sorts of N and 2 N numbers, 3 N searches in a RankSet; O(N) memory.
-// Where there are groups, whose members may meet, neighbours prove nothing: all pairs whose boxes meet are looked at
-// from left to right until one counts (discs_all_by_sweep).
+// Where there are groups, whose members may meet, neighbours prove nothing: pairs of different groups whose boxes meet
+// are looked at until one counts (discs_all_by_sweep).
 DiscsAnswer discs_any_by_sweep(const Discs& circles, const SetOptions& options = {});
 
 // A uniform grid over the discs' boxes finds the pairs that are near each other. Where boxes are large against the

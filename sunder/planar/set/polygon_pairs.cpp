@@ -3,6 +3,7 @@
 // Let no edges of two polygons meet. Then a ring is inside of the other polygon, or outside, as a whole, and polygons
 // that have a common point have a ring of one inside of the other: what they have in common has a boundary, of which
 // each point is on a ring of one and inside of the other.
+#include <sunder/base/interruption.h>
 #include <sunder/base/lanes.h>
 #include <sunder/near/box_pairs.h>
 #include <sunder/planar/set/crossing_edges.h>
@@ -310,6 +311,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   std::array<std::array<std::uint32_t, 2>, most_waiting> waiting;  // pair k is at k % most_waiting
   std::uint32_t known = 0, compared = 0;
   const auto compare_next = [&] {
+    may_be_interrupted(2);
     const auto [i, j] = waiting[compared++ % most_waiting];
     const std::optional<PolygonsContact> contact = pairs.contact(i, j);
     if (!contact || contact->contact == Contact::none) return contact.has_value();
@@ -319,7 +321,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   };
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++pairs.cost.probes;
-    if ((end != nullptr && i >= *end) || may_meet(options.groups, i, j)) return !pairs.gave_up();
+    if (end != nullptr && i >= *end) return !pairs.gave_up();
     prefetch(&polygons[i], sizeof(Polygon));
     prefetch(&polygons[j], sizeof(Polygon));
     if (known > 0) {
@@ -328,7 +330,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     waiting[known++ % most_waiting] = {i, j};
     return known - compared < most_waiting || compare_next();
   };
-  bool all = for_each_box_pair(boxes, of_pair, options.progress, &cost.probes);
+  bool all = for_each_box_pair(boxes, of_pair, options.progress, &cost.probes, options.groups);
   while (all && compared != known) all = compare_next();
   cost.probes += pairs.cost.probes;
   if (!all && !was_stopped) return std::nullopt;

@@ -7,9 +7,14 @@ namespace sunder::planar {
 
 bool PolygonPlace::report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind) {
   if (edges_.polygon_of(e) > edges_.polygon_of(f)) std::swap(e, f);
-  ++probes;
   return found_(
       {contact, kind, false, edges_.polygon_of(e), edges_.polygon_of(f), edges_.in_polygon(e), edges_.in_polygon(f)});
+}
+
+bool PolygonPlace::report_if_wanted(Contact contact, std::uint32_t e, std::uint32_t f) {
+  ++probes;
+  if (!is_wanted(edges_.polygon_of(e), edges_.polygon_of(f))) return true;
+  return report(contact, e, f, segment_segment(edges_.edges()[e], edges_.edges()[f]));
 }
 
 bool PolygonPlace::look(std::span<const Leaving> leaving) {
@@ -76,10 +81,7 @@ bool PolygonPlace::touch_across_groups(std::span<const Member> members) {
         continue;
       }
       if (l < k && members[l].chosen) continue;  // it was looked at
-      ++probes;
-      const std::uint32_t e = members[k].edge, f = members[l].edge;
-      const ContactKind kind = segment_segment(edges_.edges()[e], edges_.edges()[f]);
-      if (!report(Contact::touching, e, f, kind)) return false;
+      if (!report_if_wanted(Contact::touching, members[k].edge, members[l].edge)) return false;
     }
   }
   return true;
@@ -120,9 +122,7 @@ bool PolygonPlace::enter(std::uint32_t edge) {
   for (const std::uint32_t g : open_groups_) {
     if (g == group) continue;
     for (std::uint32_t k = open_[g].begin; k < open_[g].begin + open_[g].count; ++k) {
-      const std::uint32_t other = open_edge_[open_list_[k]];
-      const ContactKind kind = segment_segment(edges_.edges()[other], edges_.edges()[edge]);
-      if (!report(Contact::overlapping, other, edge, kind)) return false;
+      if (!report_if_wanted(Contact::overlapping, open_edge_[open_list_[k]], edge)) return false;
     }
   }
   open_edge_[m] = edge;

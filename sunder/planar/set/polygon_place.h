@@ -8,6 +8,7 @@
 #include <sunder/planar/set/polygon_edges.h>
 #include <sunder/planar/set/polygons_any.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -28,9 +29,11 @@ class PolygonPlace {
     bool turns;   // is the direction another one than that of the entry before?
   };
 
-  // Members of one group are left out, and touching that is allowed.
-  PolygonPlace(const PolygonEdges& edges, const SetOptions& options, Found found)
+  // Members of one group are left out, and touching that is allowed. Where `end` is given, pairs i < j whose i is not
+  // below it too; it may fall meanwhile.
+  PolygonPlace(const PolygonEdges& edges, const SetOptions& options, Found found, const std::uint32_t* end = nullptr)
       : edges_(edges),
+        end_(end),
         groups_(options.groups),
         allowed_(options.allowed),
         found_(std::move(found)),
@@ -42,6 +45,9 @@ class PolygonPlace {
   bool look(std::span<const Leaving> leaving);
 
   bool report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind);
+  bool is_wanted(std::uint32_t polygon, std::uint32_t other) const {
+    return end_ == nullptr || std::min(polygon, other) < *end_;
+  }
 
   std::uint64_t probes = 0;
 
@@ -65,7 +71,10 @@ class PolygonPlace {
   bool enter(std::uint32_t edge);
   void leave(std::uint32_t edge);
 
+  bool report_if_wanted(Contact contact, std::uint32_t e, std::uint32_t f);
+
   const PolygonEdges& edges_;
+  const std::uint32_t* end_;
   Groups groups_;
   Allowed allowed_;
   Found found_;

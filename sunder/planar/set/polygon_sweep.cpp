@@ -3,15 +3,17 @@
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace sunder::planar {
 
-PolygonSweep::PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found)
+PolygonSweep::PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found,
+                           const std::uint32_t* end)
     : edges_(edges),
       options_(options),
       found_(std::move(found)),
-      place_(edges, options, found_),
+      place_(edges, options, found_, end),
       status_(edges.edges().all()),
       crossings_(edges.edges()),
       above_of_(edges.edges().size(), PersistentSets::empty),
@@ -19,7 +21,25 @@ PolygonSweep::PolygonSweep(const PolygonEdges& edges, const SetOptions& options,
       is_first_(edges.edges().size()),
       seen_(edges.polygon_count()),
       fills_(edges.polygon_count()) {
+  number_by_group();
   find_firsts();
+}
+
+// Keys of one group follow each other, so that a set can be gone through without them.
+void PolygonSweep::number_by_group() {
+  const std::uint32_t count = edges_.polygon_count();
+  const auto group_of = [&](std::uint32_t p) { return options_.groups.empty() ? p : options_.groups[p]; };
+  polygon_at_.resize(count);
+  std::iota(polygon_at_.begin(), polygon_at_.end(), 0u);
+  std::sort(polygon_at_.begin(), polygon_at_.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return group_of(p) != group_of(q) ? group_of(p) < group_of(q) : p < q;
+  });
+  key_of_.resize(count);
+  for (std::uint32_t key = 0; key < count; ++key) key_of_[polygon_at_[key]] = key;
+  for (std::uint32_t first = 0, last; first < count; first = last) {
+    for (last = first + 1; last < count && group_of(polygon_at_[last]) == group_of(polygon_at_[first]);) ++last;
+    group_at_.resize(last, Block{first, last});
+  }
 }
 
 // Of each ring, the edge that goes on from its first vertex, and has a length.
@@ -38,6 +58,7 @@ void PolygonSweep::find_firsts() {
 }
 
 bool PolygonSweep::run() {
+  if (are_one_group(options_.groups)) return true;
   const std::span<const Segment> all = edges_.edges().all();
   const std::vector<std::uint32_t> ends = ends_in_order(all);
   std::size_t e = 0;
@@ -163,7 +184,7 @@ void PolygonSweep::find_sides() {
   for (const std::uint32_t e : next_) {
     ++cost.probes;
     const std::uint32_t polygon = edges_.polygon_of(e);
-    if (std::exchange(seen_[polygon], point_) != point_) fills_[polygon] = sets_.holds(under_, polygon);
+    if (std::exchange(seen_[polygon], point_) != point_) fills_[polygon] = sets_.holds(under_, key_of_[polygon]);
     fills_[polygon] = !fills_[polygon];
     fills_next_.push_back(fills_[polygon]);
   }
@@ -200,32 +221,30 @@ bool PolygonSweep::look_around() {
 // Two edges cross, and nothing else is there.
 bool PolygonSweep::report_crossing(std::uint32_t e, std::uint32_t f) {
   const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
-  if (p == q || may_meet(options_.groups, p, q)) return true;
+  ++cost.probes;
+  if (p == q || may_meet(options_.groups, p, q) || !place_.is_wanted(p, q)) return true;
   return place_.report(Contact::overlapping, e, f, ContactKind::crossing);
 }
 
 // Rings that begin here are inside of those polygons that fill what is below, save of those that have edges here.
 bool PolygonSweep::look_inside() {
-  bool is_known = false;
+  bool goes_on = true;
   for (const std::uint32_t e : begins_) {
     if (!is_first_[e]) continue;
-    if (!std::exchange(is_known, true)) {
-      inside_of_.clear();
-      sets_.for_each(under_, [&](std::uint32_t polygon) {
-        if (seen_[polygon] != point_) inside_of_.push_back(polygon);
-      });
-    }
-    for (const std::uint32_t outer : inside_of_) {
+    const auto [first, last] = group_at_[key_of_[edges_.polygon_of(e)]];
+    sets_.for_each_without(under_, first, last - 1, [&](std::uint32_t key) {
       ++cost.probes;
-      if (!report_inside(e, outer)) return false;
-    }
+      const std::uint32_t outer = polygon_at_[key];
+      const bool is_asked = seen_[outer] != point_ && place_.is_wanted(edges_.polygon_of(e), outer);
+      goes_on = goes_on && (!is_asked || report_inside(e, outer));
+    });
+    if (!goes_on) return false;
   }
   return true;
 }
 
 bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
   const std::uint32_t inner = edges_.polygon_of(e), vertex = edges_.in_polygon(e);  // the edge goes on from there
-  if (may_meet(options_.groups, inner, outer)) return true;
   const bool first = inner < outer;
   return found_({Contact::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
                  first ? vertex : 0, first ? 0 : vertex});
@@ -243,7 +262,7 @@ void PolygonSweep::put_row() {
   for (std::size_t k = 0; k < next_.size(); ++k) {
     const std::uint32_t e = next_[k];
     status_.insert_above(below, e);
-    under = above_of_[e] = k + 1 == next_.size() ? top : sets_.toggled(under, edges_.polygon_of(e));
+    under = above_of_[e] = k + 1 == next_.size() ? top : sets_.toggled(under, key_of_[edges_.polygon_of(e)]);
     fills_above_[e] = fills_next_[k];
     below = e;
   }

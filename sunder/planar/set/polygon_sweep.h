@@ -9,11 +9,13 @@
 //   - around a point where polygons of several groups have edges, PolygonPlace tells who touches and who overlaps;
 //   - a ring without these lies inside of the polygons in the set below its first vertex, and of no others.
 // Other pairs have no common point, as polygon_meetings.h shows.
-// Cost: O((n + k) log n) for n edges, and k that are the crossings of edges, the edges that pass vertices of others,
-// and what is found (see PolygonPlace), also of one group: not the pairs of those that share a point. Memory: O(n) and
+// Cost: O((n + k) log n) for n edges, and k that are the crossings of edges and the edges that pass vertices of others,
+// also of one group, and what is found (see PolygonPlace): not the pairs of one group that share a point, or lie inside
+// of one another. Memory: O(n) and
 // what crossings lie ahead.
 #pragma once
 
+#include <sunder/near/contacts_in_order.h>
 #include <sunder/planar/set/polygon_place.h>
 #include <sunder/planar/sweep/crossing_queue.h>
 #include <sunder/planar/sweep/persistent_sets.h>
@@ -28,7 +30,9 @@ class PolygonSweep {
  public:
   // Calls `found` for pairs that meet, also more than once for a pair, until it returns false. Contacts that are said
   // to be touching may yet be found to be overlapping. Pairs of one group are left out, and touching that is allowed.
-  PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found);
+  // Where `end` is given, so are pairs i < j whose i is not below it; it may fall meanwhile.
+  PolygonSweep(const PolygonEdges& edges, const SetOptions& options, PolygonPlace::Found found,
+               const std::uint32_t* end = nullptr);
 
   // Returns whether `found` never returned false.
   bool run();
@@ -41,6 +45,7 @@ class PolygonSweep {
   const Segment& segment(std::uint32_t e) const { return edges_.edges()[e]; }
   Sign side_of(const Point2& p, std::uint32_t e);
 
+  void number_by_group();
   void find_firsts();
   void at_crossing();
   void at_vertex(const Point2& p, std::uint32_t held);
@@ -65,9 +70,11 @@ class PolygonSweep {
   SweepStatus<Segment> status_;
   CrossingQueue crossings_;
   PersistentSets sets_;
-  std::vector<PersistentSets::Set> above_of_;  // of each edge in the list: which polygons fill what is just above
-  std::vector<bool> fills_above_;              // of each edge: does its own?
-  std::vector<bool> is_first_;                 // of each edge: does its ring begin with it?
+  std::vector<std::uint32_t> key_of_, polygon_at_;  // of each polygon: its number in sets_; and back
+  std::vector<Block> group_at_;                     // of each key: those of its group
+  std::vector<PersistentSets::Set> above_of_;       // of each edge in the list: which polygons fill what is just above
+  std::vector<bool> fills_above_;                   // of each edge: does its own?
+  std::vector<bool> is_first_;                      // of each edge: does its ring begin with it?
 
   // At a point.
   const Point2* vertex_ = nullptr;               // none where edges only cross
@@ -80,7 +87,6 @@ class PolygonSweep {
   std::vector<bool> fills_;  // of each polygon that was seen: what is between two edges of the row
   std::uint32_t point_ = 0;
   std::vector<PolygonPlace::Leaving> leaving_;
-  std::vector<std::uint32_t> inside_of_;
   bool stopped_ = false;
 };
 

@@ -36,12 +36,17 @@ class Check {
     look_for_short_rings();
     if (!is_simple_ring()) look_at_several();
     std::vector<PolygonDefect>& defects = answer_.defects;
-    std::sort(defects.begin(), defects.end(), is_before);
-    if (full()) defects.resize(options_.most);
+    if (full()) {
+      const auto enough = defects.begin() + static_cast<std::ptrdiff_t>(options_.most);
+      std::partial_sort(defects.begin(), enough, defects.end(), is_before);
+      defects.resize(options_.most);
+    } else {
+      std::sort(defects.begin(), defects.end(), is_before);
+    }
     return std::move(answer_);
   }
 
-  Cost visit(const PolygonDefectVisitor& visit) {
+  DefectCount visit(const PolygonDefectVisitor& visit) {
     is_visited_ = true;
     const PolygonDefects others = run();
     auto next = others.defects.begin();
@@ -55,7 +60,7 @@ class Check {
       contacts_->visit([&](const SegmentsContact& c) { return kind_of(c) != kind || hand_over(defect_of(c)); });
     }
     for (; goes_on && next != others.defects.end(); ++next) goes_on = visit(*next);
-    return others.cost;
+    return {others.defects.size() + (contacts_ ? contacts_->count() : 0), others.cost};
   }
 
  private:
@@ -140,6 +145,7 @@ class Check {
       answer_.cost.probes += points_.cost.probes;
     }
     loops_ = ring_loops(rings_, points_);
+    find_ways_where_cut();
     look_for_touches();
     look_within();
     look_for_cycles();
@@ -253,6 +259,22 @@ class Check {
     bool is_misplaced = false;    // a hole where none may be
   };
 
+  // Of each loop that was cut from the rest, its first and its last way where it was.
+  void find_ways_where_cut() {
+    ways_where_cut_.assign(loops_.loops.size(), {none, none});
+    for (std::uint32_t p = 0; p < points_.points.size(); ++p) {
+      const RingPoint& point = points_.points[p];
+      for (std::uint32_t w = point.first; w < point.first + point.count; ++w) {
+        ++answer_.cost.probes;
+        const std::uint32_t loop = loops_.of_ways[w];
+        if (loops_.loops[loop].cut_at != p) continue;
+        auto& [first, last] = ways_where_cut_[loop];
+        if (first == none) first = w;
+        last = w;
+      }
+    }
+  }
+
   // All loops, each after those that it is inside of; `way_in_` has for each part the innermost one at present.
   void look_within() {
     const std::vector<RingLoop>& loops = loops_.loops;
@@ -342,10 +364,7 @@ class Check {
   void name_disconnected(std::uint32_t loop, std::uint32_t other) {
     if (loops_.loops[loop].cut_at == none) loop = other;
     const RingPoint& point = points_.points[loops_.loops[loop].cut_at];
-    const auto of_loop = [&](std::uint32_t way) { return loops_.of_ways[way] == loop; };
-    std::uint32_t first = point.first, last = point.first + point.count - 1;
-    while (!of_loop(first)) ++first;
-    while (!of_loop(last)) --last;
+    const auto [first, last] = ways_where_cut_[loop];
     add(Kind::disconnected, points_.ways[first], points_.ways[last], point.at);
   }
 
@@ -389,10 +408,11 @@ class Check {
   std::vector<bool> keep_;                                      // of each ring
   RingPoints points_;
   RingLoops loops_;
-  std::vector<Within> within_;              // of each loop
-  std::vector<std::uint32_t> innermost_;    // of each part: the loop that has been entered last
-  std::vector<std::uint32_t> outermost_;    // of each part: a loop of the shell
-  std::vector<bool> has_shell_, is_named_;  // of each part; of each ring
+  std::vector<std::array<std::uint32_t, 2>> ways_where_cut_;  // of each loop
+  std::vector<Within> within_;                                // of each loop
+  std::vector<std::uint32_t> innermost_;                      // of each part: the loop that has been entered last
+  std::vector<std::uint32_t> outermost_;                      // of each part: a loop of the shell
+  std::vector<bool> has_shell_, is_named_;                    // of each part; of each ring
 };
 
 RingSet rings_of(std::span<const PolygonRings> parts) {
@@ -415,8 +435,8 @@ PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidO
   return Check(rings_of(parts), options).run();
 }
 
-Cost visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
-                           const PolygonDefectVisitor& visit) {
+DefectCount visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
+                                  const PolygonDefectVisitor& visit) {
   const ValidOptions all{options.rule};
   return Check(rings_of(parts), all).visit(visit);
 }

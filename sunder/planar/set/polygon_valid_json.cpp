@@ -10,9 +10,12 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -432,28 +435,61 @@ void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
   }
 }
 
-void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule) {
-  const Numbered all(parts);
-  const auto events = sweep_events(Segments(all.edges), std::numeric_limits<std::size_t>::max());
-  const Statement out{file, all, first_part, rule};
-  out.begin("valid");
-  out.end("valid", *events);
+// What is common to the statements about the parts of one multipolygon, and which of them stand in the file: a ring that
+// touches itself in a point many times has many defects, and one statement tells of all.
+struct ValidClaims::Data {
+  Numbered all;
+  Statement out;
+  std::set<std::tuple<std::string_view, std::uint32_t, std::uint32_t, double, double>> stated;  // verdict, rings, point
+  std::map<std::uint32_t, bool> circles;  // of parts that were asked about: was one found?
+  std::optional<bool> falls_apart;
+
+  Data(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule)
+      : all(parts), out{file, all, first_part, rule} {}
+
+  bool write_at_ring(std::string_view verdict, std::uint32_t ring, std::optional<std::uint32_t> other,
+                     const std::optional<Point2>& point) {
+    const Point2 p = point.value_or(Point2{});
+    const bool is_new = stated.insert({verdict, ring, other.value_or(no_segment), p.x, p.y}).second;
+    return !is_new || planar::write_at_ring(out, verdict, ring, other, point);
+  }
+  bool write_circle(std::uint32_t part) {
+    const auto [found, is_new] = circles.try_emplace(part);
+    if (is_new) found->second = planar::write_circle(out, part);
+    return found->second;
+  }
+  bool write_falls_apart() {
+    if (!falls_apart) falls_apart = planar::write_falls_apart(out);
+    return *falls_apart;
+  }
+};
+
+ValidClaims::ValidClaims(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part,
+                         PolygonRule rule)
+    : data_(std::make_unique<Data>(file, parts, first_part, rule)) {}
+ValidClaims::~ValidClaims() = default;
+
+void ValidClaims::write_valid() {
+  const auto events = sweep_events(Segments(data_->all.edges), std::numeric_limits<std::size_t>::max());
+  data_->out.begin("valid");
+  data_->out.end("valid", *events);
 }
 
-bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
-                  const PolygonDefect& defect) {
-  const Numbered all(parts);
-  const Statement out{file, all, first_part, rule};
+bool ValidClaims::write_defect(const PolygonDefect& defect) {
+  const Numbered& all = data_->all;
+  const Statement& out = data_->out;
+  const PolygonRule rule = out.rule;
   const std::uint32_t a = all.ring(defect.a), b = all.ring(defect.b);
   const Point2& at = defect.place.a;
-  const auto comes_twice = [&] { return write_at_ring(out, "comes_twice", a, std::nullopt, at); };
+  const auto comes_twice = [&] { return data_->write_at_ring("comes_twice", a, std::nullopt, at); };
   switch (defect.kind) {
-    case PolygonDefectKind::too_few_points: return write_at_ring(out, "too_few_points", a, std::nullopt, std::nullopt);
+    case PolygonDefectKind::too_few_points:
+      return data_->write_at_ring("too_few_points", a, std::nullopt, std::nullopt);
     case PolygonDefectKind::crossing: {
       const std::uint32_t i = all.edge(defect.a), j = all.edge(defect.b);
       if (segment_segment(all.edges[i], all.edges[j]) == ContactKind::crossing) return write_edges_meet(out, i, j);
       if (a == b && rule != PolygonRule::self_touch) return comes_twice();
-      if (a == b) return write_at_ring(out, "crosses", a, std::nullopt, at);
+      if (a == b) return data_->write_at_ring("crosses", a, std::nullopt, at);
       std::vector<std::uint32_t> edges = edges_at(all, a, at), more = edges_at(all, b, at);
       edges.insert(edges.end(), more.begin(), more.end());
       return write_misplaced(out, edges);
@@ -461,17 +497,17 @@ bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::
     case PolygonDefectKind::overlap: return write_edges_meet(out, all.edge(defect.a), all.edge(defect.b));
     case PolygonDefectKind::repeated_vertex:
       out.begin("repeated");
-      file.index("edge", all.edge(defect.a));
+      out.file.index("edge", all.edge(defect.a));
       out.end("repeated");
       return true;
     case PolygonDefectKind::self_touch: return comes_twice();
-    case PolygonDefectKind::rings_touch: return write_at_ring(out, "rings_touch", a, b, at);
+    case PolygonDefectKind::rings_touch: return data_->write_at_ring("rings_touch", a, b, at);
     case PolygonDefectKind::hole_outside:
     case PolygonDefectKind::nested_holes:
     case PolygonDefectKind::nested_parts: return write_misplaced(out, {all.edge(defect.a)});
     case PolygonDefectKind::disconnected:
-      if (write_circle(out, defect.a.part)) return true;
-      return a != b || rule == PolygonRule::self_touch ? write_falls_apart(out) : comes_twice();
+      if (data_->write_circle(defect.a.part)) return true;
+      return a != b || rule == PolygonRule::self_touch ? data_->write_falls_apart() : comes_twice();
   }
   return false;
 }

@@ -8,6 +8,7 @@
 #include <sunder/planar/set/polygon_valid.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace sunder::planar {
@@ -15,14 +16,30 @@ namespace sunder::planar {
 // Adds the parts to the table `polygons`, which is open. A last vertex that repeats its ring's first is left out.
 void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts);
 
-// The statement that the parts of a multipolygon are valid; in the table these are first_part and those that follow.
-// Requires that it is true. O((n + k) log n) time for n edges, k crossings.
-void write_valid(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule);
+// The statements about the parts of one multipolygon; in the table these are first_part and those that follow. Keeps the
+// writer by reference.
+class ValidClaims {
+ public:
+  // O(n) for n edges.
+  ValidClaims(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule);
+  ValidClaims(const ValidClaims&) = delete;
+  ValidClaims& operator=(const ValidClaims&) = delete;
+  ~ValidClaims();
 
-// The statement of a defect, as polygon_defects names it. False, and nothing is written: the defect is that two rings
-// cross in a vertex, and no point near it shows it; or that the interior is not connected, and another defect hides
-// that. Cost: linear in the edges for each point that is looked at, mostly one; for `disconnected`, as for write_valid.
-bool write_defect(ClaimsWriter& file, std::span<const PolygonRings> parts, std::uint32_t first_part, PolygonRule rule,
-                  const PolygonDefect& defect);
+  // That they are valid. Requires that it is true. O((n + k) log n) time for k crossings.
+  void write_valid();
+
+  // Of a defect, as polygon_defects names it; nothing where the same statement was made before: of passes of a ring
+  // through one point, and of an interior that is not connected, one tells of all. False, and nothing is written: the
+  // defect is that two rings cross in a vertex, and no point near it shows it; or that the interior is not connected,
+  // and another defect hides that. Cost: O(log n) for crossings, overlaps and touches; linear in the edges for each
+  // point that is looked at, mostly one, of other crossings in vertices, and of what is nested or outside; for
+  // `disconnected`, once, as for write_valid.
+  bool write_defect(const PolygonDefect& defect);
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> data_;
+};
 
 }  // namespace sunder::planar

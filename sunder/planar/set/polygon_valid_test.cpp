@@ -241,6 +241,30 @@ TEST(PolygonValidTest, OneOfVeryManyCrossingsInVertices) {
   }
 }
 
+// A shell that touches itself in one point many times, with petals side by side, or with holes made by them.
+TEST(PolygonValidTest, TouchesItselfManyTimesInOnePoint) {
+  for (const std::uint32_t petals : {50u, 1000u, 50000u}) {
+    Ring flower, corner{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+    for (std::uint32_t k = 0; k < petals; ++k) {
+      const double n = petals;
+      for (const Point2& p : {Point2{0, 0}, tests::on_circle(k / n), tests::on_circle((k + 0.5) / n)})
+        flower.push_back(p);
+      const double at = (petals - k) / (4 * n + 8);  // within a quarter
+      for (const Point2& p : {Point2{0, 0}, tests::on_circle(at), tests::on_circle(at - 0.1 / n)}) corner.push_back(p);
+    }
+    for (const Ring& ring : {flower, corner}) {
+      const Parts parts{{ring}};
+      const double n = static_cast<double>(ring.size());
+      const PolygonDefects touches = polygon_defects(parts), holes = polygon_defects(parts, {PolygonRule::self_touch});
+      EXPECT_LE(static_cast<double>(touches.cost.probes), 8 * n * std::log2(n));
+      EXPECT_GE(touches.cost.probes, 4 * std::uint64_t{petals});
+      const std::size_t parted = ring == flower ? petals - 1 : 0;
+      EXPECT_EQ(holes.defects.size(), parted);
+      EXPECT_EQ(touches.defects.size(), ring == flower ? 2 * parted : petals);
+    }
+  }
+}
+
 // Half of its edges cross the other half; further rings overlap it, cross in vertices, and lie where they may not.
 Parts comb(int half) {
   Ring ring;

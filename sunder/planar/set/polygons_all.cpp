@@ -27,10 +27,29 @@ std::vector<PolygonsContact> in_order_of(std::uint32_t PolygonsContact::* number
   return ordered;
 }
 
-// Counts pairs that are added any number of times. Memory: at most 16 bytes for each pair.
+// Pairs i < j that are added any number of times, each counted once: as an overlap where there is one. Kept are those
+// of the lowest i: as bits of all pairs of so many i, or as keys, as many as may be held.
 class PairCount {
  public:
+  // Of `count` polygons. rows: the bits are of so many i; 0: keys are kept.
+  PairCount(std::uint32_t count, std::uint32_t rows)
+      : count_(count),
+        most_(std::max(most_keys, std::size_t{2} * count)),
+        end_(rows == 0 ? count : rows),
+        is_there_(std::size_t{rows} * count),
+        overlaps_(is_there_.size()) {}
+
+  // Pairs whose i is below this are counted when all have been added. It falls where there are too many keys.
+  const std::uint32_t& end() const { return end_; }
+
   void add(const PolygonsContact& c) {
+    if (c.i >= end_) return;
+    if (!is_there_.empty()) {
+      const std::size_t at = std::size_t{c.i} * count_ + c.j;
+      is_there_[at] = true;
+      if (c.contact == Contact::overlapping) overlaps_[at] = true;
+      return;
+    }
     const std::uint64_t is_touching = c.contact == Contact::touching ? 1 : 0;
     const std::uint64_t key = std::uint64_t{c.i} << 32 | std::uint64_t{c.j} << 1 | is_touching;
     if (!keys_.empty() && keys_.back() == key) return;
@@ -38,26 +57,69 @@ class PairCount {
     if (keys_.size() >= full_) compress();
   }
 
-  PolygonsCountAnswer counted() && {
+  void count_to(PolygonsCountAnswer& answer) {
     compress();
-    PolygonsCountAnswer answer;
     for (const std::uint64_t key : keys_) ++(key % 2 == 1 ? answer.touching : answer.overlapping);
-    return answer;
+    const auto number = [](const std::vector<bool>& bits) {
+      return static_cast<std::uint64_t>(std::count(bits.begin(), bits.end(), true));
+    };
+    answer.overlapping += number(overlaps_);
+    answer.touching += number(is_there_) - number(overlaps_);
+  }
+
+  // Of so many i, all pairs of `count` polygons fit into the bits.
+  static std::uint32_t rows_of_bits(std::uint32_t count) {
+    return static_cast<std::uint32_t>(std::min(std::size_t{count}, most_bits / count));
   }
 
  private:
+  static constexpr std::size_t most_bits = std::size_t{1} << 27, most_keys = std::size_t{1} << 20;
+
   // One of each pair, an overlap where there is one.
   void compress() {
     std::sort(keys_.begin(), keys_.end());
     const auto is_same = [](std::uint64_t a, std::uint64_t b) { return a / 2 == b / 2; };
     keys_.erase(std::unique(keys_.begin(), keys_.end(), is_same), keys_.end());
-    full_ = std::max(full_, 2 * keys_.size());
+    if (keys_.size() > most_) {
+      end_ = static_cast<std::uint32_t>(keys_[most_] >> 32);
+      keys_.erase(std::lower_bound(keys_.begin(), keys_.end(), std::uint64_t{end_} << 32), keys_.end());
+    }
+    full_ = std::max(full_, std::min(2 * keys_.size(), 2 * most_));
     keys_.reserve(full_);
   }
 
-  std::vector<std::uint64_t> keys_;  // i, j, and whether they touch
+  std::uint32_t count_;
+  std::size_t most_;
+  std::uint32_t end_;
+  std::vector<bool> is_there_, overlaps_;  // of i and j, row by row
+  std::vector<std::uint64_t> keys_;        // i, j, and whether they touch
   std::size_t full_ = 1 << 16;
 };
+
+// By sweeps, each of which counts the pairs of some i, from the lowest on: by keys, or by bits where these tell of more.
+PolygonsCountAnswer count_by_sweeps(std::span<const Polygon> polygons, const SetOptions& all_options) {
+  PolygonsCountAnswer answer;
+  SetOptions options = all_options;
+  for (std::uint32_t rows = 0; !polygons.empty();) {
+    const std::uint32_t count = static_cast<std::uint32_t>(polygons.size());
+    const PolygonEdges edges(pointers_to(polygons));
+    PairCount pairs(count, rows);
+    const auto add = [&](const PolygonsContact& c) {
+      if (counts(c, options.allowed)) pairs.add(c);
+      return true;
+    };
+    PolygonSweep sweep(edges, options, add, &pairs.end());
+    sweep.run();
+    pairs.count_to(answer);
+    answer.cost.probes += sweep.cost.probes;
+    polygons = polygons.subspan(pairs.end());
+    if (!options.groups.empty()) options.groups = options.groups.subspan(pairs.end());
+    if (polygons.empty()) break;
+    const std::uint32_t left = static_cast<std::uint32_t>(polygons.size()), of_bits = PairCount::rows_of_bits(left);
+    rows = of_bits >= std::min(pairs.end(), left) ? of_bits : 0;
+  }
+  return answer;
+}
 
 PolygonsAllAnswer all_by(PolygonsFinder* find, std::span<const Polygon> polygons, const SetOptions& options) {
   check_groups(options.groups, polygons.size());
@@ -73,7 +135,7 @@ PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptio
   return polygons_all_by_boxes(polygons, options);
 }
 
-// Nothing but the pairs is kept, and that only where boxes give up: then a pair may be found many times.
+// Boxes give each pair once. Where they give up, a pair may be found many times.
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options) {
   check_groups(options.groups, polygons.size());
   PolygonsCountAnswer answer;
@@ -84,17 +146,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
                             }
                             return true;
                           }).has_value();
-  if (!is_counted) {
-    const PolygonEdges edges(pointers_to(polygons));
-    PairCount count;
-    PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) {
-      if (counts(c, options.allowed)) count.add(c);
-      return true;
-    });
-    sweep.run();
-    answer = std::move(count).counted();
-    answer.cost = sweep.cost;
-  }
+  if (!is_counted) answer = count_by_sweeps(polygons, options);
   answer.cost.probes += cost.probes;
   return answer;
 }
@@ -149,7 +201,7 @@ Cost find_contacts_by_grid(std::span<const Polygon> polygons, const SetOptions& 
 
 Cost find_contacts_by_sweep(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   const PolygonEdges edges(pointers_to(polygons));
-  PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) { return found.add(c); });
+  PolygonSweep sweep(edges, options, [&](const PolygonsContact& c) { return found.add(c); }, &found.end());
   sweep.run();
   return sweep.cost;
 }

@@ -22,7 +22,8 @@ struct [[nodiscard]] PolygonsCountAnswer {
 };
 
 // The front doors: the fastest method measured, by boxes. Cost: as polygons_all_by_boxes. Counting keeps no
-// contacts: where boxes give up, 16 bytes for each pair that counts, at most.
+// contacts: where boxes give up, at most 32 MB, or 32 bytes for each polygon, beside what the sweep takes; where pairs
+// are too many to be told apart in these, it is swept again for others.
 PolygonsAllAnswer polygons_all(std::span<const Polygon> polygons, const SetOptions& options = {});
 PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetOptions& options = {});
 
@@ -37,8 +38,8 @@ PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const
 PolygonsAllAnswer polygons_all_by_grid(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them. O((n + k) log n) for n edges and
-// k contacts: pairs that count, edges that cross and rings inside of others, also of one group, edges that pass a
-// vertex of another polygon. All edges with one end in common are one contact that does not count.
+// k contacts: pairs that count, edges that cross, also of one group, edges that pass a vertex of another polygon. All
+// edges with one end in common are one contact that does not count.
 PolygonsAllAnswer polygons_all_by_sweep(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // Every pair: the oracle.

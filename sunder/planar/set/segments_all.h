@@ -4,7 +4,8 @@
 //   P1. Each pair that has a contact whose kind counts, and whose segments are not of one group, is given once.
 //   P2. The pairs given and their kinds do not depend on the method; their order does.
 //   P3. The answer does not depend on the compiler.
-// k is the number of all contacts, also of those that do not count.
+// k is the number of all contacts, also of those that do not count. Where there are groups, and at most 4 N log2 N
+// pairs of boxes of different groups meet, no more than 16 N contacts within groups are in k.
 // Throws Error bad_call where there are groups, and not one for each segment; else none throws, but for want of memory,
 // or what `progress` or a visitor throws. Sources: Shamos & Hoey 1976, section VI (the question); Bentley & Ottmann
 // 1979; Balaban 1995.
@@ -50,7 +51,8 @@ Cost segments_visit_block(const Segments& segments, const SetOptions& options, c
 // A grid over the segments' boxes; where it does not pay, or many crowd in a cell, by a sweep.
 SegmentsMethod segments_all_by_grid;
 
-// By Balaban where a sample of pairs tells that k is much larger than N, else by Bentley and Ottmann.
+// By Balaban where a sample of pairs tells that k is much larger than N, else by Bentley and Ottmann. Where there are
+// groups, and k is large, first by the pairs of boxes of different groups that meet (box_pairs.h), if they are few.
 SegmentsMethod segments_all_by_sweep;
 
 // The sweep of Bentley and Ottmann: contacts in lexicographic order of their (first) common point.

@@ -36,6 +36,7 @@
 // strip. A row or a run of stairs that hold a place is paid for by the contacts there, of which an overlap is looked at
 // where one of the two begins or ends, no more than four times. In all, O(N log N + k).
 //   Memory: each segment is in the list or in one staircase; those lent add a third, and one per strip around: O(N).
+#include <sunder/base/interruption.h>
 #include <sunder/planar/set/contact_bundle.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/sweep/ends_in_order.h>
@@ -323,6 +324,7 @@ class Balaban {
   }
 
   void give_crossing(std::uint32_t i, std::uint32_t j) {
+    may_be_interrupted(1);
     if (may_meet(options_.groups, i, j)) return;
     stopped_ = !visit_({std::min(i, j), std::max(i, j), ContactKind::crossing});
   }

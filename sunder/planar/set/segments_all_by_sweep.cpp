@@ -2,12 +2,19 @@
 //
 // Balaban's passes each crossing for itself: O(N log N + k). That of Bentley and Ottmann takes log N for each place,
 // but many that cross in one point are one place; where they are of one group, none of their crossings has to be given.
+// Both pass crossings within groups. So where many segments cross, and few boxes of different groups meet, these pairs
+// are tested, and no others.
 #include <sunder/base/random.h>
+#include <sunder/near/set_methods.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/predicate/crossing.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace sunder::planar {
 
@@ -63,16 +70,56 @@ struct Sample {
   }
 };
 
+std::vector<Box2> boxes_of(const Segments& segments) {
+  std::vector<Box2> boxes;
+  boxes.reserve(segments.size());
+  for (const Segment& s : segments.all()) boxes.push_back(box_of(s));
+  return boxes;
+}
+
+// The pairs of different groups whose boxes meet, where they are at most 4 N log2 N: else nothing, and `cost` is what
+// it took to know this.
+std::optional<Cost> visit_across_groups(const Segments& segments, const SetOptions& options,
+                                        const SegmentsVisitor& visit, Cost& cost) {
+  const std::vector<Box2> boxes = boxes_of(segments);
+  const std::uint64_t most =
+      std::uint64_t{4} * segments.size() * static_cast<std::uint64_t>(std::bit_width(segments.size()));
+  const std::size_t most_held = 4 * boxes.size();
+  std::vector<std::array<std::uint32_t, 2>> held;
+  std::uint64_t pairs = 0;
+  const auto hold = [&](std::uint32_t i, std::uint32_t j) {
+    if (held.size() < most_held) held.push_back({i, j});
+    return ++pairs <= most;
+  };
+  BoxPairsByHalving<decltype(hold)> halving(boxes, hold, options.groups);
+  const bool are_few = halving.run();
+  cost.probes += halving.looks() + pairs;
+  if (!are_few) return std::nullopt;
+  Cost visited = cost;
+  if (pairs == held.size()) {
+    const auto test = pair_test(segments, options, visited, visit);
+    static_cast<void>(std::all_of(held.begin(), held.end(), [&](const auto& pair) { return test(pair[0], pair[1]); }));
+  } else {
+    visited.probes += visit_by_halving(segments, boxes, options, visit).probes;
+  }
+  return visited;
+}
+
 }  // namespace
 
 Cost segments_all_by_sweep(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
   check_groups(options.groups, segments.size());
   if (segments.size() <= few) return segments_all_by_scan(segments, options, visit);
+  if (are_one_group(options.groups)) return Cost{segments.size()};
   const Sample sample(segments, options.groups);
+  Cost before{static_cast<std::uint64_t>(sample.pairs)};
+  if (!options.groups.empty() && sample.hits >= many) {
+    if (const std::optional<Cost> all = visit_across_groups(segments, options, visit, before)) return *all;
+  }
   SegmentsMethod& method =
       sample.is_for_bentley_ottmann(segments.size()) ? segments_all_by_bentley_ottmann : segments_all_by_balaban;
   Cost cost = method(segments, options, visit);
-  cost.probes += static_cast<std::uint64_t>(sample.pairs);
+  cost.probes += before.probes;
   return cost;
 }
 

@@ -35,7 +35,8 @@ inline ContactKind contact_kind(const Segments& segments, std::uint32_t i, std::
 }
 
 // The front door: the fastest method measured, by grid. Cost: O(N log N) at most, whatever the position; about linear
-// where segments are short. With a transcript or groups: that of the sweep at most, but for a constant.
+// where segments are short. With a transcript or groups: that of the sweep that passes crossings at most, but for a
+// constant; O(N log N) where few boxes of different groups meet (segments_all.h).
 SegmentsAnswer segments_any(const Segments& segments, const SetOptions& options = {});
 
 // Algorithm 1: a line sweeps over the plane; segments are tested when they become neighbours on it.

@@ -1,5 +1,6 @@
 // Radix sort by the leading bits of x, then comparisons among those that are equal there.
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/prefetch.h>
 #include <sunder/planar/sweep/ends_in_order.h>
 #include <sunder/planar/sweep/keyed_order.h>
@@ -7,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace sunder::planar {
 
@@ -55,6 +58,7 @@ void sort_by_digits(std::vector<Entry>& entries) {
     std::uint32_t before = 0;
     for (std::uint32_t& p : place[d]) before += std::exchange(p, before);
     for (const Entry e : entries) other[place[d][digit(e, d)]++] = e;
+    may_be_interrupted(static_cast<std::uint32_t>(std::min<std::size_t>(entries.size() / 16, 1u << 30)));
     std::swap(entries, other);
   }
 }
@@ -76,6 +80,25 @@ std::vector<Entry> entries_of(std::span<const Segment> segments) {
   return entries;
 }
 
+// Of many ends in the order of their numbers, where all are at one point: puts them in order without comparisons.
+bool put_in_order_at_one_point(std::span<const Segment> segments, std::span<Entry> entries) {
+  constexpr std::size_t many = 32;
+  if (entries.size() < many) return false;
+  const Point2& p = end_point(segments, end_of(entries[0]));
+  if (!std::all_of(entries.begin(), entries.end(), [&](Entry e) { return end_point(segments, end_of(e)) == p; })) {
+    return false;
+  }
+  const auto rank_of = [&](Entry e) { return static_cast<std::size_t>(rank(segments[end_of(e) / 2], end_of(e))); };
+  std::array<std::size_t, 3> place{};
+  for (const Entry e : entries) ++place[rank_of(e)];
+  std::size_t before = 0;
+  for (std::size_t& next : place) before += std::exchange(next, before);
+  std::vector<Entry> ordered(entries.size());
+  for (const Entry e : entries) ordered[place[rank_of(e)]++] = e;
+  std::copy(ordered.begin(), ordered.end(), entries.begin());
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
@@ -92,14 +115,15 @@ std::vector<std::uint32_t> ends_in_order(std::span<const Segment> segments) {
     constexpr std::size_t ahead = 16;
     for (std::size_t run = 0, end; run < entries.size(); run = end) {
       for (end = run + 1; end < entries.size() && are_equal(run, end);) ++end;
+      if (run / 4096 != end / 4096) may_be_interrupted(4096);
       for (std::size_t k = run + ahead; k < std::min(end + ahead, entries.size()); ++k) {  // where it will compare
         if (are_equal(k - 1, k)) {
           prefetch(segments[end_of(entries[k - 1]) / 2]);
           prefetch(segments[end_of(entries[k]) / 2]);
         }
       }
-      const auto at = entries.begin() + static_cast<std::ptrdiff_t>(run);
-      if (end - run > 1) std::sort(at, at + static_cast<std::ptrdiff_t>(end - run), less);
+      const std::span<Entry> same(entries.data() + run, end - run);
+      if (same.size() > 1 && !put_in_order_at_one_point(segments, same)) std::sort(same.begin(), same.end(), less);
     }
   }
   std::vector<std::uint32_t> ends(entries.size());

@@ -68,6 +68,14 @@ TEST(EndsInOrderTest, AtOnePoint) {
                                                {{1, -1}, {1, 0}},
                                                {{1, 0}, {1, 7}}});
   EXPECT_EQ(ends_in_order(segments.all()), (std::vector<std::uint32_t>{4, 8, 5, 9, 2, 3, 6, 7, 0, 10, 11, 1}));
+  std::vector<Segment> many;
+  for (int k = 0; k < 3000; ++k) {
+    const Point2 hub{k % 5 == 0 ? -0.0 : 0.0, 0}, other{k % 3 == 0 ? 1.0 + k : -1.0 - k, 7.0 * k};
+    many.push_back(k % 7 == 0 ? Segment{hub, hub} : Segment{hub, other});
+  }
+  EXPECT_EQ(ends_in_order(Segments(many).all()), sorted_ends(Segments(many)));
+  many.push_back({{0, 1}, {5, 5}});  // one at another point of the same abscissa
+  EXPECT_EQ(ends_in_order(Segments(many).all()), sorted_ends(Segments(many)));
 }
 
 }  // namespace

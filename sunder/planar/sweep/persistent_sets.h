@@ -61,13 +61,19 @@ class PersistentSets {
   // In ascending order.
   template <class Visit>
   void for_each(Set set, const Visit& visit) {
+    for_each_without(set, 1, 0, visit);
+  }
+  // Those from `first` to `last` are left out: passed as one.
+  template <class Visit>
+  void for_each_without(Set set, std::uint32_t first, std::uint32_t last, const Visit& visit) {
     if (set == empty) return;
     ++steps;
-    const Node& node = nodes_[set];
+    const Node node = nodes_[set];
+    const std::uint32_t greatest = node.bit == 0 ? node.key : node.key | node.bit | (node.bit - 1);
+    if (first <= node.key && greatest <= last) return;
     if (node.bit == 0) return visit(node.key);
-    const Set high = node.high;
-    for_each(node.low, visit);
-    for_each(high, visit);
+    for_each_without(node.low, first, last, visit);
+    for_each_without(node.high, first, last, visit);
   }
 
   std::size_t size_in_nodes() const { return nodes_.size() - free_.size(); }

@@ -31,6 +31,12 @@ TEST(PersistentSets, AsPlainSets) {
       std::vector<std::uint32_t> members;
       sets.for_each(next, [&](std::uint32_t m) { members.push_back(m); });
       ASSERT_TRUE(std::equal(members.begin(), members.end(), expected.begin(), expected.end()));
+      const std::uint32_t first = static_cast<std::uint32_t>(random.below(range));
+      const std::uint32_t last = first + static_cast<std::uint32_t>(random.below(range - first));
+      std::erase_if(members, [&](std::uint32_t m) { return first <= m && m <= last; });
+      std::vector<std::uint32_t> others;
+      sets.for_each_without(next, first, last, [&](std::uint32_t m) { others.push_back(m); });
+      ASSERT_EQ(others, members);
       if (alive.size() > 50) {
         const std::size_t out = 1 + random.below(alive.size() - 1);
         sets.release(alive[out]);

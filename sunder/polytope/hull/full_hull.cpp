@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/quickhull.h>
 
@@ -64,6 +65,7 @@ class Faces {
       : points_(points), k_(points.dimension()), boundary_(std::move(boundary)), face_of_(boundary_.size()) {
     std::iota(face_of_.begin(), face_of_.end(), 0u);
     for (std::uint32_t s = 0; s < boundary_.size(); ++s) {
+      may_be_interrupted(20);
       const RoundedPlane plane = points_.rounded_plane(boundary_[s].corners);
       std::optional<std::vector<Dyadic>> exact;
       for (std::size_t i = 0; i < k_; ++i) {
@@ -193,19 +195,23 @@ Indices spanning(const PlanePoints& points, const Indices& among) {
   return result;
 }
 
-void hull_of_full(const PlanePoints& points, Indices all, std::uint64_t most, ConvexHull& hull) {
+bool hull_of_full(const PlanePoints& points, Indices all, std::uint64_t most, ConvexHull& hull, Degenerate degenerate) {
   QuickhullCost cost;
+  cost.gives_up = degenerate == Degenerate::gives_up;
   bool are_vertices = false;
   while (!are_vertices) {  // twice at most: then all corners are vertices
     Indices first = far_apart(points, all);
     if (!span_space(points, first)) first = spanning(points, all);
-    const Faces faces(points, quickhull(points, all, first, most, cost));
+    std::vector<BoundarySimplex> boundary = quickhull(points, all, first, most, cost);
+    if (boundary.empty()) return false;
+    const Faces faces(points, std::move(boundary));
     hull.vertices = faces.vertices(are_vertices);
     if (are_vertices) faces.write(hull);
     all = hull.vertices;
   }
   hull.side_tests = cost.side_tests;
   hull.exact_tests = cost.exact_tests;
+  return true;
 }
 
 }  // namespace sunder::polytope

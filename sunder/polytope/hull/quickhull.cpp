@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/hull/quickhull.h>
 
 #include <algorithm>
@@ -32,7 +33,10 @@ class Quickhull {
     }
     queue(fresh_);
     for (std::size_t at = 0; at < waiting_.size(); ++at) {
-      while (facets_[waiting_[at]].outside != none) add(waiting_[at]);
+      while (facets_[waiting_[at]].outside != none) {
+        if (cost_.gives_up && cost_.is_degenerate()) return {};
+        add(waiting_[at]);
+      }
     }
     return boundary();
   }
@@ -74,7 +78,9 @@ class Quickhull {
     ++cost_.exact_tests;
     auto [plane, is_new] = exact_.try_emplace(f);
     if (is_new) plane->second = points_.exact_plane(corners);
-    return points_.exact_side(plane->second, k);
+    const Sign sign = points_.exact_side(plane->second, k);
+    if (sign == Sign::zero) ++cost_.zeros;
+    return sign;
   }
 
   double height(std::uint32_t f, std::uint32_t k) const {
@@ -153,6 +159,7 @@ class Quickhull {
         if (!facets_[other].is_visible) horizon_.push_back({f, i});
       }
     }
+    may_be_interrupted(static_cast<std::uint32_t>(10 * (visible_.size() + horizon_.size())));
     fresh_.clear();
     for (const auto& [f, i] : horizon_) {  // the same order of corners, so the same side is out
       const std::uint32_t other = facets_[f].across[i];

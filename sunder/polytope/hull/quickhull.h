@@ -22,10 +22,14 @@ struct BoundarySimplex {
 struct QuickhullCost {
   std::uint64_t side_tests = 0;   // how many times a point was compared with a plane
   std::uint64_t exact_tests = 0;  // of these, those that floating point left to exact numbers
+  std::uint64_t zeros = 0;        // of these, points that are in the plane
+  bool gives_up = false;          // asked for: end without a result where is_degenerate()
+
+  bool is_degenerate() const { return zeros > 32 + side_tests / 32; }
 };
 
 // Of the points whose indices are given, of which `first` are d + 1 that span R^d.
-// Throws Error bad_shape where more than `most` simplices would have to be held at once.
+// Empty where it gives up. Throws Error bad_shape where more than `most` simplices would have to be held at once.
 //
 // Why it is right. A point is added where it is strictly on the positive side of a simplex; the simplices of which that
 // is so are taken away, and the point is joined to the ridges around them. At such a ridge is a plane that the point

@@ -1,5 +1,8 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
+#include <sunder/polytope/hull/double_description_internal.h>
 #include <sunder/polytope/hull/full_hull.h>
+#include <sunder/polytope/hull/pulling.h>
 #include <sunder/polytope/hull/vertices.h>
 #include <sunder/polytope/hull/vertices_internal.h>
 #include <sunder/polytope/pair/phase_one_internal.h>
@@ -91,7 +94,66 @@ std::vector<Dyadic> point_inside(const Polytope& half_spaces) {
   return {};
 }
 
+namespace {
+
+// The rows of the facets: no other row is on all their vertices, but such that are the same, of which the first counts.
+Bits bounding_of(std::size_t rows, const std::vector<Bits>& on) {
+  std::vector<Bits> common(rows);
+  std::vector<std::size_t> counts(rows);
+  for (const Bits& at : on) {
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!has(at, row)) continue;
+      if (counts[row]++ == 0) common[row] = at;
+      keep_common(common[row], at);
+    }
+  }
+  Bits result = no_bits(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (counts[row] == 0) continue;
+    const std::vector<std::uint32_t> there = members_of(common[row]);
+    const bool is_facet = std::all_of(
+        there.begin(), there.end(), [&](std::uint32_t other) { return other >= row && counts[other] == counts[row]; });
+    if (is_facet) add(result, row);
+  }
+  return result;
+}
+
+// By the rays of the cone of all (x, w), w > 0, with a x <= b w. False where that gives up.
+bool add_vertices_by_rays(std::size_t d, std::span<const Dyadic> rows, IntegerKind kind, std::uint64_t most,
+                          PolytopeVertices& result) {
+  std::vector<Dyadic> cone(rows.begin(), rows.end());
+  for (std::size_t k = 0; k < cone.size(); ++k) {
+    if (k % (d + 1) != d) cone[k] = -cone[k];
+  }
+  std::optional<ConeRays> found = double_description(d + 1, cone, kind);
+  if (!found) return false;
+  const auto is_vertex = [&](const auto& ray) { return ray[d] > 0; };
+  if (found->has_lines || !std::all_of(found->rays.begin(), found->rays.end(), is_vertex)) refuse(unbounded);
+  const Bits bounding = bounding_of(rows.size() / (d + 1), found->on);
+  for (Bits& on : found->on) keep_common(on, bounding);
+  std::vector<std::vector<std::uint32_t>> fans;
+  if (!pulled_simplices(d, found->on, found->next, most, fans)) return false;
+  result.bounding = members_of(bounding);
+  std::vector<std::vector<std::uint32_t>> at;
+  for (const Bits& on : found->on) at.push_back(members_of(on));
+  std::vector<std::uint32_t> order(at.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t k, std::uint32_t m) { return at[k] < at[m]; });
+  for (const std::uint32_t k : order) {
+    result.vertices.emplace_back();
+    for (const Integer& x : found->rays[k]) result.vertices.back().push_back(dyadic_of(x, 0));
+    result.at.push_back(std::move(at[k]));
+    result.fans.push_back(std::move(fans[k]));
+  }
+  result.side_tests = found->signs;
+  result.exact_tests = kind == IntegerKind::any ? found->signs : 0;
+  return true;
+}
+
+}  // namespace
+
 void add_vertices(std::size_t d, std::span<const Dyadic> rows, std::uint64_t most, PolytopeVertices& result) {
+  if (add_vertices_by_rays(d, rows, IntegerKind::words, most, result)) return;
   // Seen from the point c = n / w inside, a half-space is a (x - c) <= b - a c = s / w, so its point of the polar is
   // a w / s. A plane n y = h of the polar, h > 0, is the point c + n / h.
   const Dyadic& w = result.inside[d];
@@ -110,11 +172,15 @@ void add_vertices(std::size_t d, std::span<const Dyadic> rows, std::uint64_t mos
   if (spanning(points, all).size() <= d) refuse(unbounded);
   ConvexHull hull;
   hull.space = hull.dimension = d;
-  hull_of_full(points, std::move(all), most, hull);
+  if (!hull_of_full(points, all, most, hull, Degenerate::gives_up)) {
+    if (add_vertices_by_rays(d, rows, IntegerKind::any, most, result)) return;
+    hull_of_full(points, std::move(all), most, hull);
+  }
   result.side_tests = hull.side_tests;
   result.exact_tests = hull.exact_tests;
   result.bounding = hull.vertices;
   for (std::size_t f = 0; f < hull.facet_count(); ++f) {
+    may_be_interrupted(100);
     const auto simplices = hull.simplices(f);
     SimplexCorners corners{};
     std::copy_n(simplices.begin(), d, corners.begin());

@@ -1,4 +1,5 @@
-// The vertices of a bounded polytope that is given by half-spaces, as fractions: by the polar, whose facets they are.
+// The vertices of a bounded polytope that is given by half-spaces, as fractions: by the polar, whose facets they are,
+// or as the rays of a cone.
 // Also called: H-to-V conversion; vertex enumeration; half-space intersection; dual hull.
 #pragma once
 
@@ -27,7 +28,9 @@ struct PolytopeVertices {
   std::vector<std::uint32_t> bounding;
   std::vector<std::vector<std::uint32_t>> at, fans;
   std::vector<Dyadic> inside;
-  std::uint64_t side_tests = 0, exact_tests = 0;  // as of ConvexHull
+  // What the way to the vertices cost that came to its end: as of ConvexHull, of the polar; or rays compared with
+  // half-spaces, and of these those in integers beyond one word.
+  std::uint64_t side_tests = 0, exact_tests = 0;
 };
 
 // A point strictly inside of all half-spaces (E4), as d + 1 numbers as above; nothing where there is none. Where the
@@ -38,7 +41,8 @@ std::vector<Dyadic> point_inside(const Polytope& half_spaces);
 
 // Requires half-spaces. Throws Error bad_shape where their common part is empty, is not bounded, or has no inside (lies
 // in a hyperplane); and as convex_hull(), where the polar has too many simplices. Cost: that of point_inside(), and of
-// the hull of n points with as many facets as there are vertices.
+// the hull of n points with as many facets as there are vertices; where many half-spaces end in each vertex, of a double
+// description (double_description_internal.h).
 PolytopeVertices vertices_of(const Polytope& half_spaces, std::uint64_t most = most_simplices);
 
 }  // namespace sunder::polytope

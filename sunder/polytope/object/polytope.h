@@ -21,8 +21,7 @@ enum class Form : std::uint8_t { points, half_spaces };
 // Immutable; any number of threads may use it. A row is a point x1, .., xd, or a half-space a1, .., ad, b, which is
 // that of all x with a1 x1 + .. + ad xd <= b.
 //   P1. The hull of points is bounded and not empty; it may be of any dimension up to d. Points may be repeated, and
-//   lie
-//       anywhere in the hull.
+//       lie anywhere in the hull.
 //   P2. The common part of half-spaces may be empty, unbounded, or of any dimension. A half-space with a = 0 is
 //       everything, or nothing. No half-spaces at all are everything.
 class Polytope {

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/pair/exact_simplex.h>
 #include <sunder/polytope/pair/phase_one_internal.h>
 
@@ -60,6 +61,7 @@ class PointsProgram {
 
   bool solve(Cost& cost) {
     while (!program_.is_solved()) {
+      may_be_interrupted(1000);
       const ExactVector y = program_.multipliers();
       const ExactFurthest from_a = a_.furthest(y, cost), from_b = b_.furthest(negated(y), cost);
       ++cost.iterations;
@@ -111,6 +113,7 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint
     for (const std::uint32_t k : named_b) pays = program.enter_if_it_pays({of_b, k}, column_of(of_b, k)) || pays;
   }
   while (!program.is_solved()) {
+    may_be_interrupted(1000);
     const ExactVector y = program.multipliers();
     const std::span<const Dyadic> place(y.data(), d);
     bool pays = false;
@@ -159,6 +162,7 @@ class MixedProgram {
   bool solve(std::span<const std::uint32_t> named, Cost& cost) {
     for (const std::uint32_t k : named) enter_if_it_pays(k);
     while (!program_.is_solved()) {
+      may_be_interrupted(1000);
       bool pays = false;
       for (std::uint32_t i = 0; i < rows_.size(); ++i) {
         ExactVector column(rows_.size() + 1);
@@ -219,6 +223,7 @@ ExactDecision decide_mixed(Placed& a, Placed& b, std::span<const std::uint32_t> 
                            std::span<const std::uint32_t> named_b, Cost& cost) {
   std::vector<std::uint32_t> some(named_a.begin(), named_a.end()), named(named_b.begin(), named_b.end());
   for (;;) {
+    may_be_interrupted(1000);
     MixedProgram program(a, b, some);
     if (!program.solve(named, cost)) {
       return {Verdict::apart, std::make_shared<const ExactEvidence>(program.parting())};

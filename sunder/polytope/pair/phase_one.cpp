@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_division_internal.h>
 #include <sunder/polytope/pair/phase_one_internal.h>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ bool PhaseOne::enter_if_it_pays(const Variable& variable, std::span<const Dyadic
     if (x.is_zero() && !is_changed) return;
     x *= t[r];
     if (is_changed) x -= of_r * t_i;
-    if (pivots_ > 0) x /= determinant_;  // exact; 1 before the first
+    if (pivots_ > 0) divide_exactly(x, determinant_);  // 1 before the first
   };
   for (std::size_t i = 0; i < rows_; ++i) {
     if (i == r) continue;

@@ -15,6 +15,7 @@ void begin_entry(ClaimsWriter& file, const std::string& name) {
 // The polytope, and where its pose is another one than the identity, its image. Returns the number of the last of them;
 // `first` is that of the first.
 std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_polytope, std::uint32_t first) {
+  file.say(of.said);
   begin_entry(file, of.name);
   const Polytope& p = of.polytope;
   if (as_polytope) file.number("dimension", p.dimension());

@@ -16,6 +16,7 @@ struct NamedPolytope {
   std::string name;  // empty: "unnamed"
   const Polytope& polytope;
   const Pose& pose;
+  Said said{};  // what its rows are made of
 };
 
 // The table, and the statement: all of a file but its origin and its end. Requires the answer to be about these.

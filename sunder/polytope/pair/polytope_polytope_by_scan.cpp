@@ -2,6 +2,7 @@
 // places of half-spaces (as differences of two that are not negative) and their slacks; its rows say that both bodies
 // have one point. It shares nothing with the search and the exact method of the front door.
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
@@ -30,6 +31,7 @@ class Tableau {
   bool solve(std::uint32_t& pivots) {
     begin();
     for (;;) {
+      may_be_interrupted(1000);
       std::size_t entering = 0;
       while (entering < columns_ && table_[rows_][entering] <= 0) ++entering;
       if (entering == columns_) return table_[rows_][width_ - 1].is_zero();

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/polytope/region/dual_simplex_internal.h>
 
 #include <algorithm>
@@ -203,6 +204,7 @@ bool DualSimplex::go_on(Cost& cost, std::uint32_t& entering) {
 
 bool DualSimplex::solve(Cost& cost) {
   for (;;) {
+    may_be_interrupted(1000);
     find_vertex();
     if (body_.size() == 0) {
       point_ = {vertex_, dyadic_of(determinant_, 0)};

@@ -1,6 +1,7 @@
 // The oracle: the simplex method on a full dictionary in integers, by Bland's rule. Free variables are differences of
 // two that are not negative; phase one has one artificial variable. It shares nothing with the front door.
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/region/linear_program.h>
@@ -113,6 +114,7 @@ class Dictionary {
 
   bool climb(std::size_t z, Cost& cost) {
     for (;;) {
+      may_be_interrupted(1000);
       std::size_t c = columns_;
       for (std::size_t j = 0; j < columns_; ++j) {
         const bool may_enter = others_[j] != 2 * d_ || may_enter_artificial_;

@@ -1,3 +1,4 @@
+#include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
 #include <sunder/polytope/region/program_search_internal.h>
 
@@ -29,6 +30,7 @@ class RoundedDualSimplex {
   RowBasis by_scans() {
     const std::size_t most_steps = 60 * d_;
     while (body_.size() > 0 && basis_.steps < most_steps) {
+      may_be_interrupted(1000);
       const std::uint32_t entering = most_broken();
       if (entering >= first_box_side || enter(entering) == d_) break;
     }

@@ -7,6 +7,7 @@ namespace {
 using Place = ExactEvidence::Place;
 
 void begin(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces, const char* question) {
+  require_entries(half_spaces.size());
   file.begin_table("polytopes");
   file.begin_entry();
   file.text("name", name.empty() ? "unnamed" : cut_text(name));

@@ -1,6 +1,6 @@
 // Writes what is proved of half-spaces into a certificate file (docs/claims.md): a table `polytopes` of one entry, and
-// a statement `half_spaces`, `half_spaces_vertices` or `half_spaces_program` about it. Also called: proof logging. None
-// throws, but for want of memory, or what the writer's sink throws. Cost: linear.
+// a statement `half_spaces`, `half_spaces_vertices` or `half_spaces_program` about it. Also called: proof logging.
+// Throws only std::bad_alloc, what the writer's sink throws, and of no half-spaces as require_entries(). Cost: linear.
 #pragma once
 
 #include <sunder/certificate/claims.h>

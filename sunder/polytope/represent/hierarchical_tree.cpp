@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/polytope/represent/normal_fan.h>
@@ -210,7 +211,9 @@ class TreeBuilder {
         points.push_back(std::ldexp(tree_.point(k)[c] - low[c], -unit[c]) - 0.5 + noise * (2 * random_.unit() - 1));
       }
     }
-    const std::optional<NormalFan> fan = normal_fan(d_, points);
+    std::uint64_t looks = 0;
+    const std::optional<NormalFan> fan = normal_fan(d_, points, looks);
+    count_looks(looks);
     if (!fan) return std::nullopt;
     Split split;
     split.rays = fan->rays;
@@ -231,6 +234,7 @@ class TreeBuilder {
       cone.inverse.resize(d_ * d_);
       cone.slack = cone_inverse(cone.generators, d_, cone.inverse);
       if (of_half_spaces_ && is_of_no_point(cone)) continue;
+      if (within != nullptr) count_looks(2);
       if (within != nullptr && (is_beside(cone, *within, d_) || is_beside(*within, cone, d_))) continue;
       kept[k] = static_cast<std::uint32_t>(split.cones.size());
       split.cones.push_back(std::move(cone));
@@ -270,6 +274,7 @@ class TreeBuilder {
     std::vector<Candidate> candidates;
     const std::span<const double> apex = tree_.point(cone.apex);
     std::size_t conflicts = 0;
+    count_looks(rows.size());
     for (const std::uint32_t k : rows) {
       Candidate candidate{k, 0, {}};
       bool is_out = false;
@@ -293,15 +298,19 @@ class TreeBuilder {
       return true;
     };
     std::vector<Candidate> ends;
+    std::uint64_t compared = 0;
     for (const Candidate& candidate : candidates) {
       const auto lost_to =
           std::find_if(ends.begin(), ends.end(), [&](const Candidate& end) { return is_as_far(end, candidate); });
+      compared += static_cast<std::uint64_t>(lost_to - ends.begin()) + 1;
+      may_be_interrupted(1 + static_cast<std::uint32_t>(lost_to - ends.begin()) / 16);
       if (lost_to == ends.end()) {
         ends.push_back(candidate);
       } else if (lost_to != ends.begin()) {
         std::swap(*lost_to, *(lost_to - 1));  // who beats many comes to the front
       }
     }
+    count_looks(compared / 64);
     Rows list;
     for (const Candidate& end : ends) list.push_back(end.row);
     split.lists.push_back(std::move(list));
@@ -352,10 +361,20 @@ class TreeBuilder {
   void refuse_more_than_may_be(std::size_t bytes, bool is_estimate) const {
     if (bytes <= options_.most_bytes) return;
     const auto mebibytes = [](std::size_t n) { return std::to_string((n + (1u << 20) - 1) >> 20) + " MiB"; };
+    refuse((is_estimate ? "about " : "at least ") + mebibytes(bytes) + ", more than the " +
+           mebibytes(options_.most_bytes));
+  }
+
+  void count_looks(std::uint64_t count) {
+    may_be_interrupted(static_cast<std::uint32_t>(std::min<std::uint64_t>(count, 1u << 30)));
+    tree_.looks_ += count;
+    if (tree_.looks_ <= options_.most_looks) return;
+    refuse("more than the " + std::to_string(options_.most_looks) + " looks at its cones and rows");
+  }
+
+  [[noreturn]] void refuse(const std::string& takes) const {
     throw Error(ErrorCode::bad_shape, "the tree of " + std::to_string(body_.size()) + " rows of dimension " +
-                                          std::to_string(body_.dimension()) + " takes " +
-                                          (is_estimate ? "about " : "at least ") + mebibytes(bytes) +
-                                          ", more than the " + mebibytes(options_.most_bytes) +
+                                          std::to_string(body_.dimension()) + " takes " + takes +
                                           " that it may; give fewer rows, or use another method");
   }
 

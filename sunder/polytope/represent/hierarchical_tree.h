@@ -46,6 +46,7 @@ struct TreeOptions {
   std::uint32_t levels = 32;   // of cones, at most; leaves may be large then
   std::uint32_t samples = 64;  // that a node takes at most, until one is good
   std::size_t most_bytes = std::size_t{1} << 30;  // of memory
+  std::uint64_t most_looks = 60'000'000;          // that it takes to make the tree (looks())
   std::uint64_t seed = 20150615;
 };
 
@@ -55,7 +56,7 @@ class HierarchicalTree {
   static constexpr std::uint32_t none = 0xffffffff;
 
   // Throws Error bad_shape where the tree would take, by an estimate from the lists of its root, or does take more
-  // memory than it may. Cost: some cones of a net times d^2 looks at each row of each node.
+  // memory than it may, or more looks. Cost: some cones of a net looks at each row of each node.
   explicit HierarchicalTree(Polytope body, const TreeOptions& options = {});
 
   const Polytope& body() const { return body_; }
@@ -83,6 +84,9 @@ class HierarchicalTree {
   std::size_t unverified() const { return unverified_; }  // cones that have more conflicts than the share
   std::size_t estimate() const { return estimate_; }      // bytes, from the root's lists
   std::size_t memory() const;                             // bytes, without the body
+  // What it cost to make: a cone of a sample is compared with a row or with its node's cone, or 64 rows with others
+  // along a cone; and the looks of normal_fan(). Some ten million of them take a second.
+  std::uint64_t looks() const { return looks_; }
 
   struct Node {
     std::uint32_t first_row = 0, rows = 0;
@@ -118,6 +122,7 @@ class HierarchicalTree {
   std::vector<double> rays_;
   std::uint32_t depth_ = 0, largest_leaf_ = 0;
   std::size_t leaf_count_ = 0, samples_ = 0, unverified_ = 0, estimate_ = 0, root_conflicts_ = 0;
+  std::uint64_t looks_ = 0;
 };
 
 // Walks down a tree, from one direction to the next that is like it: at each level the cone of the direction is found

@@ -145,5 +145,28 @@ TEST(HierarchicalTree, IsRefusedWhereItIsTooLarge) {
             "give fewer rows, or use another method");
 }
 
+// Points of {-2, .., 2}^5: nets of few of them have fans of many cones, none of which is verified; so sample follows
+// sample. An answer or a refusal: looks end it.
+TEST(HierarchicalTree, LatticesAreRefusedAfterSoManyLooks) {
+  Random random(1);
+  std::vector<double> numbers;
+  for (int k = 0; k < 250 * 5; ++k) numbers.push_back(static_cast<double>(random.between(-2, 2)));
+  const Polytope body = Polytope::from_points(5, numbers);
+  try {
+    const HierarchicalTree tree(body, {.most_looks = 20'000'000});
+    FAIL() << tree.looks();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::bad_shape);
+    EXPECT_STREQ(error.what(),
+                 "the tree of 250 rows of dimension 5 takes more than the 20000000 looks at its cones and rows that it "
+                 "may; give fewer rows, or use another method");
+  }
+  // What is refused by default is far above what other bodies take.
+  Random of_ball(2);
+  const HierarchicalTree tree(Polytope::from_points(4, numbers_on_sphere(of_ball, 4, 400)));
+  EXPECT_GT(tree.looks(), tree.node_count());
+  EXPECT_LT(tree.looks(), TreeOptions().most_looks / 20);
+}
+
 }  // namespace
 }  // namespace sunder::polytope

@@ -39,6 +39,7 @@ class Hull {
   }
 
   std::vector<Facet> facets;
+  std::uint64_t looks = 0;  // at facets
 
  private:
   const double* point(std::uint32_t k) const { return points_.data() + k * d_; }
@@ -145,6 +146,7 @@ class Hull {
 
   bool add(std::uint32_t k) {
     std::vector<Numbers> ridges;
+    looks += facets.size();
     const auto hidden =
         std::partition(facets.begin(), facets.end(), [&](const Facet& facet) { return !(side(facet, point(k)) > 0); });
     for (auto facet = hidden; facet != facets.end(); ++facet) {
@@ -157,6 +159,7 @@ class Hull {
       }
     }
     facets.erase(hidden, facets.end());
+    looks += ridges.size();
     std::sort(ridges.begin(), ridges.end());
     for (std::size_t i = 0; i < ridges.size(); ++i) {  // the horizon: those of one facet only
       if (i + 1 < ridges.size() && ridges[i] == ridges[i + 1]) {
@@ -180,10 +183,12 @@ class Hull {
 // the faces that have one point more and are not of that facet.
 class Pulling {
  public:
-  Pulling(const std::vector<Facet>& facets, NormalFan& fan) : facets_(facets), fan_(fan) {}
+  Pulling(const std::vector<Facet>& facets, NormalFan& fan, std::uint64_t& looks)
+      : facets_(facets), fan_(fan), looks_(looks) {}
 
   void cut(std::uint32_t apex) {
     std::vector<std::uint32_t> all;
+    looks_ += facets_.size();
     for (std::uint32_t f = 0; f < facets_.size(); ++f) {
       if (facets_[f].has(apex)) all.push_back(f);
     }
@@ -208,6 +213,7 @@ class Pulling {
     }
     std::sort(more.begin(), more.end());
     more.erase(std::unique(more.begin(), more.end()), more.end());
+    looks_ += facets.size() * (1 + more.size());
     for (const std::uint32_t v : more) {
       std::vector<std::uint32_t> having;
       std::copy_if(facets.begin(), facets.end(), std::back_inserter(having),
@@ -218,6 +224,7 @@ class Pulling {
 
   const std::vector<Facet>& facets_;
   NormalFan& fan_;
+  std::uint64_t& looks_;
   NormalFan::Cone cone_{};
 };
 
@@ -249,17 +256,20 @@ bool join(NormalFan& fan) {
 
 }  // namespace
 
-std::optional<NormalFan> normal_fan(std::size_t d, std::span<const double> points) {
+std::optional<NormalFan> normal_fan(std::size_t d, std::span<const double> points, std::uint64_t& looks) {
   Hull hull(d, points);
-  if (!hull.build()) return std::nullopt;
+  const bool is_built = hull.build();
+  looks += hull.looks;
+  if (!is_built) return std::nullopt;
   NormalFan fan;
   fan.dimension = d;
   for (const Facet& facet : hull.facets) {
     fan.rays.insert(fan.rays.end(), facet.normal.begin(), facet.normal.begin() + static_cast<std::ptrdiff_t>(d));
     fan.facets.push_back(facet.points);
   }
-  Pulling pulling(hull.facets, fan);
+  Pulling pulling(hull.facets, fan, looks);
   for (std::uint32_t k = 0; k < points.size() / d; ++k) pulling.cut(k);
+  looks += fan.cones.size() * d;
   if (!join(fan)) return std::nullopt;
   return fan;
 }

@@ -37,7 +37,12 @@ struct NormalFan {
 
 // points: d after d, some d + 1 to some hundred, in general position (add noise). Nothing where floating point finds no
 // hull with an interior, or no two cones at each facet. Cost: of n points some n times the facets of the hull, which
-// are up to about n^(d/2).
-std::optional<NormalFan> normal_fan(std::size_t d, std::span<const double> points);
+// are up to about n^(d/2); looks grows by how many facets were looked at, for each point and each face, and by d for
+// each cone.
+std::optional<NormalFan> normal_fan(std::size_t d, std::span<const double> points, std::uint64_t& looks);
+inline std::optional<NormalFan> normal_fan(std::size_t d, std::span<const double> points) {
+  std::uint64_t looks = 0;
+  return normal_fan(d, points, looks);
+}
 
 }  // namespace sunder::polytope

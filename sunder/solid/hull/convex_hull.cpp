@@ -30,18 +30,16 @@ void check(std::span<const Point3> points) {
   }
 }
 
-// Points so large or so small that floating point cannot filter are multiplied by a power of two, which changes no
-// sign, unless a coordinate would lose bits. So this is about speed only.
-void rescale(std::vector<Point3>& points) {
-  const double size = size_range(points).greatest;
-  if (tame(size)) return;
-  const auto scaled = [](const Point3& p, int shift) {
-    return Point3{std::ldexp(p.x, shift), std::ldexp(p.y, shift), std::ldexp(p.z, shift)};
-  };
-  const int shift = -std::ilogb(size);
-  const auto keeps_bits = [&](const Point3& p) { return scaled(scaled(p, shift), -shift) == p; };
+// An axis along which points are so large or so small that floating point cannot filter is multiplied by a power of
+// two, which changes no sign, unless a coordinate would lose bits. So this is about speed only.
+void rescale(std::vector<Point3>& points, double Point3::* axis) {
+  SizeRange sizes;
+  for (const Point3& p : points) sizes.include(p.*axis);
+  if (tame(sizes.greatest)) return;
+  const int shift = -std::ilogb(sizes.greatest);
+  const auto keeps_bits = [&](const Point3& p) { return std::ldexp(std::ldexp(p.*axis, shift), -shift) == p.*axis; };
   if (!std::all_of(points.begin(), points.end(), keeps_bits)) return;
-  for (Point3& p : points) p = scaled(p, shift);
+  for (Point3& p : points) p.*axis = std::ldexp(p.*axis, shift);
 }
 
 ConvexHull hull_of(std::span<const Point3> points) {
@@ -66,7 +64,7 @@ ConvexHull convex_hull(std::span<const Point3> points) {
   std::vector<Point3> ordered;
   ordered.reserve(order.size());
   for (const std::uint32_t i : order) ordered.push_back(points[i]);
-  rescale(ordered);
+  for (const auto axis : {&Point3::x, &Point3::y, &Point3::z}) rescale(ordered, axis);
   ConvexHull hull = hull_of(ordered);
   for (std::uint32_t& v : hull.vertices) v = order[v];
   return in_canonical_order(hull, points.size());

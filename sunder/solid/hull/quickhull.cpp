@@ -1,7 +1,11 @@
+#include <sunder/base/interruption.h>
 #include <sunder/solid/hull/quickhull.h>
+
+#include <sunder/predicate/scaled_orient.h>
 
 #include <algorithm>
 #include <queue>
+#include <random>
 #include <utility>
 
 // Quickhull keeps the boundary of the hull C of the points inserted so far, and for every other point that lies
@@ -23,9 +27,9 @@
 //     set.
 // Q5. The lists are empty in the end, so all points are in the hull, and each extreme point is inserted. Each insertion
 //     takes a point from the lists for good, and so the end comes.
-// Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. The first
-//     of a list is the farthest, at equal heights the one with the lowest index. Only first ones are inserted, so a
-//     corner has the lowest index among the points equal to it.
+// Q6. Equal points are always in the same list, because where a point goes depends on its coordinates only. Of equal
+//     points the one with the lowest index is inserted, so a corner has the lowest index among the points equal to it.
+//     Mostly that is the first of a list, which is the farthest, at equal heights the one with the lowest index.
 // Q7. Which of many new triangles is q strictly above? They are the sides of a convex cone with apex p, so this is
 //     whether a point lies in a convex polygon, by halving. Let r(0), r(1), ... be the rim; the axis is the line from p
 //     to r(0), and h(k) the half-plane from the axis through r(k). These turn about the axis by less than half a turn,
@@ -34,6 +38,8 @@
 //     than half a turn between the axis and triangle k; so q is in the cone or above triangle k. The first and the last
 //     triangle, and those coplanar with them, are no such side: where h is in their plane, the side is the one after
 //     or before them. A point of the axis is in every half-plane, and any such side tells.
+// Q8. Where points crowd together at ever smaller sizes, as (t, t^2, 0) for t = 1, 1/2, 1/4, ... do, the farthest one
+//     leaves all but a few on one list, again and again. So after some such insertions one is taken at random.
 // All this needs the exact sign for "strictly above". "Farthest" may be as wrong as floating point makes it, as long as
 // it orders the points and equal points have equal heights.
 //
@@ -65,8 +71,10 @@ class Quickhull {
   Triangulation run(std::array<std::uint32_t, 4> simplex) {
     start(simplex);
     while (!urgent_.empty() || !waiting_.empty()) {
+      may_be_interrupted(20);
       const std::uint32_t t = take_next();
-      if (!triangles_[t].removed && triangles_[t].outside != none) insert(triangles_[t].outside, t);
+      if (triangles_[t].removed || triangles_[t].outside == none) continue;
+      insert(triangles_[t].lopsided < most_lopsided ? triangles_[t].outside : random_outside(t), t);
     }
     return {std::move(triangles_), side_tests_};
   }
@@ -117,16 +125,43 @@ class Quickhull {
   void insert(std::uint32_t p, std::uint32_t t) {
     const Edge rim = remove_visible(points_[p], t);
     fill_hole(p, rim);
+    std::uint32_t placed = 0;
     for (const std::uint32_t v : visible_) {
-      for (std::uint32_t q = std::exchange(triangles_[v].outside, none); q != none;) {
+      for (std::uint32_t q = std::exchange(triangles_[v].outside, none); q != none; ++placed) {
         const std::uint32_t following = next_outside_[q];
         if (points_[q] != points_[p]) place(q);
         q = following;
       }
     }
+    note_lopsided(triangles_[t].lopsided, placed);
     free_.insert(free_.end(), visible_.begin(), visible_.end());
     queue_fresh();
   }
+
+  // Q8. Does one of the fresh triangles have nearly all of the points that were placed? `before`: of the triangle that
+  // the insertion began with.
+  void note_lopsided(std::uint8_t before, std::uint32_t placed) {
+    for (const Fresh& fresh : fresh_) {
+      const bool is_lopsided = fresh.outside_count >= short_list && fresh.outside_count > placed - placed / 4;
+      const int now = is_lopsided ? std::min(before + 1, most_lopsided) : std::max(before - 1, 0);
+      triangles_[fresh.triangle].lopsided = static_cast<std::uint8_t>(now);
+    }
+  }
+
+  // Q8. A point of the list of triangle t at random; of equal points the one with the lowest index.
+  std::uint32_t random_outside(std::uint32_t t) {
+    const std::uint32_t first = triangles_[t].outside;
+    std::uint32_t chosen = first, count = 0;
+    for (std::uint32_t q = first; q != none; q = next_outside_[q]) ++count;
+    for (auto skipped = random_() % count; skipped > 0; --skipped) chosen = next_outside_[chosen];
+    for (std::uint32_t q = first; q != none; q = next_outside_[q]) {
+      if (q < chosen && points_[q] == points_[chosen]) chosen = q;
+    }
+    return chosen;
+  }
+
+  static constexpr int most_lopsided = 2;
+  static constexpr std::uint32_t short_list = 16;  // of such lists the order does not matter
 
   // Marks the triangles that p is strictly above as removed and lists them in visible_, starting from triangle t,
   // which is one of them. Returns an edge of the rim, as seen from the hole.
@@ -243,8 +278,8 @@ class Quickhull {
   // On which side of the plane through the axis and corner k of the rim q is: negative towards higher numbers.
   Sign fan_side(std::uint32_t k, const Point3& q) {
     ++side_tests_;
-    return orient_3d(points_[triangles_[fresh_[0].triangle].corner[0]], points_[rim_corner(0)], points_[rim_corner(k)],
-                     q);
+    return orient_3d_of_any_size(points_[triangles_[fresh_[0].triangle].corner[0]], points_[rim_corner(0)],
+                                 points_[rim_corner(k)], q);
   }
 
   bool is_farther(const Triangle& triangle, std::uint32_t q, std::uint32_t r) const {
@@ -292,6 +327,7 @@ class Quickhull {
   std::queue<std::uint32_t> waiting_;
   std::vector<std::uint32_t> visible_;  // of the latest insertion: the triangles removed,
   std::vector<Fresh> fresh_;            // and the triangles made
+  std::minstd_rand random_;
   std::uint64_t side_tests_ = 0;
 };
 

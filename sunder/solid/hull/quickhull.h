@@ -20,6 +20,7 @@ struct Triangle {
   std::array<std::uint32_t, 3> adjacent{};  // the triangle beyond the edge from corner[i] to corner[i + 1]
   FacetPlane plane;                         // of the corners in this order
   std::uint32_t outside = none;             // the first point of its conflict list
+  std::uint8_t lopsided = 0;                // up when an insertion left it nearly all points, down when one did not
   bool removed = false;                     // no part of the hull: every other field is meaningless
 
   // Which corner point v is. Requires that it is one.

@@ -4,6 +4,7 @@
 #include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/integer_basis_internal.h>
 #include <sunder/solid/pair/spanning_vertices.h>
+#include <sunder/solid/represent/hierarchy.h>
 
 #include <algorithm>
 #include <optional>
@@ -24,6 +25,8 @@ struct Variable {
   Kind kind = Kind::artificial;
   std::uint32_t vertex = 0;
 };
+
+constexpr int most_steps_at_once = 24;  // before levels are gone down
 
 constexpr std::size_t whole_weight = 12;  // a multiple of 1, 2, 3 and 4
 
@@ -113,14 +116,39 @@ class ExactSimplex {
       at_a_ = hint.vertex[0].a;
       at_b_ = hint.vertex[0].b;
     }
-    do {
-      const Column y = multipliers();
-      if (y[0] == 0 && y[1] == 0 && y[2] == 0) continue;  // all of one body have one price
+    for (int step = 0; step < most_steps_at_once; ++step) {
+      if (!improve()) return;
+    }
+    // Where vertices crowd together, each step may halve a distance and no more. Down the hierarchies each level takes
+    // a few: below, at most one vertex of each body is beyond the planes that part the levels (BL15 Lemma 4.2).
+    for (std::size_t level = 0; level < std::max(level_count(a_), level_count(b_)); ++level) {
+      while (improve(level)) continue;
+    }
+    while (improve()) continue;
+  }
+
+  // A step: true if a vertex came in. Of the levels of this number from the top, or of the whole bodies.
+  bool improve(std::optional<std::size_t> level = std::nullopt) {
+    const Column y = multipliers();
+    if (y[0] != 0 || y[1] != 0 || y[2] != 0) {  // else all of one body have one price
       const WorldDirection direction(Vector3<Dyadic>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
-      Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
-      at_a_ = extreme_vertex_from(a_, along_a, End::greatest, at_a_, cost_, tally_);
-      at_b_ = extreme_vertex_from(b_, along_b, End::least, at_b_, cost_, tally_);
-    } while (enter_if_it_pays({Variable::Kind::of_a, at_a_}) || enter_if_it_pays({Variable::Kind::of_b, at_b_}));
+      at_a_ = extreme(a_, direction, End::greatest, at_a_, level);
+      at_b_ = extreme(b_, direction, End::least, at_b_, level);
+    }
+    return enter_if_it_pays({Variable::Kind::of_a, at_a_}) || enter_if_it_pays({Variable::Kind::of_b, at_b_});
+  }
+
+  // A point and a segment have one level, which is the body.
+  static std::size_t level_count(const Placed& body) {
+    return body.graph.vertices.size() < 3 ? 1 : body.body.hierarchy().level_end.size();
+  }
+
+  std::uint32_t extreme(const Placed& body, const WorldDirection& direction, End end, std::uint32_t start,
+                        std::optional<std::size_t> level) {
+    Along along(direction, body.pose, body.tame);
+    if (!level || body.graph.vertices.size() < 3) return extreme_vertex_from(body, along, end, start, cost_, tally_);
+    const auto& level_end = body.body.hierarchy().level_end;
+    return extreme_vertex_of_ranks(body, along, end, level_end[std::min(*level, level_end.size() - 1)], cost_, tally_);
   }
 
   // An exponent that divides all coordinates of all images of the body.

@@ -26,8 +26,10 @@
 namespace sunder::solid {
 
 // Decides; never fails. `hint`: vertices to try first, as a search left them. Allocates.
-// Cost: some five to thirty exact pivots, each with a walk over the graph: every price and every comparison of rows is
-// an exact sign, every neighbour a probe.
+// Cost: mostly five to thirty exact pivots, each with a walk over the graph: every price and every comparison of rows
+// is an exact sign, every neighbour a probe. After 24 steps it goes down the hierarchies of both bodies, which takes
+// some two steps a level: of bodies whose vertices crowd together at most 200 log2 n signs up to 65,536 vertices
+// (SolidHierarchyComplexity.SignsOfFinishingGrowAsALogarithm).
 PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const DifferenceSimplex& hint, Cost& cost,
                                         StageTally& tally);
 

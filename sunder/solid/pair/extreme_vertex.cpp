@@ -4,9 +4,8 @@
 
 namespace sunder::solid {
 
-namespace {
-
-std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End end, Cost& cost, StageTally& tally) {
+std::uint32_t extreme_vertex_of_ranks(const Placed& body, Along& along, End end, std::uint32_t ranks, Cost& cost,
+                                      StageTally& tally) {
   const Hierarchy& hierarchy = body.body.hierarchy();
   const auto at = [&](std::uint32_t rank) -> const Point3& { return hierarchy.nodes[rank].at; };
   const bool turns_tame = body.turns_tame();
@@ -20,10 +19,8 @@ std::uint32_t extreme_vertex_by_hierarchy(const Placed& body, Along& along, End 
     const auto& [p, q] = node.middle_triangle;
     return at_end(along.turn_about_normal(at(p), at(q), node.at, at(i), at(j), &tally));
   };
-  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, cost.probes).run()].vertex;
+  return hierarchy.nodes[HierarchyWalk(hierarchy, compare, turn, cost.probes).run(ranks)].vertex;
 }
-
-}  // namespace
 
 std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std::uint32_t start, Cost& cost,
                                   StageTally& tally) {
@@ -48,7 +45,7 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     if (j == count) return block.vertex();
     block = graph.block(block.place(j));
   }
-  const std::uint32_t found = extreme_vertex_by_hierarchy(body, along, end, cost, tally);
+  const std::uint32_t found = extreme_vertex_of_ranks(body, along, end, Hierarchy::none, cost, tally);
   const Point3 &first = graph.vertices[start], &last = graph.vertices[found];
   return along.compare(first, last, &tally) == further ? found : start;
 }

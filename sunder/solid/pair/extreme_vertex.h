@@ -22,4 +22,9 @@ enum class End : std::int8_t { least = -1, greatest = 1 };
 std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std::uint32_t start, Cost& cost,
                                   StageTally& tally);
 
+// The same of the first `ranks` vertices of the hierarchy (represent/hierarchy.h), which are a level of it, or between
+// two. Requires three vertices or more.
+std::uint32_t extreme_vertex_of_ranks(const Placed& body, Along& along, End end, std::uint32_t ranks, Cost& cost,
+                                      StageTally& tally);
+
 }  // namespace sunder::solid

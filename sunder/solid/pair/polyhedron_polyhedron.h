@@ -28,7 +28,7 @@ PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a, 
 // By a floating-point search over the vertex graph (Gilbert, Johnson, Keerthi 1988), which proposes evidence, and an
 // exact simplex method for what the search could not certify. Cost: at most 100 steps in doubles and 100 in
 // double-doubles, each of O(log n + log m) probes on every body; where neither decides, some five to thirty exact
-// pivots of O(log n + log m) probes.
+// pivots of O(log n + log m) probes, and where these do not end, a few more for each level of the hierarchies.
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& b, const Pose& pose_b);
 

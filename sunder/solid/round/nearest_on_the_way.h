@@ -13,7 +13,7 @@
 
 namespace sunder::solid {
 
-// A vertex of A's core and one of B's, at the begin or at the end; weight over the sum of all weights.
+// A vertex of A's core and one of B's, at the beginning or at the end; weight over the sum of all weights.
 struct WayCorner {
   std::uint32_t a = 0, b = 0;
   bool at_end = false;

@@ -140,7 +140,8 @@ std::span<const Point3> RoundBody::points() const { return kind_ == RoundKind::h
 void require_rigid(const RoundBody& body, const Pose& pose) {
   if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid || pose.is_rigid()) return;
   throw Error(ErrorCode::bad_pose,
-              "the pose scales or shears, and a radius stays as it is; give a rotation, and scale the body itself",
+              "the pose scales or shears, and what that does to a radius is not defined here; give a rotation and a "
+              "translation, and scale the body's points and its radius in its file",
               "pose");
 }
 

@@ -37,12 +37,10 @@ struct [[nodiscard]] RoundClearance {
 //   C1. kept and broken are exactly right for the doubles given, and come with evidence that exact arithmetic has
 //       checked: a direction d with g - sqrt(u) - sqrt(v) >= least |d| (predicate/round_shape.h), or two points.
 //   C2. Decided always: two hulls, of any radii. Where a body is curved: where the distance differs from `least` by
-//   more
-//       than some 2^-40 of their size, and mostly nearer. Of discs as good as flat, cylinders and cones whose radius is
-//       more than 2^30 times their height, that grows: at 2^45 times it is some 2^-12.
+//       more than some 2^-40 of their size, and mostly nearer. Of discs as good as flat, cylinders and cones whose
+//       radius is more than 2^30 times their height, that grows: at 2^45 times it is some 2^-12.
 //   C3. Never undecided where round_distance's enclosure tells: kept where `least` is at most its `low`, broken where
-//   it
-//       is above its `high`.
+//       it is above its `high`.
 // Requires a finite positive `least`. Throws Error: bad_pose (round_body.h). Cost: that of round_round
 // (round_round.h), and of two hulls no more than that of polyhedron_polyhedron_distance besides.
 RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,

@@ -266,10 +266,10 @@ class Contacts {
     StageTally tally;
     RoundDisposal dispose(a_, b_, answer, tally, true);
     RoundProposer<double> first(a_, b_, dispose, answer.cost);
-    bool held = first.propose(first.search.first_direction(), 0x1p-20);
+    bool held = first.propose(first.search.first_direction());
     if (!held) {
       RoundProposer<DoubleDouble> second(a_, b_, dispose, answer.cost);
-      held = second.propose({}, 0x1p-42);
+      held = second.propose({});
     }
     if (!held || !answer.meet()) return std::nullopt;
     return inner_point(a_, b_, common_point_of(a_, b_, answer.evidence));

@@ -4,8 +4,7 @@
 // The depth is that of polyhedron_polyhedron_depth.h: the least length of a translation of A after which the two do not
 // overlap.
 //   P1. low <= the depth <= high, exactly, and both are proved: along `direction` A reaches by no more than `high`
-//   beyond
-//       where B begins; and by `surface`, or by `points`.
+//       beyond where B begins; and by `surface`, or by `points`.
 //   P2. Of two hulls of any radii they are both ends where a double is the depth, else neighbouring doubles, where the
 //       depth of their cores is exact.
 //   P3. Of curved bodies high - low is mostly at most `width` times the depth, or 2^-40 of the size of the pair. It is

@@ -12,9 +12,8 @@
 //   D2. Of two hulls of any radii they are both ends where a double is the distance, else one unit in the last place is
 //       between them.
 //   D3. Of curved bodies they are some units in the last place apart, but not always: the distance of curved bodies is
-//   a
-//       root of a polynomial of high degree, and is searched for, in double-doubles. high - low <= 2^-40 of the size of
-//       the pair is what tests demand.
+//       a root of a polynomial of high degree, and is searched for, in double-doubles. high - low <= 2^-40 of the size
+//       of the pair is what tests demand.
 //   D4. {0, 0} is said only of what meets, and always where round_round says so. Where that is undecided low is 0.
 #pragma once
 

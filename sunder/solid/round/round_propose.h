@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_round.h>
 #include <sunder/solid/round/round_search.h>
 
@@ -22,6 +23,16 @@ inline WeightedPoint weighted(const PlacedRound& body, const RoundCombination& c
     point.weights[k] = c.weights[k];
   }
   return point;
+}
+
+inline Combination exact(const RoundCombination& c) {
+  Combination made;
+  made.denominator = Dyadic(0.0);
+  for (std::size_t k = 0; k < c.count; ++k) {
+    made.parts.push_back({c.vertices[k], Dyadic(c.weights[k])});
+    made.denominator = made.denominator + Dyadic(c.weights[k]);
+  }
+  return made;
 }
 
 inline constexpr Affine3 in_place{};
@@ -79,6 +90,16 @@ class RoundDisposal {
     return holds(a_, x, a) && holds(b_, x, b) && meets(RoundEvidence::Source::point, point, a, b);
   }
 
+  // The same of a point in exact numbers.
+  bool meets_at(const ExactPoint& x, const RoundCombination& a, const RoundCombination& b) {
+    ++answer_.cost.proposals;
+    tally_.exact += 2;
+    if (!holds(a_, x, a) || !holds(b_, x, b)) return false;
+    evidence_.exact = std::make_shared<const CommonPoint>(
+        CommonPoint{{x.at.x, x.at.y, x.at.z}, x.weight, combination(a_, x, a), combination(b_, x, b)});
+    return meets(RoundEvidence::Source::exact, {}, a, b);
+  }
+
   // A point of one core, which the other body holds. `core_a`: of A.
   bool meets_in_core(bool core_a, const RoundCombination& c) {
     ++answer_.cost.proposals;
@@ -102,6 +123,13 @@ class RoundDisposal {
   bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {
     if (body.body.is_curved()) return side_of(body.shape, x, &tally_) >= least_;
     return c.count > 0 && nearness(round_detail::weighted(body, c), body.radius(), x, 0, &tally_) >= least_;
+  }
+  bool holds(const PlacedRound& body, const ExactPoint& x, const RoundCombination& c) const {
+    if (body.body.is_curved()) return side_of(body.shape, x) >= least_;
+    return c.count > 0 && nearness(exact_point(round_detail::weighted(body, c)), body.radius(), x, 0) >= least_;
+  }
+  static Combination combination(const PlacedRound& body, const ExactPoint& x, const RoundCombination& c) {
+    return body.body.is_curved() ? combination_of(body, x) : round_detail::exact(c);
   }
   bool meets(RoundEvidence::Source source, const Point3& point, const RoundCombination& a, const RoundCombination& b) {
     evidence_.verdict = RoundVerdict::meet;
@@ -174,14 +202,19 @@ class RoundProposer {
       : a_(a), b_(b), dispose_(dispose), cost_(cost), search(a, b) {}
 
   // As they are; and where that neither parts them nor finds a point that both hold, as curved bodies are when they
-  // have shrunk a little: what is of the surface there is inside of them.
-  bool propose(const Vector& first, double shrink) {
+  // have shrunk a little: what is of the surface there is inside of them. Where they overlap by less than they shrink,
+  // they have to shrink by less.
+  bool propose(const Vector& first) {
     if (run(first)) return true;
     if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
     const std::array<Point3, 2> found = nearest_points;
     const std::array<RoundCombination, 2> made = nearest_made;
-    search.shrink(shrink);
-    if (run(search.direction)) return true;
+    for (const double shrink : RoundSearch<Real>::shrinks) {
+      search.shrink(shrink);
+      for (int again = 0; again < RoundSearch<Real>::runs; ++again) {
+        if (run(search.direction)) return true;
+      }
+    }
     nearest_points = found;
     nearest_made = made;
     return false;
@@ -210,13 +243,13 @@ class RoundProposer {
       if (search.distance2 < nearest2) {
         nearest2 = search.distance2;
         in_vain = 0;
-      } else if (++in_vain == 4) {
+      } else if (++in_vain == search.most_in_vain) {
         break;
       }
     }
     if (parts_narrowly()) return true;
     is_near_ = true;
-    return meets();
+    return meets(true);
   }
 
  public:
@@ -251,7 +284,7 @@ class RoundProposer {
   // At the end: the last direction, whatever rounding says of it.
   bool parts_narrowly() { return search.simplex.count > 0 && search.simplex.count < 4 && parts(); }
 
-  bool meets() {
+  bool meets(bool is_last = false) {
     const auto made = made_of(search);
     if (!made) return false;
     const bool curved_a = a_.body.is_curved(), curved_b = b_.body.is_curved();
@@ -266,7 +299,7 @@ class RoundProposer {
     const Vector way = minus(made->of_b, made->of_a);
     const Real length = round_detail::root_of(dot(way, way));
     const auto at = [&](const Vector& from, const Real& by) {
-      return search.in_world(length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from);
+      return length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from;
     };
     const Real slack = search.reach - length;
     nearest_points = {search.in_world(made->of_a), search.in_world(made->of_b)};
@@ -274,10 +307,17 @@ class RoundProposer {
     for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;
-      const Point3 x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
-      if (dispose_.meets_at(x, of_a, of_b)) return true;
+      const Vector x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
+      if (dispose_.meets_at(search.in_world(x), of_a, of_b)) return true;
+      if (is_last && meets_exactly(x, of_a, of_b)) return true;
     }
     return false;
+  }
+  // Doubles may hold no point of what is thinner than their last bit.
+  bool meets_exactly(const Point3&, const RoundCombination&, const RoundCombination&) { return false; }
+  bool meets_exactly(const Vector3<DoubleDouble>& x, const RoundCombination& a, const RoundCombination& b) {
+    const auto in_world = search.exactly_in_world(x);
+    return in_world && dispose_.meets_at(*in_world, a, b);
   }
 
   const PlacedRound& a_;

@@ -159,12 +159,7 @@ class RoundFinish {
       if (of.count == 0 || nearness(exact_point(weighted(*body, of)), body->radius(), at, 0) == Sign::negative) {
         return false;
       }
-      Combination& sum = body == &a_ ? common.of_a : common.of_b;
-      sum.denominator = Dyadic(0.0);
-      for (std::size_t k = 0; k < of.count; ++k) {
-        sum.parts.push_back({of.vertices[k], Dyadic(of.weights[k])});
-        sum.denominator = sum.denominator + Dyadic(of.weights[k]);
-      }
+      (body == &a_ ? common.of_a : common.of_b) = round_detail::exact(of);
     }
     meet(std::move(common));
     return true;
@@ -275,7 +270,7 @@ class RoundFinish {
       StageTally tally;
       RoundDisposal dispose(core, other, of_core, tally);
       RoundProposer<double> proposer(core, other, dispose, of_core.cost);
-      if (proposer.propose(proposer.search.first_direction(), 0x1p-20) && !of_core.meet()) return false;
+      if (proposer.propose(proposer.search.first_direction()) && !of_core.meet()) return false;
     }
     ++tally_.exact;
     std::optional<CommonPoint> point;
@@ -361,7 +356,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   StageTally tally;
   RoundDisposal dispose(a, b, answer, tally);
   RoundProposer<double> first(a, b, dispose, answer.cost);
-  if (first.propose(dot(way, way) > 0 ? way : first.search.first_direction(), 0x1p-20)) {
+  if (first.propose(dot(way, way) > 0 ? way : first.search.first_direction())) {
     return conclude(answer, tally.exact);
   }
   RoundFinish finish(a, b, answer, tally);
@@ -371,8 +366,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   }
   const Point3& d = first.search.direction;
   RoundProposer<DoubleDouble> second(a, b, dispose, answer.cost);
-  const bool held =
-      second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, 0x1p-42);
+  const bool held = second.propose(is_finite(d) ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{});
   if (!held && !finish.cores_decide(second.near_a, second.near_b) && !finish.capsules_decide()) {
     // Bodies that touch mostly do so in numbers that people give.
     const auto is_simple = [](const PlacedRound& body) {
@@ -467,15 +461,8 @@ std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
   SUNDER_REQUIRE(evidence.verdict == RoundVerdict::meet);
   const auto of_core = [](const PlacedRound& body, const RoundCombination& c) {
-    Dyadic total(0.0);
-    Combination made;
-    for (std::size_t k = 0; k < c.count; ++k) {
-      made.parts.push_back({c.vertices[k], Dyadic(c.weights[k])});
-      total = total + Dyadic(c.weights[k]);
-    }
-    made.denominator = total;
     const ExactPoint at = exact_point(weighted(body, c));
-    return PointOf{{at.at.x, at.at.y, at.at.z}, at.weight, std::move(made)};
+    return PointOf{{at.at.x, at.at.y, at.at.z}, at.weight, round_detail::exact(c)};
   };
   switch (evidence.source) {
     case Source::exact: return *evidence.exact;

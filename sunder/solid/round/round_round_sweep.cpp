@@ -73,7 +73,7 @@ struct Nearest {
   }
 };
 
-// A direction of doubles, and how far it parts the bodies at the begin and at the end, about, over its length.
+// A direction of doubles, and how far it parts the bodies at the beginning and at the end, about, over its length.
 struct Cut {
   Point3 direction{};
   double at_begin = 0, at_end = 0;
@@ -325,7 +325,7 @@ class RoundSweep {
     return parts(WorldDirection(mixed));
   }
 
-  // Are they apart at all times before this one, as along the direction? Exact: at the begin the gap along it is at
+  // Are they apart at all times before this one, as along the direction? Exact: at the beginning the gap along it is at
   // least as long as what of the path goes along it until then.
   bool is_parted_before(const Cut& cut, double time) {
     Point3 direction = cut.direction;
@@ -402,9 +402,9 @@ class RoundSweep {
   }
 
   const Translation &of_a_, &of_b_;
-  const PlacedRound a_, b_, to_a_, to_b_;            // at the begin, and at the end
+  const PlacedRound a_, b_, to_a_, to_b_;            // at the beginning, and at the end
   const Exact way_a_, way_b_, path_;                 // what each adds, and A's as seen from B
-  std::array<std::optional<Point3>, 2> directions_;  // that part them at the begin and at the end
+  std::array<std::optional<Point3>, 2> directions_;  // that part them at the beginning and at the end
   std::optional<Point3> found_;                      // of the last question at a time between
   bool is_undecided_ = false;
   RoundSweepAnswer answer_;

@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -228,8 +230,30 @@ class RoundSearch {
     return {origin_.x + nearest(p.x) / scale_, origin_.y + nearest(p.y) / scale_, origin_.z + nearest(p.z) / scale_};
   }
 
+  // The same without rounding; nothing where that is out of the range of numbers.
+  std::optional<ExactPoint> exactly_in_world(const Vector& p) const {
+    const double by = 1 / scale_;  // a power of two
+    if (!(by >= std::numeric_limits<double>::min() && by <= std::numeric_limits<double>::max())) return std::nullopt;
+    const auto number = [&](double origin, const DoubleDouble& x) {
+      return Dyadic(origin) + (Dyadic(x.high) + Dyadic(x.low)) * Dyadic(by);
+    };
+    if (!std::isfinite(nearest(p.x) + nearest(p.y) + nearest(p.z))) return std::nullopt;
+    return ExactPoint{{number(origin_.x, p.x), number(origin_.y, p.y), number(origin_.z, p.z)}, Dyadic(1.0)};
+  }
+
   static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;
-  static constexpr int most_iterations = 100;
+  static constexpr int most_iterations = std::is_same_v<Real, double> ? 100 : 400;
+  static constexpr int most_in_vain = std::is_same_v<Real, double> ? 4 : 20;  // iterations that come no nearer
+  static constexpr int runs = std::is_same_v<Real, double> ? 1 : 3;           // of those that have shrunk
+
+  // By which parts of their size curved bodies shrink, one after the other: by less no search sees.
+  static constexpr auto shrinks = [] {
+    if constexpr (std::is_same_v<Real, double>) {
+      return std::array{0x1p-20};
+    } else {
+      return std::array{0x1p-42, 0x1p-56, 0x1p-70, 0x1p-84};
+    }
+  }();
 
   Vector direction{};                 // of the world, from A towards B
   DifferenceSimplexOf<Real> simplex;  // its vertices' `a` are slots

@@ -4,6 +4,7 @@ Exit code: 0 all accepted, 1 something refused, 2 a file that cannot be read, or
 call, 3 an internal error or too little memory. Of many files each is told about; the greatest code counts.
 """
 import argparse
+import hashlib
 import os
 import stat
 import sys
@@ -12,6 +13,7 @@ if not __package__:  # called by the folder's path
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 from sunder_verify import Refused, Unreadable, verify  # noqa: E402
+from sunder_verify.reader import MAX_TEXT  # noqa: E402
 from sunder_verify.sentences import in_quotes  # noqa: E402
 
 MAX_STREAM = 1 << 28  # bytes of what is no regular file
@@ -33,7 +35,17 @@ def read_file(file):
         return data
 
 
-def check_file(file, options):
+def difference(inputs, against):
+    """Where these files, (name, digest) each, are not the inputs, each by its digest, in their order; else empty."""
+    if len(inputs) != len(against):
+        return "it names %d inputs, and %d are given; give all, in their order" % (len(inputs), len(against))
+    for k, ((name, digest), (given, found)) in enumerate(zip(inputs, against)):
+        if digest != found:
+            return "input %d, %s, has another SHA-256 than %s, %s" % (k + 1, in_quotes(name), shown(given), found)
+    return ""
+
+
+def check_file(file, options, against):
     """Prints what becomes of a file. Returns the exit code, and how many statements are accepted and refused."""
     name = shown(file)
     try:
@@ -46,16 +58,23 @@ def check_file(file, options):
         print("%s: %s" % (name, getattr(error, "strerror", None) or error), file=sys.stderr)
         return 2, 0, 0
     for given, digest in report.inputs:
-        print("%s: of %s, SHA-256 %s" % (name, in_quotes(given), digest))
+        print("%s: of %s, SHA-256 %s" % (name, in_quotes(given, MAX_TEXT), digest))
+    if report.call:
+        print("%s: called with: %s" % (name, " ".join(in_quotes(word, MAX_TEXT) for word in report.call)))
     for text in report.left_out:
-        print("%s: left out: %s" % (name, in_quotes(text)))
+        print("%s: left out: %s" % (name, in_quotes(text, MAX_TEXT)))
+    other = difference(report.inputs, against) if against else ""
+    if other:
+        print("%s: not of these files: %s" % (name, other))
+    elif against:
+        print("%s: of files with these digests; what is in them was not looked at" % name)
     bad = 0
     for i, (sentence, refusal) in enumerate(report.statements):
         bad += refusal is not None
         if refusal or not options.quiet:
             said = "refused: %s: %s: %s" % (sentence, refusal[0], shown(refusal[1])) if refusal else "accepted: " + sentence
             print("%s: statement %d: %s" % (name, i, said))
-    return 1 if bad else 0, len(report.statements) - bad, bad
+    return 1 if bad or other else 0, len(report.statements) - bad, bad
 
 
 def main(arguments):
@@ -63,13 +82,22 @@ def main(arguments):
                                      description="Checks certificate files of Sunder, exactly and without Sunder.")
     parser.add_argument("files", metavar="FILE", nargs="+")
     parser.add_argument("--quiet", action="store_true",
-                        help="print inputs, what was left out, refusals and errors only")
+                        help="print inputs, the call, what was left out, refusals and errors only")
+    parser.add_argument("--against", metavar="FILE", action="append", default=[],
+                        help="refuse what is not of these files: give all inputs, in their order; their SHA-256 are "
+                             "compared, and nothing else")
     parser.add_argument("--no-limit", action="store_true", help="check files that take long, too")
     parser.error = lambda message: parser.exit(2, "sunder_verify: %s; see --help\n" % shown(message))
     options = parser.parse_args(arguments)
     code = accepted = refused = 0
+    try:
+        against = [(given, hashlib.sha256(read_file(given)).hexdigest()) for given in options.against]
+    except (OSError, Unreadable) as error:
+        print("%s: %s" % (shown(getattr(error, "filename", None) or "--against"), getattr(error, "strerror", None) or error),
+              file=sys.stderr)
+        return 2
     for file in options.files:
-        outcome, good, bad = check_file(file, options)
+        outcome, good, bad = check_file(file, options, against)
         code, accepted, refused = max(code, outcome), accepted + good, refused + bad
     if not options.quiet:
         print("%d statements accepted, %d refused: %s" % (accepted, refused, ("accepted", "REFUSED", "ERROR")[code]))

@@ -2,16 +2,15 @@
 from collections import namedtuple
 
 from .questions import statement
-from .reader import SHA256, Refused, Steps, double, form, list_of, load, members, text_of
+from .reader import MOST_NUMBER, SHA256, Refused, Steps, anything, double, form, list_of, load, members, text_of
+from .said import of_tables
 from .tables import TABLES
 
 # What a file says of itself, and what became of its statements: (sentence, refusal), where refusal is None or
 # (rule, reason).
-Report = namedtuple("Report", "inputs left_out statements")
+Report = namedtuple("Report", "inputs call left_out statements")
 
-
-def version(value, where, read):
-    form(type(value) is int and value == 2, where + " is not 2")
+VERSION = 3
 
 
 def sha256(value, where, read):
@@ -24,10 +23,12 @@ def made_of(value, where, read):
 
 
 def tables(value, where, read):
-    return members(value, TABLES, where, optional=dict.fromkeys(TABLES))
+    result = members(value, TABLES, where, {"inputs": read["inputs"]}, dict.fromkeys(TABLES))
+    return {**result, "sizes": {name: len(those) for name, those in value.items()}}
 
 
-FILE = {"sunder_certificate": version, "inputs": list_of(made_of), "left_out": list_of(text_of), "tables": tables,
+FILE = {"sunder_certificate": anything, "inputs": list_of(made_of), "call": list_of(text_of),
+        "left_out": list_of(text_of), "tables": tables, "said": of_tables,
         "statements": list_of(statement, lambda those, read: those, ": the file states nothing")}
 
 
@@ -37,9 +38,10 @@ def verify(data, is_limited=False):
     steps = Steps(len(data) if is_limited else None)
     top = load(data)
     form(type(top) is dict, "the file is not an object")
-    form("sunder_set_certificate" not in top and top.get("sunder_certificate") != 1,
-         "this is a certificate of version 1, which is no longer read; make it again")
-    read = members(top, FILE, "", {"steps": steps, "proved": {}}, optional={"inputs": [], "left_out": []})
+    version = top.get("sunder_certificate", 1 if "sunder_set_certificate" in top else None)
+    form(type(version) is int and abs(version) <= MOST_NUMBER, "the file has no version, sunder_certificate")
+    form(version == VERSION, "the file is of version %d, and version %d is needed; make it again" % (version, VERSION))
+    read = members(top, FILE, "", {"steps": steps, "proved": {}}, {"said": {}})
     statements = []
     for item, said, checks in read["statements"]:
         refusal = None
@@ -57,4 +59,4 @@ def verify(data, is_limited=False):
         except Refused as error:
             refusal = error.args
         statements.append((said, refusal))
-    return Report(read["inputs"], read["left_out"], statements)
+    return Report(read["inputs"], read["call"], read["left_out"], statements)

@@ -5,7 +5,8 @@ import itertools
 
 from .arcs import Way
 from .reader import length, projective, require
-from .rules import before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, side, sweep
+from .rules import (before, contacts_by_cover, contacts_of_segments, ends_at, is_on, lines_of, number_of_segments, side,
+                    sweep)
 from .tables import Polygons, Segments, around
 
 
@@ -17,63 +18,79 @@ def labelled(steps, events, edges, owner):
     above = {-1: frozenset()}  # the label above each edge in the list
     for point, below, here, row in sweep(steps, events, edges):
         lines, labels = lines_of(edges, row), [above[below]]
+        steps.take(2 * len(labels[0]), 1, 1)
         for s in here:
             del above[s]
         for s in itertools.chain(*lines):
             above[s] = labels[-1] ^ {owner[s]}
             labels.append(above[s])
+            steps.take(2 * len(above[s]), 1, 1)
         yield point, below, here, row, lines, labels
 
 
 def cells(steps, events, polygons, allowed):
-    """Gives, event by event, pairs of sets: each polygon of the first has common points that count with each of the
-    second. Any two that have some are in one of these pairs."""
+    """Gives pairs of sets: each polygon of the first has common points that count with each of the second. Any two that
+    have some are in one of these pairs."""
     owner, flat = polygons.owner, polygons.flat
     for point, _, here, row, lines, labels in labelled(steps, events, polygons.edges, owner):
         at, label, k = {owner[s] for s in here + row}, labels[0], 0
         passing = {owner[s] for s in here + row if not ends_at(polygons.edges[s], point)}
         if not allowed:
-            pairs = [(at, at | label)]
+            yield at, at | label
         elif "touch" not in allowed:
-            pairs = [(passing, at | label), (at, label - at)]
+            yield passing, at | label
+            yield at, label - at
         else:
             within = {i for i in at & flat if i in passing or polygons.is_point(i)}
-            pairs = [(within, within | (label - at))]
+            yield within, within | (label - at)
         for line in lines if allowed else ():
             border, lower, upper = {owner[s] for s in line}, labels[k], labels[k + len(line)]
             if "touch" in allowed:
-                pairs += [(upper & at, upper), (border & flat, border & flat | (lower - border))]
+                yield upper & at, upper
+                yield border & flat, border & flat | (lower - border)
             else:
-                pairs.append((border, border | lower))
+                yield border, border | lower
             k += len(line)
-        steps.take(sum(map(len, labels)), 1, 1)
-        yield pairs
 
 
 def contacts_of_polygons(steps, events, polygons, groups, allowed):
     """Gives (i, j), i < j, once for each two polygons of different groups that have a common point that counts."""
-    found = set()
-    for first, second in itertools.chain.from_iterable(cells(steps, events, polygons, allowed)):
+    found, size = set(), len(polygons)
+    for first, second in cells(steps, events, polygons, allowed):
+        if not first:
+            continue
         members = {}
         for j in sorted(second):
             members.setdefault(groups[j], []).append(j)
         for i in sorted(first):
             others = [j for group in sorted(members) if group != groups[i] for j in members[group]]
             steps.take(len(members) + len(others), 1, 1)
-            for pair in ((min(i, j), max(i, j)) for j in others):
+            for j in others:
+                pair = min(i, j) * size + max(i, j)
                 if pair not in found:
+                    steps.take(8, 1, 1)
                     found.add(pair)
-                    yield pair
+                    yield min(i, j), max(i, j)
 
 
-def edges_at(steps, polygons, edges, point, place):
-    """Of some edges those that hold a point, which is x, y, w in the table's unit."""
-    steps.take(4 * len(edges), length(point), polygons.edges.bits)
-    return [edge for edge in edges if is_on(edge, place)]
+def near(steps, polygons, ring, size, place):
+    """Of a ring the edges, by number, of which some part may be at a point (place, of so many bits), or below it."""
+    x, y, w = place
+    blocks = polygons.blocks[ring]
+    steps.take(len(blocks) + 4, size, polygons.edges.bits)
+    some = [k for left, right, low, begin, end in blocks if left * w <= x <= right * w and low * w <= y
+            for k in range(begin, end)]
+    steps.take(4 * len(some), size, polygons.edges.bits)
+    return some
 
 
-def above_odd(edges, place):
+def edges_at(polygons, some, place):
+    return [k for k in some if is_on(polygons.edges[k], place)]
+
+
+def above_odd(polygons, some, place):
     """Is the point above an odd number of edges?"""
+    edges = (polygons.edges[k] for k in some)
     return sum(not before(place, (*first, 1)) and before(place, (*last, 1)) and side((first, last), place) > 0
                for first, last in edges) % 2 == 1
 
@@ -83,9 +100,10 @@ def common_point(steps, polygons, i, j, point, groups, allowed):
     require(groups[i] != groups[j], "common_point", "%d and %d are of one group" % (i, j))
     inside, touched, passed, place = 0, 0, False, projective(point, polygons.edges.exponent)
     for k in (i, j):
-        on = edges_at(steps, polygons, polygons.edges_of(k), point, place)
-        require(on or above_odd(polygons.edges_of(k), place), "common_point", "the point is not in polygon %d" % k)
-        passes = not all(ends_at(edge, place) for edge in on)
+        some = [e for ring in polygons.rings_of[k] for e in near(steps, polygons, ring, length(point), place)]
+        on = edges_at(polygons, some, place)
+        require(on or above_odd(polygons, some, place), "common_point", "the point is not in polygon %d" % k)
+        passes = not all(ends_at(polygons.edges[e], place) for e in on)
         inside += not on or (k in polygons.flat and (passes or polygons.is_point(k)))
         touched, passed = touched + bool(on), passed or passes
     if "touch" in allowed:
@@ -122,7 +140,6 @@ def regions(steps, events, parts, pieces):
     or what has been seen of it."""
     face, joined = {-1: 0}, [0]  # of what is above each edge of the list; faces that turn out to be one
     for _, below, here, row, lines, labels in labelled(steps, events, parts.edges, parts.ring):
-        steps.take(sum(map(len, labels)), 1, 1)
         going, lower = [*itertools.chain(*lines)], face[below]
         upper = face[here[-1]] if here else lower
         for s, label in zip(going[:-1], labels[1:]):
@@ -177,10 +194,10 @@ def falls_apart(steps, events, parts):
 
 
 def ring_at(steps, rule, parts, ring, point):
-    """The edges of a ring, of some length, that hold a point; there are some. And the point as x, y, w."""
+    """The edges of a ring, of some length, that hold a point, by number; there are some. And the point as x, y, w."""
     place = projective(point, parts.edges.exponent)
-    on = edges_at(steps, parts, parts.rings[ring], point, place)
-    on = [edge for edge in on if edge[0] != edge[1]]
+    on = edges_at(parts, near(steps, parts, ring, length(point), place), place)
+    on = [k for k in on if parts.edges[k][0] != parts.edges[k][1]]
     require(on, rule, "the point is not on ring %d" % ring)
     return on, place
 
@@ -195,28 +212,33 @@ def comes_twice(steps, parts, rule, ring, point):
     """A ring comes to a point twice, and may not."""
     require(rule != SELF_TOUCH, "comes_twice", "a ring may touch itself")
     on, place = ring_at(steps, "comes_twice", parts, ring, point)
-    require(sum(2 - ends_at(edge, place) for edge in on) > 2, "comes_twice", "the ring comes there once")
+    require(sum(2 - ends_at(parts.edges[k], place) for k in on) > 2, "comes_twice", "the ring comes there once")
 
 
 def crosses(steps, parts, ring, point):
     """A ring crosses itself: of two of its ways through the point, each has an end of the other one on either side."""
-    _, (x, y, w) = ring_at(steps, "crosses", parts, ring, point)
-    first, ways = parts.ring.index(ring), []
-    for s, edge in enumerate(parts.rings[ring], first):
-        if edge[0] != edge[1] and is_on(edge, (x, y, w)):
-            ways += [((p * w - x, q * w - y), s) for p, q in edge if (p * w, q * w) != (x, y)]
+    (on, (x, y, w)), ways = ring_at(steps, "crosses", parts, ring, point), []
+    for s in on:
+        ways += [((p * w - x, q * w - y), s) for p, q in parts.edges[s] if (p * w, q * w) != (x, y)]
     steps.take(32 * len(ways), length(point) + parts.edges.bits, length(point) + parts.edges.bits)
     ways.sort(key=lambda way: Way(way[0], (0, 0), 0))
     require(not is_nested(parts, [s for _, s in ways]), "crosses", "the ring does not cross itself there")
 
 
 def misplaced(steps, parts, ring, point):
-    """On one side of a ring there are rings that do not fit."""
-    label, place = set(), ring_at(steps, "misplaced", parts, ring, point)[1]
-    for r, edges in enumerate(parts.rings):
-        on = edges_at(steps, parts, edges, point, place)
-        require(r == ring or not on, "misplaced", "the point is on ring %d, too" % r)
-        label |= {r} if r != ring and above_odd(edges, place) else set()
+    """On one side of a ring there are rings that do not fit. Two holes of one part are enough."""
+    label, size, place = set(), length(point), ring_at(steps, "misplaced", parts, ring, point)[1]
+    holes = {parts.part[r] for r in [ring] if r != parts.shell[parts.part[r]]}  # their parts
+    for r, part in enumerate(parts.part):
+        if r == ring:
+            continue
+        some = near(steps, parts, r, size, place)
+        require(not some or not edges_at(parts, some, place), "misplaced", "the point is on ring %d, too" % r)
+        if some and above_odd(parts, some, place):
+            if r != parts.shell[part] and part in holes:
+                return
+            label.add(r)
+            holes |= {part} if r != parts.shell[part] else set()
     require(not fits(parts, label) or not fits(parts, label | {ring}), "misplaced", "rings fit there")
 
 
@@ -248,18 +270,20 @@ def rings_touch(steps, parts, rule, ring, other, point):
 # ---- Lists of what meets.
 
 CONTACTS = {Segments: contacts_of_segments, Polygons: contacts_of_polygons}  # of others by a cover
+NUMBER = {Segments: number_of_segments}  # of others the contacts are counted
 
 
 def exactly(rule):
     """The rule that the contacts that count are those wanted, which may be none, or are so many."""
     def check(steps, evidence, table, groups, allowed, wanted=()):
-        contacts = CONTACTS.get(type(table), contacts_by_cover)(steps, evidence, table, groups, allowed)
+        told = steps, evidence, table, groups, allowed
+        contacts_of = CONTACTS.get(type(table), contacts_by_cover)
         if type(wanted) is int:
-            number = sum(1 for _ in contacts)
+            number = NUMBER[type(table)](*told) if type(table) in NUMBER else sum(1 for _ in contacts_of(*told))
             require(number == wanted, rule, "%d contacts count" % number)
             return
         left = {(i, j): kind for i, j, *kind in wanted}
-        for i, j, *kind in contacts:
+        for i, j, *kind in contacts_of(*told):
             is_listed = left.pop((i, j), None) == kind
             require(is_listed, rule, "%d and %d have a contact that counts, and is not listed" % (i, j))
         for pair in left:

@@ -8,6 +8,7 @@ from functools import partial
 from . import arcs, boundaries, depths, hulls, polygons, polytopes, rules, sections, vertices
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
+from .said import notes
 from .sentences import sentence
 from .tables import dot
 
@@ -119,6 +120,7 @@ def some_contacts(value, where, read):
 def half_spaces(value, where, read):
     given = entry("polytopes")(value, where, read)
     form(not given.is_of_points and not given.linear, where + " is not of half-spaces, or placed")
+    form(len(given), where + " is of no half-spaces")
     return given
 
 
@@ -285,8 +287,10 @@ def facets(value, where, read):
     return result
 
 
-def home_simplex(value, where, read):
-    return None if value is None else index(value, sum(map(len, read["facets"])), where)
+def homes_in_simplices(value, where, read):
+    """For each point null, or a simplex, counted through facets."""
+    count = sum(map(len, read["facets"]))
+    return for_each(lambda home, place, _: None if home is None else index(home, count, place))(value, where, read)
 
 
 def points_placed(value, where, read):
@@ -324,7 +328,7 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
 FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
     "a": body_asked, "b": body_asked, "to_a": end_of("a"), "to_b": end_of("b"), "ring": entry("rings"), "parts": parts,
-    "members": members_of("bodies", lambda those: True, " names one twice"), "except": contacts,
+    "members": members_of("bodies", lambda those: those, " is empty, or names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
     "least": positive, "objective": objective, "half_spaces": half_spaces,
@@ -336,7 +340,7 @@ SAID = {  # what verdicts and claims say
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
-    "facets": facets, "simplices": for_each(home_simplex),
+    "facets": facets, "simplices": homes_in_simplices,
     "sectors": for_each(lambda value, where, read: None if value is None else index_of("outline")(value, where, read)),
     "corners": list_of(corner_of_section, lambda those, read: 0 < len(set(those)) == len(those),
                        " is empty, or names one twice"),
@@ -360,7 +364,7 @@ SAID = {  # what verdicts and claims say
 
 CLAIMS = {
     **{rule.__name__: (rule,) for rule in (
-        rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.no_entries, rules.in_discs, rules.contact,
+        rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair, rules.each_clearance,
         hulls.between, hulls.one_point, sections.beyond, sections.touches)},
@@ -400,7 +404,7 @@ CLAIMS = {
 
 def region(given):
     """What is the common part of half-planes?"""
-    kinds = ("point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded", "plane")
+    kinds = ("point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded")
     return {"empty": "contradict " + given, **dict.fromkeys(kinds, "cones %s verdict sides" % given)}
 
 
@@ -484,7 +488,6 @@ QUESTIONS = {
         "empty": "powers circles verdict",
         "point": "in_discs circles point verdict, powers circles verdict",
         "region": "in_discs circles point verdict, arcs circles point arcs",
-        "plane": "no_entries circles",
     }),
     "valid": ("polygons", "parts rule", {
         "valid": "valid parts rule",
@@ -513,15 +516,15 @@ def statement(item, where, read):
     question, verdict = OBJECT(item, where).get("question"), item.get("verdict")
     form(type(question) is str and question in QUESTIONS, where + ".question is none that is known")
     about, given, verdicts = QUESTIONS[question]
-    form(read["tables"][about] is not None, "%s is about %s, which the file has not" % (where, about))
+    form(read["tables"]["sizes"].get(about), "%s is about %s, of which the file has none" % (where, about))
     form(type(verdict) is str and verdict in verdicts, where + ".verdict is none of this question")
     needed = [claim.split() for claim in verdicts[verdict].split(", ")]
     given = {name: GIVEN[name] for name in given.split()}
     says = {name: SAID[name] for _, *bound in needed for name in bound if name in SAID and name not in given}
     scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "PROVED": read["proved"],
-             "subject": needed[0][1], "about": about}
-    shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST}
-    members(item, shapes, where, scope, {"groups": ALONE})
+             "inputs": read["inputs"], "subject": needed[0][1], "about": about}
+    shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST, "said": notes}
+    members(item, shapes, where, scope, {"groups": ALONE, "said": ""})
     form(len(item["claims"]) == len(needed), "%s has not %d claims" % (where, len(needed)))
     checks = []
     for k, (claim, (name, *bound)) in enumerate(zip(item["claims"], needed)):
@@ -532,4 +535,6 @@ def statement(item, where, read):
         shapes = {"claim": anything, **{key: SAID[key] for key in has}}
         brought = members(claim, shapes, place, {**scope, "subject": bound[0]})
         checks.append((rule, [brought.get(key) for key in brings] + [found(scope, key) for key in bound]))
-    return item, sentence(item, {key: scope[key] for key in ("a", "b", "body", "of", "half_spaces") if key in item}), checks
+    things = {key: scope[key] for key in ("a", "b", "body", "of", "half_spaces") if key in item}
+    of_table = read["said"].get(about, "")
+    return item, sentence(item, things, about, read["tables"]["sizes"][about]) + of_table + scope["said"], checks

@@ -1,4 +1,4 @@
-"""Reads certificate files of version 2: JSON, numbers, and what has a wrong form (docs/claims.md, "The file").
+"""Reads certificate files of version 3: JSON, numbers, and what has a wrong form (docs/claims.md, "The file").
 
 A number is kept as (n, d, e), meaning n / d * 2^e with d > 0. Tables are kept as multiples of one power of two.
 """

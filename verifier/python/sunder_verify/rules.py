@@ -4,6 +4,8 @@ All arithmetic is on integers. A point is x, ..., w with w > 0, for (x / w, ...)
 points of a table have w = 1, and are in units of a power of two. A rule is told the steps that it may take, what the
 claim brings, if anything, and what it is bound to.
 """
+# long because: the rules are one list, in the order of docs/claims.md
+import collections
 import itertools
 
 from .reader import Refused, bits, common, length, projective, require
@@ -295,7 +297,7 @@ def ends(steps, given_ends, given, objective, point):
 
 
 EXTENTS = {"point": 0, "segment": 2, "ray": 0}  # how many sides with a corner at each end are no point; else all
-NUMBER = {"plane": 0, "half-plane": 1, "line": 2, "strip": 2}  # of sides without corners
+NUMBER = {"half-plane": 1, "line": 2, "strip": 2}  # of sides without corners
 
 
 def turn_on(sides, verdict):
@@ -410,10 +412,6 @@ def in_discs(steps, discs, point, verdict):
     for k, disc in enumerate(discs):
         is_within = power_of(disc, place) < (verdict == "point")
         require(is_within, "in_discs", "the point is not inside of circle %d" % k)
-
-
-def no_entries(steps, table):
-    require(not table, "no_entries", "there are entries")
 
 
 def powers(steps, weights, discs, verdict):
@@ -573,24 +571,69 @@ def lines_of(segments, row):
     return lines
 
 
-def contacts_of_segments(steps, events, segments, groups, allowed):
-    """Gives (i, j, kind), i < j, once for each two segments of different groups whose contact counts."""
+class Meeting:
+    """Segments in classes, of which two may have contacts if they are of different classes and groups, both of the
+    second set, and one of the first, which is part of the second."""
+
+    def __init__(self, classes, groups, first, second):
+        self.classes, self.groups, self.first, self.second = classes, groups, first, second
+
+    def pairs(self):
+        """Each two once, in time of their number and that of the segments."""
+        of_first, of_second = {}, {}  # of the classes before, by group
+        for those in self.classes:
+            those = [s for s in those if s in self.second]
+            for s in those:
+                for group, others in (of_second if s in self.first else of_first).items():
+                    if group != self.groups[s]:
+                        yield from ((s, t) for t in others)
+            for s in those:
+                for known in (of_second, of_first) if s in self.first else (of_second,):
+                    known.setdefault(self.groups[s], []).append(s)
+
+    def number(self):
+        """How many these are, in time of the number of segments."""
+        return self.number_in(self.second) - self.number_in(self.second - self.first)
+
+    def number_in(self, some):
+        return self.of_two_groups(some) - sum(self.of_two_groups(some.intersection(those)) for those in self.classes)
+
+    def of_two_groups(self, some):
+        sizes = collections.Counter(self.groups[s] for s in some).values()
+        return (len(some) ** 2 - sum(n * n for n in sizes)) // 2
+
+
+def meetings_of_segments(steps, events, segments, groups, allowed):
+    """Gives, event by event, what may have contacts that count, and a function that tells their kind."""
     for point, _, here, row in sweep(steps, events, segments):
-        lines, behind = lines_of(segments, row), lines_of(segments, here)
-        back = {s: k for k, line in enumerate(behind) for s in line}
-        on = {s: k for k, line in enumerate(lines) for s in line}
-        members, found = here + [s for s in row if s not in back], set()
-        passing = [s for s in members if not ends_at(segments[s], point)]
-        some, others = passing if allowed else members, passing if "touch" in allowed else members
-        for some, others in [(some, others), *zip(lines, lines)]:
-            if len({groups[s] for s in others}) < 2:
-                continue
-            steps.take(len(some) * len(others) // 16, 1, 1)
-            for i, j in ((min(s, t), max(s, t)) for s in some for t in others if groups[s] != groups[t]):
-                if (i, j) in found or back.get(i, -1) == back.get(j, -2):  # on one line before: they have met
-                    continue
-                found.add((i, j))
-                overlap = on.get(i, -1) == on.get(j, -2)
-                kind = "overlap" if overlap else KINDS[2 - ends_at(segments[i], point) - ends_at(segments[j], point)]
-                if kind not in allowed:
-                    yield i, j, kind
+        members = {*here, *row}
+        if len(members) < 2 or len({groups[s] for s in members}) < 2:
+            continue
+        lines, behind, before = lines_of(segments, row), lines_of(segments, here), {*here}
+        ends = {s for s in members if ends_at(segments[s], point)}
+        line_of = {s: k for k, line in enumerate(lines) for s in line}
+
+        def kind(s, t):
+            is_overlap = s in line_of and line_of[s] == line_of.get(t)
+            return "overlap" if is_overlap else KINDS[2 - (s in ends) - (t in ends)]
+        # Those on one line before the point have met. What goes on along one line counts even if the point is an end.
+        some = members if not allowed else members - ends
+        meetings = [Meeting(behind + [[s] for s in row if s not in before], groups, some,
+                            some if "touch" in allowed else members)]
+        for line in lines if allowed else ():
+            on = ends.intersection(line)
+            meetings.append(Meeting([[s] for s in line], groups, on, {*line} if "touch" in allowed else on))
+        yield meetings, kind
+
+
+def contacts_of_segments(*told):
+    """Gives (i, j, kind), i < j, once for each two segments of different groups whose contact counts."""
+    for meetings, kind in meetings_of_segments(*told):
+        for meeting in meetings:
+            for s, t in meeting.pairs():
+                yield min(s, t), max(s, t), kind(s, t)
+
+
+def number_of_segments(*told):
+    """How many these are."""
+    return sum(meeting.number() for meetings, _ in meetings_of_segments(*told) for meeting in meetings)

@@ -1,7 +1,8 @@
 """What a statement says, as a sentence: in the same words as the twin's (verifier/cpp/sentences.cpp)."""
 import json
+from collections import Counter
 
-MOST, LONG = 10, 40  # entries of a list, and characters of a number, that are shown
+MOST, LONG, LONGEST = 10, 40, 100  # entries of a list, characters of a number, and of a name, that are shown
 
 SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
@@ -11,63 +12,64 @@ SENTENCES = {  # of the members that a statement has
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     "depth": {"at_most": "{a} moved by {most}, in a direction, does not overlap {b}",
               "at_least": "{a} moved by {least}, in any direction, meets {b}"},
-    "clearances": {"kept": "all pairs of bodies are {least} apart, or more",
-                   "broken": "exactly these pairs of bodies are nearer than {least}: {nearer}"},
+    "clearances": {"kept": "all pairs of the {all} are {least} apart, or more",
+                   "broken": "exactly {pairs} nearer than {least}: {nearer}"},
     "motion": {"apart": "{a} and {b} are apart all along their ways",
                "meet": "{a} and {b} meet on their ways, at time {time}, at {point}",
                "first": "{a} and {b} first meet on their ways at time {time}, at {point}"},
     "polytopes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
                   "apart_by_hyperplanes": "{a} and {b} are apart, by half-spaces that hold them"},
-    "half_spaces": {"empty": "the common part of the half-spaces of {half_spaces} is empty",
-                    "bounded": "the common part of the half-spaces of {half_spaces} is bounded, of dimension {dimension}",
-                    "unbounded": "the common part of the half-spaces of {half_spaces} is unbounded, of dimension {dimension}"},
-    "half_spaces_vertices": {"vertices": "the common part of the half-spaces of {half_spaces} is bounded, and has exactly {vertices}"},
-    "half_spaces_program": {"one": "{point} is the best point of the half-spaces of {half_spaces} along {objective}",
-                            "many": "{point} is one of many best points of the half-spaces of {half_spaces} along {objective}",
-                            "all": "{point} is as good as all others of the half-spaces of {half_spaces} along {objective}",
-                            "unbounded": "there is no best point of the half-spaces of {half_spaces} along {objective}",
-                            "infeasible": "no point is in all half-spaces of {half_spaces}"},
-    "hull": {"solid": "the hull of {body} is solid, with the faces {faces}",
-             "flat": "the hull of {body} is a polygon with the corners {outline}",
-             "segment": "the hull of {body} is the segment between its points {i} and {j}",
-             "point": "the hull of {body} is a point"},
-    "polytope_hull": {"facets": "the hull of {body} has exactly {facets}",
-                      "segment": "the hull of {body} is the segment between its points {i} and {j}",
-                      "point": "the hull of {body} is a point"},
+    "half_spaces": {"empty": "{half_spaces} is empty",
+                    "bounded": "{half_spaces} is bounded, of dimension {dimension}",
+                    "unbounded": "{half_spaces} is unbounded, of dimension {dimension}"},
+    "half_spaces_vertices": {"vertices": "{half_spaces} is bounded, and has exactly {vertices}"},
+    "half_spaces_program": {"one": "{point} is the best point of {half_spaces} along {objective}",
+                            "many": "{point} is one of many best points of {half_spaces} along {objective}",
+                            "all": "{point} is as good as all others of {half_spaces} along {objective}",
+                            "unbounded": "there is no best point of {half_spaces} along {objective}",
+                            "infeasible": "no point is in {half_spaces}"},
+    "hull": {"solid": "{body} is solid, with the {n_faces} faces {faces}",
+             "flat": "{body} is a polygon with the {n_outline} corners {outline}",
+             "segment": "{body} is the segment between its points {i} and {j}",
+             "point": "{body} is a point"},
+    "polytope_hull": {"facets": "{body} has exactly {facets}",
+                      "segment": "{body} is the segment between its points {i} and {j}",
+                      "point": "{body} is a point"},
     "section": {"nothing": "the plane {plane} does not meet {of}",
                 "touching": "the plane {plane} touches {of} at the points {corners}",
-                "outlined": "the section of {of} by the plane {plane} has the corners {corners}"},
-    "segments": {"some": "segments {i} and {j} meet at {point}: {kind}", "none": "no two segments meet"},
-    "circles": {"some": "circles {i} and {j} meet at {point}: {kind}", "none": "no two circles meet"},
-    "boxes": {"some": "boxes {i} and {j} meet at {point}: {kind}", "none": "no two boxes meet"},
-    "polygons": {"some": "polygons {i} and {j} meet at {point}", "none": "no two polygons meet"},
-    "half_planes": "the common part of the half-planes is {region}",
-    "kernel": "the kernel of ring {ring} is {region}",
-    "convex_polygons_common_part": "the common part of the convex polygons is {region}",
+                "outlined": "the section of {of} by the plane {plane} has the {n_corners} corners {corners}"},
+    **dict.fromkeys(("segments", "circles", "boxes"), {
+        "some": "{question} {i} and {j} of {all} meet at {point}: {kind}", "none": "no two of the {all} meet"}),
+    "polygons": {"some": "polygons {i} and {j} of {all} meet at {point}", "none": "no two of the {all} meet"},
+    "half_planes": "the common part of {all} is {region}",
+    "kernel": "the kernel of ring {ring} of {all} is {region}",
+    "convex_polygons_common_part": "the common part of {all} is {region}",
     "circles_common_part": {
-        "empty": "the common part of the circles is empty", "plane": "the common part of the circles is the plane",
-        "point": "the common part of the circles is the point {point}",
-        "region": "the common part of the circles is a region around {point}, bounded by arcs of {arcs}"},
-    "valid": {"valid": "polygons {parts}: {rule}", "too_few_points": "ring {ring} has too few points",
+        "empty": "the common part of {all} is empty",
+        "point": "the common part of {all} is the point {point}",
+        "region": "the common part of {all} is a region around {point}, bounded by {n_arcs} arcs of {arcs}"},
+    "valid": {"valid": "polygons {parts} of {all}: {rule}", "too_few_points": "ring {ring} has too few points",
               "edges_meet": "edges {i} and {j} meet at {point}: {kind}",
               "comes_twice": "ring {ring} comes twice to {point}",
               "crosses": "ring {ring} crosses itself at {point}", "falls_apart": "one falls apart",
               "misplaced": "ring {ring} is misplaced at {point}", "circle": "rings {rings} close a circle",
               "repeated": "edge {edge} has no length", "rings_touch": "rings {ring} and {other} touch at {point}"},
-    "linear_program": {"one": "{point} is the best point along {objective}",
-                       "many": "{point} is one of many best points along {objective}",
-                       "all": "{point} is as good as all others along {objective}",
-                       "unbounded": "there is no best point along {objective}",
-                       "infeasible": "no point is in all half-planes"},
+    "linear_program": {"one": "{point} is the best point of {all} along {objective}",
+                       "many": "{point} is one of many best points of {all} along {objective}",
+                       "all": "{point} is as good as all others of {all} along {objective}",
+                       "unbounded": "there is no best point of {all} along {objective}",
+                       "infeasible": "no point is in all of {all}"},
 }
-REGIONS = {"empty": "empty", "plane": "the plane", "point": "a point", "segment": "a segment", "ray": "a ray",
+ONE = {"bodies": "body", "polytopes": "polytope", "segments": "segment", "circles": "circle", "boxes": "box",
+       "polygons": "polygon", "half_planes": "half-plane", "rings": "ring", "convex_polygons": "convex polygon"}
+REGIONS = {"empty": "empty", "point": "a point", "segment": "a segment", "ray": "a ray",
            "line": "a line", "strip": "a strip", "half-plane": "a half-plane",
            "unbounded": "a region without bounds", "bounded": "a bounded region"}
 
 
-def in_quotes(text):
-    """The text in quotes, as one line of ASCII without control characters."""
-    return json.dumps(text).replace("\x7f", "\\u007f")
+def in_quotes(text, most=LONGEST):
+    """The text in quotes, as one line of ASCII without control characters; of a longer one its beginning."""
+    return json.dumps(text[:most]).replace("\x7f", "\\u007f") + ("..." if len(text) > most else "")
 
 
 def shown(value):
@@ -80,31 +82,53 @@ def shown(value):
     return ", ".join(entries) + (" and %d more" % (len(value) - MOST) if len(value) > MOST else "")
 
 
-def sentence(item, bodies):
-    """Of a statement whose form is right, and of the bodies that it says."""
+def counted(n, one):
+    """A number of things: "1 box", "2 boxes"."""
+    for end, ends in ("ex", "ices"), ("x", "xes"), ("y", "ies"), ("", "s"):
+        if one.endswith(end):
+            return "1 " + one if n == 1 else "%d %s%s" % (n, one[:len(one) - len(end)], ends)
+
+
+def pairs_asked(item, size):
+    """How many pairs of so many members a statement is about."""
+    groups = item.get("groups")
+    same = sum(n * (n - 1) // 2 for n in Counter(groups).values()) if groups else 0
+    return size * (size - 1) // 2 - same - sum(not groups or groups[i] != groups[j] for i, j in item.get("except", ()))
+
+
+def sentence(item, things, about, size):
+    """Of a statement whose form is right, of the bodies that it says, and of the table that it is about."""
     question, verdict = item["question"], item["verdict"]
-    said = {key: shown(value) for key, value in item.items() if key != "claims"}
-    said.update({key: (body.title() + " " + in_quotes(body.name)).lstrip() for key, body in bodies.items()})
+    size = len(item["members"]) if "members" in item else size
+    said = {key: shown(value) for key, value in item.items() if key not in ("claims", "said")}
+    said.update({"n_" + key: len(value) for key, value in item.items() if type(value) is list})
+    said.update({key: thing.title() for key, thing in things.items()}, all=counted(size, ONE[about]))
     if item.get("facets"):
         said["facets"] = "%d facets, made of %d simplices of %d corners" % (
             len(item["facets"]), sum(map(len, item["facets"])), len(item["facets"][0][0]))
     if item.get("vertices"):
-        said["vertices"] = "%d %s" % (len(item["vertices"]), "vertex" if len(item["vertices"]) == 1 else "vertices")
+        said["vertices"] = counted(said["n_vertices"], "vertex")
     said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
-    if verdict in ("these", "count"):
-        count = len(item["contacts"]) if verdict == "these" else item["number"]
-        text = ("exactly %d pair of %s meets" if count == 1 else "exactly %d pairs of %s meet") % (count, question)
+    count = said.get("n_nearer", said.get("n_contacts", item.get("number")))
+    if count is not None:
+        said["pairs"] = counted(count, "pair") + " of the " + said["all"] + (" is" if count == 1 else " are")
+    if ("allowed" in item or "members" in item) and verdict != "some" and not pairs_asked(item, size):
+        text = "no pair of %s is asked about" % said["all"]
+    elif verdict in ("these", "count"):
+        text = "exactly %s of the %s meet" % (counted(count, "pair"), said["all"]) + "s" * (count == 1)
         text += ": " + said["contacts"] if item.get("contacts") else ""
     else:
         known = SENTENCES[question]
         text = (known if type(known) is str else known[verdict]).format(**said)
     if question == "valid" and verdict != "valid":
-        text = "polygons %s: not %s, as %s" % (said["parts"], said["rule"], text)
+        text = "polygons %s of %s: not %s, as %s" % (said["parts"], said["all"], said["rule"], text)
     rules = [said["allowed"] + " allowed"] if said.get("allowed", "nothing") != "nothing" else []
     if "groups" in item:
         rules.append("members of one of %d groups may meet" % len(set(item["groups"])))
     if item.get("members"):
         rules.append("members: " + said["members"])
     if item.get("except"):
-        rules.append("not asked about: " + said["except"])
-    return text + (" (%s)" % ", ".join(rules) if rules else "")
+        rules.append("%s not asked about: %s" % (counted(said["n_except"], "pair"), said["except"]))
+    text += " (%s)" % ", ".join(rules) if rules else ""
+    return text + "".join("; %s is said to be made of %s" % (thing.name, thing.said)
+                          for thing in things.values() if thing.said)

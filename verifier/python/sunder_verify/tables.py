@@ -4,6 +4,8 @@ import itertools
 import operator
 
 from .reader import LIST, anything, bits, common, double, form, index, length, list_of, members, numbers, text_of
+from .said import description
+from .sentences import counted, in_quotes, shown
 
 
 def dot(u, v):
@@ -40,22 +42,23 @@ ROUND = {"radius": None, "cylinder": 2, "cone": 2, "ellipsoid": 1}  # kinds of b
 class Body:
     """A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one."""
 
-    def __init__(self, item, bodies, where):
-        self.linear, self.turned, self.base = None, 0, len(bodies)
+    def __init__(self, item, bodies, where, told):
+        self.linear, self.turned, self.base, self.said = None, 0, len(bodies), ""
         if type(item) is dict and "of" in item:
             read = members(item, {"name": text_of, "of": anything, "linear": anything, "translation": anything}, where)
             body = bodies[index(read["of"], len(bodies), where + ".of")]
             form(body.linear is None, where + " is of one that is placed itself")
             self.base = read["of"]
             self.rows, self.count, self.exponent, d = body.rows, body.count, body.exponent, body.dimension
-            self.kind, self.radius, self.size = body.kind, body.radius, body.size
+            self.kind, self.radius, self.size, self.bits = body.kind, body.radius, body.size, body.bits
+            self.r, self.said = body.r, body.said and body.said + ", mapped"
             (self.linear,), self.turned = rows_of([read["linear"]], d * d, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], d, where + ".translation")
             self.size += bits(self.linear) + abs(self.turned) + bits(self.translation) + abs(self.moved)
         else:
-            shapes = {"name": text_of, "points": LIST, "ways": LIST, **dict.fromkeys(ROUND, double)}
-            read = members(item, shapes, where, optional={"ways": [], **dict.fromkeys(ROUND)})
-            points = read["points"]
+            shapes = {"name": text_of, "points": LIST, "ways": LIST, **dict.fromkeys(ROUND, double), "said": description}
+            read = members(item, shapes, where, dict(told), {"ways": [], **dict.fromkeys(ROUND), "said": ""})
+            points, self.said = read["points"], read["said"]
             form(points and type(points[0]) is list and 2 <= len(points[0]) <= 6,
                  where + ".points is not a list of points of 2 to 6 numbers")
             d = len(points[0])
@@ -68,10 +71,12 @@ class Body:
             self.translation, self.moved = (0,) * d, self.exponent
             kinds = [kind for kind in ROUND if read[kind]]
             self.kind, self.radius = (kinds[0], read[kinds[0]]) if kinds else (None, (0, 1, 0))
+            self.r = shown(item[self.kind]) if kinds else ""
             form(not kinds or (len(kinds) == 1 and d == 3 and not read["ways"] and self.radius[0] >= 0 and
                                ROUND[self.kind] in (None, self.count)), where + " is no body with a radius")
-            self.size = max(map(bits, self.rows)) + abs(self.exponent) + length([self.radius])
-        self.name, self.dimension, self.bits = read["name"], d, max(map(bits, self.rows))
+            self.bits = max(map(bits, self.rows))
+            self.size = self.bits + abs(self.exponent) + length([self.radius])
+        self.name, self.dimension = in_quotes(read["name"]), d
         self.axis = self.turn(list(map(operator.sub, self.rows[1], self.rows[0]))) if ROUND.get(self.kind) == 2 else ()
         form(not self.axis or any(self.axis), where + " has no axis")
 
@@ -79,8 +84,15 @@ class Body:
         return len(self.rows)
 
     def title(self):
-        """What it is, in a word; nothing of one without a radius."""
-        return {1: "ball", 2: "capsule"}.get(self.count, "rounded hull") if self.kind == "radius" else self.kind or ""
+        """What it is, and of how many points."""
+        kind = {None: "convex hull", "ellipsoid": "ball"}.get(self.kind, self.kind)
+        if self.kind == "radius":
+            kind = {1: "ball", 2: "capsule"}.get(self.count, "rounded hull")
+        of = counted(self.count, "mapped point" if self.linear and self.kind != "ellipsoid" else "point")
+        if self.count < len(self):
+            of += " and " + counted(len(self) - self.count, "way")
+        image = "image of the " if self.linear and self.kind == "ellipsoid" else ""
+        return "the %s%s%s of the %s of %s" % (image, kind, " of radius " * bool(self.kind) + self.r, of, self.name)
 
     def turn(self, v):
         """The matrix times a vector, in units of 2^turned times its own."""
@@ -136,33 +148,38 @@ def products_of(row, rows):
 def bodies(value, where, read=None):
     result = []
     for i, item in enumerate(LIST(value, where)):
-        result.append(Body(item, result, "%s[%d]" % (where, i)))
+        result.append(Body(item, result, "%s[%d]" % (where, i), read or {}))
     return result
 
 
 class Polytope:
     """The hull of points of R^d, or the common part of half-spaces a x <= b: rows a1, .., ad, b; or the image of one."""
 
-    def __init__(self, item, polytopes, where):
-        self.linear, self.turned = None, 0
+    def __init__(self, item, polytopes, where, told):
+        self.linear, self.turned, self.said = None, 0, ""
         if type(item) is dict and "of" in item:
             read = members(item, {"name": text_of, "of": anything, "linear": anything, "translation": anything}, where)
             of = polytopes[index(read["of"], len(polytopes), where + ".of")]
             form(of.linear is None, where + " is of one that is placed itself")
             self.rows, self.exponent, self.dimension, self.is_of_points = of.rows, of.exponent, of.dimension, of.is_of_points
+            self.bits, self.said = of.bits, of.said and of.said + ", mapped"
             (self.linear,), self.turned = rows_of([read["linear"]], of.dimension ** 2, where + ".linear")
             (self.translation,), self.moved = rows_of([read["translation"]], of.dimension, where + ".translation")
         else:
             self.is_of_points = type(item) is dict and "points" in item
             key = "points" if self.is_of_points else "half_spaces"
-            read = members(item, {"name": text_of, "dimension": anything, key: LIST}, where)
+            shapes = {"name": text_of, "dimension": anything, key: LIST, "said": description}
+            read = members(item, shapes, where, dict(told), {"said": ""})
+            self.said = read["said"]
             self.dimension = index(read["dimension"], 7, where + ".dimension", 2)
             form(read[key] or not self.is_of_points, where + ".points is empty")
             self.rows, self.exponent = rows_of(read[key], self.dimension + (not self.is_of_points), where + " row")
-        self.name, self.bits = read["name"], max(map(bits, self.rows), default=0)
+            self.bits = max(map(bits, self.rows), default=0)
+        self.name = in_quotes(read["name"])
 
     def title(self):
-        return ""  # as of a body without a radius
+        kind, of = ("convex hull", "point") if self.is_of_points else ("common part", "half-space")
+        return "the %s%s of the %s of %s" % ("image of the " if self.linear else "", kind, counted(len(self), of), self.name)
 
     def __len__(self):
         return len(self.rows)
@@ -171,7 +188,7 @@ class Polytope:
 def polytopes(value, where, read=None):
     result = []
     for i, item in enumerate(LIST(value, where)):
-        result.append(Polytope(item, result, "%s[%d]" % (where, i)))
+        result.append(Polytope(item, result, "%s[%d]" % (where, i), read or {}))
     return result
 
 
@@ -189,6 +206,9 @@ def segments(value, where, read=None):
     for i, row in enumerate(rows):
         form(row[:2] <= row[2:], "%s[%d] does not begin with its lexicographically first end" % (where, i))
     return Segments([(row[:2], row[2:]) for row in rows], exponent)
+
+
+BLOCK = 32  # edges
 
 
 class Polygons(list):
@@ -222,11 +242,31 @@ class Polygons(list):
             result.update(zip(ring, zip(ring[-1:] + ring[:-1], ring[1:] + ring[:1])))
         return result
 
-    def edges_of(self, i):
-        return [edge for ring in self[i] for edge in ring]
+    @functools.cached_property
+    def first_edge(self):
+        """Of each ring, and then their number."""
+        return [0, *itertools.accumulate(map(len, self.rings))]
+
+    @functools.cached_property
+    def rings_of(self):
+        """Of each polygon."""
+        first = [0, *itertools.accumulate(map(len, self))]
+        return [range(*ends) for ends in zip(first, first[1:])]
+
+    @functools.cached_property
+    def blocks(self):
+        """Of each ring edges that follow each other: least and greatest x, least y, the first and the last of them."""
+        result = []
+        for begin, end in zip(self.first_edge, self.first_edge[1:]):
+            result.append([])
+            for k in range(begin, end, BLOCK):
+                some = self.edges[k:min(k + BLOCK, end)]
+                result[-1].append((min(p[0] for p, _ in some), max(q[0] for _, q in some),
+                                   min(min(p[1], q[1]) for p, q in some), k, k + len(some)))
+        return result
 
     def is_point(self, i):
-        return all(first == last for first, last in self.edges_of(i))
+        return all(first == last for ring in self[i] for first, last in ring)
 
 
 def polygons(value, where, read=None):

@@ -1,4 +1,4 @@
-"""Certificate files of version 2, how they are spoilt, and what both checkers say of them: for tests."""
+"""Certificate files of version 3, how they are spoilt, and what both checkers say of them: for tests."""
 import collections
 import json
 import os
@@ -41,7 +41,7 @@ def fraction(x):
 
 
 def file_of(tables, *statements):
-    return {"sunder_certificate": 2, "tables": tables, "statements": list(statements)}
+    return {"sunder_certificate": 3, "inputs": [], "call": [], "left_out": [], "tables": tables, "statements": list(statements)}
 
 
 def told(text):

@@ -48,7 +48,7 @@ def pair_of(boxes, i, j, dice):
 def some_scene(dice):
     """Boxes, statements about their pairs, and what may be said of all of them."""
     boxes = [(dice.randint(0, 5), dice.randint(0, 5), dice.randint(1, 3), dice.randint(1, 3)) for _ in range(dice.randint(2, 5))]
-    members = dice.sample(range(len(boxes)), dice.randint(0, len(boxes)))
+    members = dice.sample(range(len(boxes)), dice.randint(1, len(boxes)))
     groups = [dice.randint(0, 2) for _ in members] if dice.random() < .5 else None
     allowed = dice.choice(["nothing", "touch", "shared-endpoint"])
     pairs = list(itertools.combinations(range(len(members)), 2))

@@ -224,5 +224,19 @@ class BoundariesTest(unittest.TestCase):
         twins.compare()
 
 
+
+class Form(unittest.TestCase):
+    def test_a_first_simplex_without_corners(self):
+        """All simplices have as many corners, two at least: the first one, too."""
+        body = {"name": "b", "points": [["0x0p0", "0x0p0"], ["0x1p0", "0x0p0"]]}
+        twins = Twins(self)
+        for facets in ([[[], [0, 1]]], [[[]], [[0, 1]]], [[[0], [0, 1]]], [[[0, 1], []]], [[[]]]):
+            top = file_of({"bodies": [body]}, {
+                "question": "polytope_hull", "body": 0, "verdict": "facets", "facets": facets,
+                "claims": [{"claim": "boundary", "simplices": [None, None]}]})
+            self.assertEqual(twins.look(top), "F")
+        twins.compare()
+
+
 if __name__ == "__main__":
     main()

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """The corpus of cases/certificates, and what the Python checker prints when it is called."""
+import hashlib
+import json
 import os
 import subprocess
 import sys
@@ -58,7 +60,8 @@ class Calls(unittest.TestCase):
     def test_accepted(self):
         code, out, err = self.call("accepted/segments.json")
         self.assertEqual((code, err), (0, ""))
-        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: "X" and "Y" meet at (0, 0, 0)')
+        self.assertEqual(out.splitlines()[0], 'accepted/segments.json: statement 0: accepted: the convex hull of the 2 mapped points of "X" '
+                         'and the convex hull of the 2 mapped points of "Y" meet at (0, 0, 0)')
         self.assertEqual(out.splitlines()[4:], ["4 statements accepted, 0 refused: accepted"])
         as_module = self.call(os.path.join(CASES, "accepted", "segments.json"), "--quiet", how=("-m", "sunder_verify"),
                               where=os.path.dirname(PACKAGE))
@@ -67,15 +70,43 @@ class Calls(unittest.TestCase):
     def test_refused(self):
         code, out, err = self.call("refused/parted_second_statement.json", "accepted/segments.json", "--quiet")
         self.assertEqual((code, err), (1, ""))
-        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: "first" and "third" are apart: '
-                              'parted: first is not strictly less far along the direction than third\n')
-        for file in ("refused/F_version_1.json", "refused/F_version_1_of_a_set.json"):
+        self.assertEqual(out, 'refused/parted_second_statement.json: statement 1: refused: the convex hull of the 8 mapped points '
+                              'of "first" and the convex hull of the 8 mapped points of "third" are apart: '
+                              'parted: "first" is not strictly less far along the direction than "third"\n')
+        for file, version in (("F_version_1", 1), ("F_version_1_of_a_set", 1), ("F_version_2", 2), ("F_version_4", 4)):
+            file = "refused/%s.json" % file
             self.assertEqual(self.call(file, "--quiet"), (
-                1, file + ": refused: F: this is a certificate of version 1, which is no longer read; make it again\n", ""))
+                1, "%s: refused: F: the file is of version %d, and version 3 is needed; make it again\n" % (file, version), ""))
 
     def test_what_was_left_out_is_always_told(self):
         self.assertEqual(self.call("accepted/left_out.json", "--quiet"), (
             0, "accepted/left_out.json: left out: \"1 cylinder of 'arm'\\u001b[2J\\u007f\\u009b, \\u00e4u\\u00dfere\"\n", ""))
+
+    def test_against_compares_digests_of_files_in_their_order(self):
+        inputs = {"one": b"1", "two": b"22"}
+        top = json.loads(read("accepted/segments.json"))
+        top["inputs"] = [{"name": name, "sha256": hashlib.sha256(text).hexdigest()} for name, text in inputs.items()]
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in {**inputs, "other": b"3", "proof": json.dumps(top).encode()}.items():
+                with open(os.path.join(folder, name), "wb") as stream:
+                    stream.write(text)
+
+            def told(*files):
+                words = [word for file in files for word in ("--against", file)]
+                return self.call("proof", "--quiet", *words, where=folder)
+            code, out, err = told("one", "two")
+            self.assertEqual((code, err), (0, ""))
+            self.assertIn("proof: of files with these digests; what is in them was not looked at\n", out)
+            for files, why in ((("one", "other"), 'input 2, "two", has another SHA-256 than other, '),
+                               (("two", "one"), 'input 1, "one", has another SHA-256 than two, '),
+                               (("one",), "it names 2 inputs, and 1 are given; give all, in their order"),
+                               (("one", "two", "two"), "it names 2 inputs, and 3 are given")):
+                code, out, err = told(*files)
+                self.assertEqual((code, err), (1, ""), files)
+                self.assertIn("proof: not of these files: " + why, out)
+            code, out, err = told("one", "missing")
+            self.assertEqual((code, out), (2, ""))
+            self.assertIn("missing: No such file", err)
 
     def test_unreadable_files_and_bad_calls(self):
         for arguments in (["refused/unreadable_comma.json"], ["no/such/file"], ["accepted"], [], ["--no-option", "x"]):

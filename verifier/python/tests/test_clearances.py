@@ -47,7 +47,7 @@ def clearance_of(boxes, i, j, least):
 def some_scene(dice):
     """Boxes, statements about how far apart two of them are, and what may be said of all of them."""
     boxes = [(dice.randint(0, 12), dice.randint(0, 12), dice.randint(1, 3), dice.randint(1, 3)) for _ in range(dice.randint(2, 5))]
-    members, least = dice.sample(range(len(boxes)), dice.randint(0, len(boxes))), dice.choice((1, 2, 3, 5))
+    members, least = dice.sample(range(len(boxes)), dice.randint(1, len(boxes))), dice.choice((1, 2, 3, 5))
     groups = [dice.randint(0, 2) for _ in members] if dice.random() < .5 else None
     pairs = list(itertools.combinations(range(len(members)), 2))
     besides = [pair for pair in pairs if dice.random() < .2]

@@ -15,7 +15,7 @@ class Given:
     def __init__(self, dice, d):
         self.d, size = d, dice.choice([1, 2])
         self.rows = [[dice.randint(-size, size) for _ in range(d)] + [dice.randint(-1, 3)]
-                     for _ in range(dice.randint(0, d + 3))]
+                     for _ in range(dice.randint(1, d + 3))]
         if dice.random() < .3:  # in a flat
             self.rows += [[-x for x in row] for row in self.rows[:dice.randint(1, 2)]]
         if dice.random() < .4:  # in a box

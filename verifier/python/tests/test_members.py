@@ -90,7 +90,7 @@ def contacts_of(of, members, allowed, groups):
 
 def some_members(of, dice):
     size = dice.choice([2, 4, 8, 20])
-    return [of.one(size, dice) for _ in range(dice.randint(0, 7))]
+    return [of.one(size, dice) for _ in range(dice.randint(1, 7))]
 
 
 def some_groups(members, dice):

@@ -498,11 +498,15 @@ class RoundsTest(unittest.TestCase):
         core = [["0x0p+0"] * 3, ["0x0p+0", "0x1p+0", "0x0p+0"], ["0x0p+0", "0x0p+0", "0x1p+0"]]
         from files import told
         import json
-        for size, kind, word in ((1, "radius", "ball "), (2, "radius", "capsule "), (3, "radius", "rounded hull "),
-                                 (2, "cylinder", "cylinder "), (2, "cone", "cone "), (1, "ellipsoid", "ellipsoid "), (3, "", "")):
+        for size, kind, word in (
+                (1, "radius", "ball of radius 0x1p+0 of the 1 point"), (2, "radius", "capsule of radius 0x1p+0 of the 2 points"),
+                (3, "radius", "rounded hull of radius 0x1p+0 of the 3 points"), (2, "cone", "cone of radius 0x1p+0 of the 2 points"),
+                (2, "cylinder", "cylinder of radius 0x1p+0 of the 2 points"), (3, "", "convex hull of the 3 points"),
+                (1, "ellipsoid", "ball of radius 0x1p+0 of the 1 point")):
             item = {"name": "x", "points": core[:size], **({kind: "0x1p+0"} if kind else {})}
             top = file_of({"bodies": [item, point]}, apart)
-            self.assertEqual(told(json.dumps(top)), ("accepted", ['%s"x" and "p" are apart' % word]))
+            self.assertEqual(told(json.dumps(top)), (
+                "accepted", ['the %s of "x" and the convex hull of the 1 point of "p" are apart' % word]))
             twins.look(top)
         twins.compare()
 

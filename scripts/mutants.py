@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Do the calls of cli/calls find a program that is wrong? Changes one thing of it at a time, and runs them.
+
+    scripts/mutants.py BUILD [NUMBER...]    BUILD is a folder where Ninja has built the program; it stays as it is
+
+Of each mutant one file is compiled and linked with what is there. The subject that ought to find it runs first, then
+all others. Prints who found it, or that none did.
+"""
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+REPORT, PROGRAM, CALL, SCENE = "sunder/ask/report.cpp", "cli/program.cpp", "cli/call.cpp", "sunder/ask/scene/scene_report.cpp"
+PAIR, SIMPLE, POLYGONS = "sunder/ask/pair/verb_pair.cpp", "sunder/ask/set/verb_simple.cpp", "sunder/ask/set/verb_polygons.cpp"
+VERIFY, SEGMENTS = "sunder/ask/verb_verify.cpp", "sunder/ask/set/verb_segments.cpp"
+
+# File, old text (there once), new text, and who ought to find it: subject, or subject:part of a test's name.
+MUTANTS = [
+    (REPORT, '"sunder: {}\\n", io::one_line(text)', '"Sunder: {}\\n", io::one_line(text)', "depth"),
+    (REPORT, "if (!said.is_quiet) print_error(", "if (said.is_quiet) print_error(", "pair:not convex"),
+    (REPORT, '{"notes", said.notes}', '{"notes", Json::array()}', "pair:not convex"),
+    (REPORT, '{"decided_by", nullptr}, ', "", "vertices:Points"),
+    (REPORT, "if (said.is_quiet || said.leaves_output) return;", "if (said.leaves_output) return;", "general:Quiet"),
+    (REPORT, "if (said.is_quiet || said.leaves_output) return;", "if (said.is_quiet) return;", "general:Standard input and"),
+    (REPORT, '{{"sunder", 1}, ', '{{"sunder", 2}, ', "depth"),
+    (REPORT, "claims.add_origin(origin);", "claims.add_origin({});", "files:Mending"),
+    (PROGRAM, 'if (first == "help" || ', "if (", "general:Help"),
+    (PROGRAM, "if (asked.words.size() > 1) return complain_of_word(asked, first, asked.words[1]);", "", "general:Where"),
+    (PROGRAM, "exit_code::bad, error.what(), kind_of", "exit_code::yes, error.what(), kind_of", "depth"),
+    (PROGRAM, "!io::parse_integer(text, number) || number < 0", "!io::parse_integer(text, number)", "general:Values"),
+    (PROGRAM, '"nothing is expected at " + io::quote(extra.front())', '"nothing is expected there"', "general:Bad calls"),
+    (PROGRAM, 'fmt::format("Exit code: {}; {}", verb.codes, other_codes)', 'fmt::format("Exit code: {}", other_codes)', "general:Exit codes"),
+    (PROGRAM, "kind_of(error.code()), error.place()", 'kind_of(error.code()), ""', "general:Errors"),
+    (CALL, 'if (!takes && has) return given.word + " takes no value; leave it out";', "", "general:Values"),
+    (CALL, 'return text + "; a file of that name is " + io::quote("./" + word);', "return text;", "general:meant"),
+    ("sunder/ask/outputs.cpp", "return !is_terminal && is_same_file(written, input_of(input));", "return false;", "scene:Scene files"),
+    ("sunder/ask/outputs.cpp", "return is_same_file(path, output_of(other.path)); });", "return false && &other; });", "sets:maps"),
+    (PAIR, 'require_no_depth(call, "planar objects");', "", "depth"),
+    (PAIR, '{call.mend, "--mend"},', "", "pair:Planar pairs"),
+    (PAIR, "note_hulls(bodies);", "", "pair:not convex"),
+    ("sunder/ask/pair/pair_question.cpp", '{"kept", is_kept}', '{"kept", !is_kept}', "pair:Distances"),
+    ("sunder/ask/scene/verb_scene.cpp", "report.none_meet() && report.is_kept() ?", "report.none_meet() ?", "scene_clearance:Tells"),
+    ("sunder/ask/scene/verb_scene.cpp", "  draw(call, report);", "  if (false) draw(call, report);", "scene:The arm"),
+    (SCENE, 'meet_as_hulls(report, pair) ? "hulls" : "bodies"', 'meet_as_hulls(report, pair) ? "bodies" : "bodies"', "unread:A bend"),
+    (SCENE, 'if (!report.input.unit().empty()) json["unit"]', 'if (report.input.unit().empty()) json["unit"]', "scene:Scene files"),
+    (SCENE, "if (pair.counts) ++meeting;", "++meeting;", "scene:Scene files"),
+    (SCENE, '.push_back({bodies[a].name, bodies[b].name})', '.push_back({bodies[b].name, bodies[a].name})', "scene:Scene files"),
+    ("sunder/ask/scene/placements.cpp", "if (beyond == 0) return;", "if (beyond < 5) return;", "placements:Say"),
+    ("sunder/ask/scene/placements.cpp", "no proofs are written, as nothing", "proofs are written, as nothing", "placements:nothing meets"),
+    (SEGMENTS, 'add("lines", false', 'add("line", false', "segments:Some"),
+    (SEGMENTS, 'if (!file_.layers.empty()) add("layers"', 'if (file_.layers.empty()) add("layers"', "segments:Of a board"),
+    (VERIFY, "if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);", "", "pair:Certificates"),
+    (VERIFY, 'json["not_made_of"].push_back(input.name)', 'json["made_of"].push_back(input.name)', "pair:Planar pairs"),
+    (VERIFY, 'if (!result.left_out.empty()) json["without"] = result.left_out;', "", "unread:left out"),
+    (SIMPLE, "if (at.size() > 1) geometry =", "if (at.size() > 9) geometry =", "simple:as GeoJSON"),
+    (SIMPLE, 'json["rule"] = call_.strict', 'json["law"] = call_.strict', "simple:Simple polygons"),
+    (SIMPLE, "if (mended > 0) text +=", "if (mended > 9) text +=", "simple:Mended"),
+    (SIMPLE, "refuse_method(call.method, methods);", "return 0;", "simple:Simple polygons"),
+    (POLYGONS, 'if (grouped()) text += fmt::format(" of {}"', 'if (false) text += fmt::format(" of {}"', "sets:of groups"),
+    (POLYGONS, 'if (input_.files.size() > 1) add("files", i.file, j.file);', "", "files:Two files"),
+    (POLYGONS, ", said of the {} only: {}", ", of the {} only: {}", "files:Invalid"),
+    ("sunder/ask/region/verb_kernel.cpp", "request.rule = planar::PolygonRule::simple;", "", "region:Kernels"),
+    ("sunder/io/text.cpp", 'if (std::isnan(parsed)) return "is NaN; every number must be finite";', "", "region:Half-spaces"),
+    ("sunder/io/file.cpp", "no such file; check the name", "there is no such thing; check the name", "pair:Certificates"),
+    ("sunder/io/npy.cpp", "{} bytes of numbers, but the header says {} x {} of {}", "{}, {}, {}, {}", "polytopes:NPY that"),
+    ("sunder/io/joint_values.cpp", 'if (!joints.values.emplace(name, value).second) fail_call', 'if (!joints.values.emplace(name, value).second && false) fail_call', "scene:Bad scenes"),
+]
+
+
+def commands_of(build):
+    """How each file is compiled, and how the program is linked."""
+    lines = subprocess.run(["ninja", "-C", build, "-t", "commands", "sunder_cli"], check=True, capture_output=True,
+                           text=True).stdout.splitlines()
+    link = next(line for line in lines if "-o bin/sunder " in line)
+    return [line for line in lines if " -c " in line], re.sub(r"^: && | && :$", "", link)
+
+
+def make(build, mutant, folder):
+    """The program with one thing changed."""
+    file, old, new, _ = mutant
+    compiles, link = commands_of(build)
+    command = next(shlex.split(line) for line in compiles if line.endswith("/" + file))
+    with open(command[-1], encoding="utf-8") as stream:
+        text = stream.read()
+    if text.count(old) != 1:
+        raise ValueError("the text is there %d times: %s" % (text.count(old), old))
+    source, made, program = (os.path.join(folder, name) for name in ("mutant.cpp", "mutant.o", "sunder"))
+    with open(source, "w", encoding="utf-8") as stream:
+        stream.write(text.replace(old, new))
+    command[-1] = source
+    command[command.index("-o") + 1] = made
+    del command[command.index("-MD"):command.index("-o")]
+    for words in (command, [program if w == "bin/sunder" else w for w in shlex.split(link)]):
+        if words is not command:
+            words.insert(words.index("-o"), made)
+        done = subprocess.run(words, cwd=build, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise ValueError("does not build: " + done.stderr[:500])
+    return program
+
+
+def run(subjects, part, program):
+    runner = os.path.join(ROOT, "cli", "calls_test.py")
+    done = subprocess.run([sys.executable, runner, "--stop", "--only", part, *subjects], text=True, check=False,
+                          capture_output=True, env={**os.environ, "SUNDER_PROGRAM": program})
+    return done.returncode != 0, done.stdout.strip().splitlines()[-1:]
+
+
+def main():
+    build = os.path.abspath(sys.argv[1])
+    numbers = [int(word) for word in sys.argv[2:]] or range(len(MUTANTS))
+    missed = 0
+    for number in numbers:
+        file, first = MUTANTS[number][0], MUTANTS[number][3]
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                program = make(build, MUTANTS[number], folder)
+                subject, _, part = first.partition(":")
+                found, last = run([subject], part, program)
+                if not found:
+                    first = "others"
+                    found, last = run([], "", program)
+                words = "found by " + first if found else "NOT FOUND"
+            except ValueError as error:
+                found, words, last = False, str(error), ""
+        missed += not found
+        print("%2d %s: %s %s" % (number, file, words, last), flush=True)
+    print("%d mutants, %d not found" % (len(numbers), missed))
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

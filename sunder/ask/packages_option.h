@@ -1,0 +1,19 @@
+// The option --package: where the meshes of robots are.
+#pragma once
+
+#include <sunder/ask/verb.h>
+
+#include <sunder/base/error.h>
+#include <sunder/io/packages.h>
+
+#include <string>
+#include <vector>
+
+namespace sunder::ask {
+
+Option package_option(std::vector<std::string>& named);
+
+// Of the option's values, and of ROS_PACKAGE_PATH. Throws Error as io::parse_packages does.
+io::Packages packages_of(const std::vector<std::string>& named);
+
+}  // namespace sunder::ask

@@ -1,0 +1,80 @@
+// How much memory it takes to count pairs of polygons that meet, where there are too many to be kept: the greatest
+// number of live bytes, counted where they are allocated.
+#include <tests/support/shapes.h>
+#include <tests/support/thread_sanitizer.h>
+
+#include <sunder/planar/set/polygons_all.h>
+
+#include <gtest/gtest.h>
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <vector>
+
+// What this thread has allocated and not freed, as large as the allocator made it; and the most since it was set.
+static thread_local std::int64_t live = 0, most = 0;
+
+#if !SUNDER_UNDER_THREAD_SANITIZER
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* p = std::malloc(size == 0 ? 1 : size);
+  if (p == nullptr) throw std::bad_alloc();
+  live += static_cast<std::int64_t>(malloc_usable_size(p));
+  most = std::max(most, live);
+  return p;
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept {
+  if (p != nullptr) live -= static_cast<std::int64_t>(malloc_usable_size(p));
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+#endif
+
+namespace sunder::tests {
+namespace {
+
+using planar::Polygon;
+using planar::PolygonsCountAnswer;
+
+// Triangles around one point, each `width` slices wide.
+std::vector<Polygon> pie(std::uint32_t slices, std::uint32_t width) {
+  std::vector<Polygon> polygons;
+  const double n = slices;
+  for (std::uint32_t k = 0; k < slices; ++k) {
+    const Point2 from = on_circle(k / n, 100), to = on_circle((k + width) % slices / n, 100);
+    polygons.emplace_back(std::vector<std::vector<Point2>>{{{0, 0}, from, to}});
+  }
+  return polygons;
+}
+
+PolygonsCountAnswer counted(const std::vector<Polygon>& polygons, const SetOptions& options = {}) {
+  const std::int64_t before = live;
+  most = live;
+  const PolygonsCountAnswer answer = polygons_count(polygons, options);
+  std::printf("%zu polygons: %.1f MB\n", polygons.size(), static_cast<double>(most - before) / 1e6);
+  EXPECT_LT(most - before, 48'000'000) << "of " << polygons.size();
+  return answer;
+}
+
+TEST(PolygonsMemory, CountingKeepsNoPairs) {
+  for (const std::uint32_t n : {1000u, 4000u}) {
+    const PolygonsCountAnswer slices = counted(pie(n, 1));
+    EXPECT_EQ(slices.touching, std::uint64_t{n} * (n - 1) / 2);
+    EXPECT_EQ(slices.overlapping, 0u);
+    const PolygonsCountAnswer wide = counted(pie(n, 3));  // each overlaps two after it, and two before
+    EXPECT_EQ(wide.overlapping, std::uint64_t{n} * 2);
+    EXPECT_EQ(wide.touching, std::uint64_t{n} * (n - 1) / 2 - std::uint64_t{n} * 2);
+    std::vector<std::uint32_t> groups;
+    for (std::uint32_t i = 0; i < n; ++i) groups.push_back(i % 4);
+    const PolygonsCountAnswer across = counted(pie(n, 3), {Allowed::nothing, groups, nullptr});
+    EXPECT_EQ(across.overlapping, std::uint64_t{n} * 2);
+    EXPECT_EQ(across.touching, std::uint64_t{n} * n * 3 / 8 - std::uint64_t{n} * 2);
+  }
+}
+
+}  // namespace
+}  // namespace sunder::tests
