@@ -20,7 +20,7 @@ namespace {
 // The writer begins each part of a file on a line of its own; no string of JSON holds a line feed.
 constexpr std::string_view statements = "\n \"statements\": [";
 
-// Where the list that begins before `at` ends, in JSON that is right; npos: nowhere.
+// The place behind the list that begins before `at`, in valid JSON; npos where the list does not end.
 std::size_t end_of_list(std::string_view text, std::size_t at) {
   for (std::size_t depth = 1; at < text.size(); ++at) {
     const char c = text[at];

@@ -13,7 +13,7 @@ namespace sunder::ask {
 
 Option package_option(std::vector<std::string>& named);
 
-// Of the option's values, and of ROS_PACKAGE_PATH. Throws Error as io::parse_packages does.
+// The packages that the option's values name, and those of ROS_PACKAGE_PATH. Throws Error as io::parse_packages does.
 io::Packages packages_of(const std::vector<std::string>& named);
 
 }  // namespace sunder::ask

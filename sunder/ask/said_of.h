@@ -29,7 +29,7 @@ Said said_of_mesh(const io::MeshBody& body, const InputFiles& inputs, const io::
 // The same in the coordinate systems that its file declares; unchanged where nothing is said, or none is declared.
 Said said_in(std::span<const io::SystemOfFile> systems, Said said);
 
-// Of a table of so many rows out of one file; nothing where there are none, or nothing is said.
+// What a proof says of a table whose rows come from one file. Empty where the table has no rows, or `said` is empty.
 std::vector<SaidOfRows> said_of_rows(const char* table, std::uint64_t rows, const Said& said);
 
 }  // namespace sunder::ask

@@ -106,7 +106,7 @@ bool is_planar(const std::string& file, std::string_view bytes) {
   return io::is_planar(file) || std::find(foreign.begin(), foreign.end(), io::ending_of(file)) != foreign.end();
 }
 
-// Where the meshes of a robot are, as sunder scene would find them.
+// Finds the mesh files of a robot as sunder scene does.
 class MeshFiles {
  public:
   MeshFiles(const std::string& robot, const io::Packages& packages)

@@ -50,7 +50,7 @@ class NearnessLines {
   void add_csv_header(std::string& text) const;
 
  private:
-  bool is_hull(const scene::PartDistance& pair) const;  // is it said of a hull in the stead of a mesh?
+  bool is_hull(const scene::PartDistance& pair) const;  // does a hull replace a mesh in it?
   std::string names_of(const scene::PartDistance& pair) const;
   std::string json_of(const scene::PartDistance& pair, bool has_margin) const;
 

@@ -90,7 +90,7 @@ class SceneInput {
 
   bool is_hull(std::uint32_t body, std::uint32_t part) const;  // does it stand for a mesh?
   std::vector<const io::BodyPart*> parts() const;              // of all bodies, in order
-  // Of each part of each body, what a proof says that it is made of.
+  // What a proof says that each part of each body is made of.
   std::vector<std::vector<Said>> said(const InputFiles& inputs) const;
   std::vector<const MeshBody*> meshes() const;                                       // of those that have no radius
   const LeftOutList& left_out() const { return left_out_; }                          // what is not read: must be shown

@@ -29,7 +29,7 @@ const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodi
 std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
 std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
 
-// Do the parts meet, and is this said of hulls in the stead of meshes?
+// Do the parts meet, and do hulls replace meshes in that?
 bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
   return pair.meet() &&
          (report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b));
@@ -200,7 +200,7 @@ Reasons reasons_by_bodies(const SceneReport& report) {
   return reasons;
 }
 
-// Of the pairs that are allowed to meet those that do, or may, by reason, in the order of reasons_of().
+// Lists the allowed pairs that meet, or may meet, by reason, in the order of reasons_of().
 std::string allowed_meeting_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
   const Reasons reasons = reasons_by_bodies(report);
   std::vector<const PartPair*> found;

@@ -114,7 +114,7 @@ void require_drawable(const Call& call, const SceneInput& input, std::size_t pla
   }
 }
 
-// Where some are given.
+// The joint values that the call gives; nothing where it gives none.
 std::optional<SaidNote> joint_values_note(const std::map<std::string, double>& joints) {
   if (joints.empty()) return std::nullopt;
   return SaidNote::joint_values({joints.begin(), joints.end()});

@@ -28,8 +28,8 @@ std::string text_of(const planar::MendedRings& mended);
 // "  skipped ...", "  mended ...", "  left out ...", "  remark ...": lines for people, at most 20 of a kind.
 std::string tell(const PolygonsInput& input);
 
-// Where a proof comes from whose table of this name has an entry for each polygon, or, where they are told, so many of
-// each file.
+// The origin of a proof whose table of this name has an entry for each polygon, and besides so many `entries` of each
+// file, where these are given.
 Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std::vector<std::uint64_t> entries = {});
 
 // Adds "skipped", "mended", "left_out", "remarks" to a report, as far as there are any.

@@ -74,7 +74,7 @@ struct SetFacts {
   std::string head, tail;               // lines before the verdict, and after the contacts
   std::string said_of, clause;          // within the verdict: " of the centre lines"; what it is not about
   std::vector<std::string> rules;       // within the verdict: what may meet
-  std::vector<std::string> not_proved;  // of all that is told, where there is a proof
+  std::vector<std::string> not_proved;  // the words of the answer that the proof does not prove
   Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };
 
