@@ -1,38 +1,15 @@
 // How much memory it takes to count pairs of polygons that meet, where there are too many to be kept: the greatest
 // number of live bytes, counted where they are allocated.
+#include <tests/support/live_bytes.h>
 #include <tests/support/shapes.h>
-#include <tests/support/thread_sanitizer.h>
 
 #include <sunder/planar/set/polygons_all.h>
 
 #include <gtest/gtest.h>
 
-#include <malloc.h>
-
-#include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <new>
 #include <vector>
-
-// What this thread has allocated and not freed, as large as the allocator made it; and the most since it was set.
-static thread_local std::int64_t live = 0, most = 0;
-
-#if !SUNDER_UNDER_THREAD_SANITIZER
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* p = std::malloc(size == 0 ? 1 : size);
-  if (p == nullptr) throw std::bad_alloc();
-  live += static_cast<std::int64_t>(malloc_usable_size(p));
-  most = std::max(most, live);
-  return p;
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  if (p != nullptr) live -= static_cast<std::int64_t>(malloc_usable_size(p));
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
-#endif
 
 namespace sunder::tests {
 namespace {
@@ -56,6 +33,9 @@ PolygonsCountAnswer counted(const std::vector<Polygon>& polygons, const SetOptio
   most = live;
   const PolygonsCountAnswer answer = polygons_count(polygons, options);
   std::printf("%zu polygons: %.1f MB\n", polygons.size(), static_cast<double>(most - before) / 1e6);
+  if (!SUNDER_UNDER_THREAD_SANITIZER) {
+    EXPECT_GT(most - before, 1'000'000);  // else nothing was counted
+  }
   EXPECT_LT(most - before, 48'000'000) << "of " << polygons.size();
   return answer;
 }

@@ -1,4 +1,5 @@
 // How much memory bodies and scenes hold, as their headers say: live bytes, counted where they are allocated.
+#include <tests/support/live_bytes.h>
 #include <tests/support/shapes.h>
 #include <tests/support/thread_sanitizer.h>
 
@@ -10,33 +11,12 @@
 
 #include <gtest/gtest.h>
 
-#include <malloc.h>
-
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <vector>
-
-// What this thread has allocated and not freed, as large as the allocator made it, without its own header.
-static thread_local std::int64_t live = 0;
-
-#if !SUNDER_UNDER_THREAD_SANITIZER
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  void* p = std::malloc(size == 0 ? 1 : size);
-  if (p == nullptr) throw std::bad_alloc();
-  live += static_cast<std::int64_t>(malloc_usable_size(p));
-  return p;
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  if (p != nullptr) live -= static_cast<std::int64_t>(malloc_usable_size(p));
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
-#endif
 
 namespace sunder::tests {
 namespace {
