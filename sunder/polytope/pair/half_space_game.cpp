@@ -1,10 +1,11 @@
 #include <sunder/polytope/pair/half_space_game.h>
+#include <sunder/polytope/pair/half_space_weights.h>
 #include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
-#include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/rounded_half_spaces.h>
 #include <sunder/polytope/pair/support.h>
+#include <sunder/polytope/pair/wide_search.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,11 @@ class GameSearch {
   // `of_a` are half-spaces, `of_b` points.
   HalfSpaceProposal propose() {
     HalfSpaceProposal result;
-    if (!rounded_.is_usable()) return result;
-    result.decision = search();
-    if (!result.decision) result.decision = tight();
+    if (rounded_.is_usable()) {
+      result.decision = search();
+      if (!result.decision) result.decision = tight();
+    }
+    if (!result.decision) result.decision = search_widely(half_spaces_, points_, cost_);
     if (result.decision) return result;
     for (std::size_t i = 0; i < game_.rows(); ++i) {
       if (game_.row_weight(i) > matters) result.of_a.push_back(rows_[i].index);
@@ -151,11 +154,6 @@ class GameSearch {
     return inside(weights_within({{half_space, 1.0}}, corners));
   }
 
-  struct Weighted {
-    std::uint32_t index = 0;
-    Dyadic weight;
-  };
-
   // The weights of points, and of half-spaces, that are more than `least`.
   std::vector<Weighted> weights_of_points(double least) const {
     std::vector<Weighted> result;
@@ -194,10 +192,7 @@ class GameSearch {
     }
     auto numbers = null_vector(payoffs);
     if (!numbers) return std::nullopt;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if ((*numbers)[k] < 0) return std::nullopt;
-      points[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
-    }
+    for (std::size_t k = 0; k < points.size(); ++k) points[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
     return inside(points);
   }
 
@@ -252,41 +247,11 @@ class GameSearch {
     return result;
   }
 
-  // Is the combination of points inside of all half-spaces?
   std::optional<ExactDecision> inside(const std::vector<Weighted>& weights) {
-    if (weights.empty()) return std::nullopt;
-    ++cost_.proposals;
-    ExactEvidence common;
-    common.numbers.resize(d_);
-    Dyadic total;
-    for (const auto& [index, weight] : weights) {
-      if (weight.sign() == Sign::zero) continue;
-      total = total + weight;
-      const ExactVector image = points_.image(index);
-      for (std::size_t c = 0; c < d_; ++c) common.numbers[c] = common.numbers[c] + weight * image[c];
-      common.of_b.parts.push_back({index, weight});
-    }
-    if (total.sign() != Sign::positive || half_spaces_.breaks_any(common.numbers, total, cost_)) return std::nullopt;
-    common.denominator = common.of_b.denominator = total;
-    common.in_a = {half_spaces_.unplaced(common.numbers, total), total * half_spaces_.scale()};
-    return ExactDecision{Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+    return met_by_weights(half_spaces_, points_, weights, cost_);
   }
-
-  // Is no point in the combination of half-spaces?
   std::optional<ExactDecision> parted(const std::vector<Weighted>& weights) {
-    ++cost_.proposals;
-    ExactEvidence parting;
-    parting.numbers.resize(d_);
-    Dyadic side;
-    for (const auto& [index, weight] : weights) {
-      const ExactVector row = half_spaces_.half_space(index);
-      for (std::size_t c = 0; c < d_; ++c) parting.numbers[c] = parting.numbers[c] + weight * row[c];
-      side = side + weight * row[d_];
-      parting.of_a.parts.push_back({index, weight * half_spaces_.scale()});
-    }
-    const Dyadic least = -points_.furthest(negated(parting.numbers), cost_).product;
-    if ((least - side).sign() != Sign::positive) return std::nullopt;
-    return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+    return parted_by_weights(half_spaces_, points_, weights, cost_);
   }
 
   Placed half_spaces_, points_;

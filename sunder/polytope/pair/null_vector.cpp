@@ -115,8 +115,9 @@ struct System {
   }
 
   // Puts equations first that floating point has as independent, by elimination; false where it finds fewer than there
-  // are unknowns.
+  // are unknowns. Of as many equations as unknowns it is the determinants that tell.
   bool put_independent_first() {
+    if (equations == unknowns) return true;
     auto& m = rounded;
     const std::size_t n = unknowns;
     std::array<bool, most_vectors> is_done{};
