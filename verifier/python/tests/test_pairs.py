@@ -12,33 +12,32 @@ from files import (FORCED, MUTANT, Twins, dice_of, file_of, fraction, hexadecima
 
 def solution_or_proof(columns, wanted):
     """x >= 0 with the sum of x[k] columns[k] wanted, and None; or None, and y whose product with wanted is positive and
-    with no column. By phase one of the simplex method, with Bland's rule."""
+    with no column. By phase one of the simplex method, with Bland's rule, in whole numbers: all entries of the table are
+    over one denominator, the last pivot, which divides them exactly (J. Edmonds)."""
     rows, size = len(wanted), len(columns)
-    signs = [1 if w >= 0 else -1 for w in wanted]
-    table = [[signs[r] * Fraction(c[r]) for c in columns] + [Fraction(r == k) for k in range(rows)] + [signs[r] * Fraction(wanted[r])]
+    scale = math.lcm(*(x.denominator for column in (*columns, wanted) for x in column))
+    signs = [scale if w >= 0 else -scale for w in wanted]
+    table = [[int(signs[r] * c[r]) for c in columns] + [int(r == k) for k in range(rows)] + [int(signs[r] * wanted[r])]
              for r in range(rows)]
-    basis = [size + r for r in range(rows)]
-    cost = [-sum(row[k] for row in table) for k in range(size)] + [Fraction(0)] * rows + [-sum(row[-1] for row in table)]
+    basis, over = [size + r for r in range(rows)], 1
+    cost = [-sum(row[k] for row in table) for k in range(size)] + [0] * rows + [-sum(row[-1] for row in table)]
     while True:
         enter = next((k for k in range(size + rows) if cost[k] < 0), None)
         if enter is None:
             break
-        ratios = [(row[-1] / row[enter], basis[r], r) for r, row in enumerate(table) if row[enter] > 0]
-        _, _, r = min(ratios)
-        pivot = table[r][enter]
-        table[r] = [x / pivot for x in table[r]]
-        for other in (*range(rows), None):
-            row = cost if other is None else table[other]
-            if other != r and row[enter]:
+        _, _, r = min((Fraction(row[-1], row[enter]), basis[r], r) for r, row in enumerate(table) if row[enter] > 0)
+        by, pivot = table[r], table[r][enter]
+        for row in (*table, cost):
+            if row is not by:
                 factor = row[enter]
-                row[:] = [x - factor * y for x, y in zip(row, table[r])]
-        basis[r] = enter
+                row[:] = [(pivot * x - factor * y) // over for x, y in zip(row, by)]
+        basis[r], over = enter, pivot
     if cost[-1] == 0:
         x = [Fraction(0)] * (size + rows)
         for r, k in enumerate(basis):
-            x[k] = table[r][-1]
+            x[k] = Fraction(table[r][-1], over)
         return x[:size], None
-    return None, [signs[r] * (1 - cost[size + r]) for r in range(rows)]
+    return None, [(1 - Fraction(cost[size + r], over)) * (1 if signs[r] > 0 else -1) for r in range(rows)]
 
 
 def value_of(text):
