@@ -9,6 +9,8 @@
 #include <CLI/App.hpp>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,67 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
   return names;
+}
+
+// "--json, --svg": those of `wanted`, in the order of the verb.
+std::string listed(const CLI::App& verb, const std::set<CLI::Option*>& wanted) {
+  std::string names;
+  for (const CLI::Option* option : verb.get_options()) {
+    const bool is_wanted = std::any_of(wanted.begin(), wanted.end(), [&](const auto* one) { return one == option; });
+    if (is_wanted) names += (names.empty() ? "--" : ", --") + option->get_lnames().front();
+  }
+  return names;
+}
+
+// What an option is for, and which others it needs or excludes.
+std::string about(const CLI::App& verb, const CLI::Option& option) {
+  std::string text = option.get_description();
+  const bool is_file = option.get_lnames().empty();
+  if (option.check_lname("method")) {
+    const bool has_kinds = text.find(':') != std::string::npos;
+    text = fmt::format("the algorithm (default automatic); all of them give the same answer. Choices{} {}",
+                       has_kinds ? "" : ":", text);
+  }
+  if (option.get_required() && !is_file) text += "; required";
+  if (may_repeat(option) && !is_file) text += "; may be repeated";
+  if (const std::string names = listed(verb, option.get_needs()); !names.empty()) text += "; needs " + names;
+  if (const std::string names = listed(verb, option.get_excludes()); !names.empty()) text += "; not with " + names;
+  return text;
+}
+
+constexpr std::size_t most_columns = 100, text_column = 28;  // of help
+
+// The words in lines of at most most_columns; the first line begins at column `at`, the others are indented by `indent`.
+std::string wrapped(const std::string& text, std::size_t at, std::size_t indent) {
+  std::istringstream words(text);
+  std::string word, lines;
+  while (words >> word) {
+    const bool is_first = lines.empty();
+    if (!is_first && at + 1 + word.size() > most_columns) {
+      lines += "\n" + std::string(indent, ' ');
+      at = indent;
+    } else if (!is_first) {
+      lines += ' ';
+      ++at;
+    }
+    lines += word;
+    at += word.size();
+  }
+  return lines + "\n";
+}
+
+// A name on the left, and what it means on the right.
+std::string help_row(const std::string& name, const std::string& text) {
+  std::string left = "  " + name;
+  if (left.size() + 2 > text_column) left += "\n" + std::string(text_column, ' ');
+  if (left.size() < text_column) left.resize(text_column, ' ');
+  return left + wrapped(text, text_column, text_column);
+}
+
+// "FILE...", "[FILE...]", "A"
+std::string argument(const CLI::Option& option) {
+  const std::string name = option.get_name(true) + (may_repeat(option) ? "..." : "");
+  return option.get_required() ? name : "[" + name + "]";
 }
 
 std::string words_of(const CLI::Option& option) { return fmt::format("{}", fmt::join(names_of(option), " ")); }
@@ -206,12 +269,34 @@ std::string man_of(const CLI::App& verb) {
     const std::string value =
         takes_value(*option) && !is_file ? fmt::format(" \\fI{}\\fR", roff(option->get_type_name())) : "";
     text += fmt::format(".TP\n\\fB{}\\fR{}\n{}\n", roff(is_file ? option->get_name(true) : words_of(*option)), value,
-                        roff(option->get_description()));
+                        roff(about(verb, *option)));
   }
   return text + ".PP\n" + roff(verb.get_footer()) + "\n";
 }
 
 }  // namespace
+
+std::string help_text(const CLI::App& app) {
+  std::string arguments, rows, options;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_lnames().empty()) {
+      arguments += " " + argument(*option);
+      rows += help_row(option->get_name(true), about(app, *option));
+    } else {
+      const std::string value = takes_value(*option) ? " " + option->get_type_name() : "";
+      options += help_row(fmt::format("{}{}", fmt::join(names_of(*option), ","), value), about(app, *option));
+    }
+  }
+  const bool is_verb = app.get_parent() != nullptr;
+  std::string text = wrapped(app.get_description(), 0, 0);
+  if (is_verb) {
+    text += fmt::format("Usage: sunder {}{} [OPTIONS]\n\nFiles:\n{}", app.get_name(), arguments, rows);
+  } else {
+    text += "Usage: sunder VERB FILE... [OPTIONS]\n\nSubcommands:\n";
+    for (const CLI::App* verb : verbs_of(app)) text += help_row(verb->get_name(), verb->get_description());
+  }
+  return text + "\nOptions:\n" + options + "\n" + wrapped(app.get_footer(), 0, 0);
+}
 
 std::string completion(const CLI::App& program, std::string_view shell) {
   if (shell == "bash") return bash(program);

@@ -10,6 +10,9 @@ class App;
 
 namespace sunder::cli {
 
+// The text of `sunder help`, or of `sunder help VERB` for the App of a verb: lines of at most 100 characters.
+std::string help_text(const CLI::App& app);
+
 // A script that completes verbs, options and names of files: of bash, zsh or fish.
 // Throws Error bad_call for another shell.
 std::string completion(const CLI::App& program, std::string_view shell);

@@ -136,7 +136,7 @@ int help(const CLI::App& program, const Asked& asked) {
   if (words.size() > 2) return complain(asked, exit_code::bad, "help: name one verb, or none; see sunder --help");
   if (words.size() == 2 && !is_in(names_of_verbs(program), words[1]))
     return complain_of_verb(program, asked, "there is no verb " + io::quote(words[1]), words[1]);
-  print(words.size() == 1 ? program.help() : program.get_subcommand(words[1])->help("sunder"));
+  print(help_text(words.size() == 1 ? program : *program.get_subcommand(words[1])));
   return exit_code::no;
 }
 
@@ -218,8 +218,7 @@ void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) 
     for (const std::string& other : option.excludes) added->excludes(app->get_option(other));
   }
   app->footer(fmt::format("Exit code: {}; {}", verb.codes, other_codes));
-  app->get_formatter()->column_width(28);
-  app->add_flag("--quiet", quiet, "print nothing but errors: the exit code is the answer");
+  app->add_flag("--quiet", quiet, "print only errors; the exit code is the answer");
   app->parse_complete_callback([app, &quiet] {
     if (quiet) ask::be_quiet();
     const bool is_taken = takes_standard_output(*app);
@@ -231,10 +230,10 @@ void add_verb(CLI::App& program, const ask::Verb& verb, int& code, bool& quiet) 
 
 // For help and completion; run_program() obeys them.
 void add_options(CLI::App& program) {
-  program.set_version_flag("-V,--version", fmt::format("sunder {}", version));
-  program.add_option("--completion", "print a script that completes calls in bash, zsh or fish")->type_name("SHELL");
+  program.set_version_flag("-V,--version", fmt::format("sunder {}", version), "print the version");
+  program.add_option("--completion", "print a completion script for bash, zsh or fish")->type_name("SHELL");
   program.add_flag("--man")->description("print the manual page");
-  program.footer(fmt::format("Exit code: 0 or 1, the answer: sunder help VERB tells which; {}", other_codes));
+  program.footer(fmt::format("Exit code: 0 or 1, the answer (sunder help VERB explains it); {}", other_codes));
 }
 
 // What CLI11 finds wrong with the other words of the call.
@@ -252,7 +251,11 @@ int run_checked(int argc, char** argv, Asked& asked) {
   int code = exit_code::no;
   bool quiet = false;
   const std::vector<ask::Verb> verbs = ask::verbs();
-  CLI::App program("Sunder tells whether things meet, and proves it.", "sunder");
+  CLI::App program(
+      "Sunder decides exactly whether geometric objects meet, and can prove each answer. To meet is to have a common "
+      "point: touching counts.",
+      "sunder");
+  program.set_help_flag("-h,--help", "print this help");  // verbs inherit it
   for (const ask::Verb& verb : verbs) add_verb(program, verb, code, quiet);
   add_options(program);
   const std::vector<std::string>& words = asked.words;
@@ -266,7 +269,7 @@ int run_checked(int argc, char** argv, Asked& asked) {
   try {
     if (problem.empty()) program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    print(verb.help("sunder"));
+    print(help_text(verb));
   } catch (const CLI::ParseError& error) {
     problem = problem_of(verb, error);
   }

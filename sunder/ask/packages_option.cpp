@@ -5,7 +5,9 @@
 namespace sunder::ask {
 
 Option package_option(std::vector<std::string>& named) {
-  return {"--package", &named, "where a package of meshes is; also in ROS_PACKAGE_PATH", "NAME=FOLDER"};
+  return {"--package", &named,
+          "the folder of the ROS package NAME, for meshes named package://NAME/...; also searched: ROS_PACKAGE_PATH",
+          "NAME=FOLDER"};
 }
 
 io::Packages packages_of(const std::vector<std::string>& named) {

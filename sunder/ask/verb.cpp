@@ -22,7 +22,7 @@ void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t
 Option svg_limit_option(std::uint64_t& limit) {
   return {.name = "--svg-limit",
           .value = &limit,
-          .help = fmt::format("draw at most N things, contacts included (default {})", limit),
+          .help = fmt::format("refuse to draw more than N things, contacts included (default {})", limit),
           .type = "N",
           .needs = "--svg"};
 }
@@ -30,7 +30,7 @@ Option svg_limit_option(std::uint64_t& limit) {
 Option json_option(bool& json) { return {"--json", &json, "print a report in JSON"}; }
 
 Option title_option(std::string& title) {
-  return {.name = "--title", .value = &title, .help = "the title of the picture", .needs = "--svg"};
+  return {.name = "--title", .value = &title, .help = "the title written on the picture", .needs = "--svg"};
 }
 
 Option certificate_option(std::string& file, std::string help) {

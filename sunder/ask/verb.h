@@ -50,15 +50,17 @@ struct QuestionCall {
 
 inline constexpr const char *codes_of_sets = "0 none meet; 1 some meet", *codes_of_reports = "0";
 
-// "draw at most N things"; after the option --svg.
+// The most things that --svg may draw; after the option --svg.
 Option svg_limit_option(std::uint64_t& limit);
 
 // Options that most verbs have.
-inline constexpr const char* leave_out_help = "leave out what is not read (shapes, lines, loose vertices), and say so";
-inline constexpr const char* mixed_crs_help = "compare numbers as they are, though coordinate systems differ";
+inline constexpr const char* leave_out_help =
+    "leave out what this verb cannot use (shapes, lines, loose vertices), and list it";
+inline constexpr const char* mixed_crs_help =
+    "compare coordinates as they are, even if the files declare different coordinate systems";
 Option json_option(bool& json);
 Option title_option(std::string& title);  // of the picture of --svg
-Option certificate_option(std::string& file, std::string help = "write the proof here");
+Option certificate_option(std::string& file, std::string help = "write the proof to FILE");
 
 Verb pair_verb();
 Verb scene_verb();

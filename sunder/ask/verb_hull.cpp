@@ -87,13 +87,17 @@ Verb hull_verb() {
   const auto call = std::make_shared<HullCall>();
   return {
       "hull",
-      "The exact convex hull of a mesh or a set of points, or the vertices of half-spaces, of up to six dimensions.",
-      "0; of half-spaces 1 if they are empty, or unbounded",
-      {{"FILE", &call->file, "a mesh or points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; CSV, NPY x1,..,xd; or a1,..,ad,b",
+      "Compute the exact convex hull of points in 2 to 6 dimensions, or the vertices of half-spaces.",
+      "0 the hull or the vertices; 1 the half-spaces have no common point, or their intersection is unbounded",
+      {{"FILE", &call->file,
+        "a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); points x1,..,xd in 2 to 6 dimensions (CSV, "
+        "NPY); or half-spaces a1 x1 + .. + ad xd <= b (CSV, NPY: a1,..,ad,b)",
         "", true},
-       {"-o,--out", &call->out, "write the hull here: .obj, .off, .ply or .stl; of CSV or NPY: .csv", "FILE"},
+       {"-o,--out", &call->out, "write the hull to FILE: .obj, .off, .ply or .stl for a mesh; .csv for CSV or NPY",
+        "FILE"},
        certificate_option(call->certificate),
-       {"--half-spaces", &call->half_spaces, "rows of FILE are half-spaces a1,..,ad,b, where it does not name them"},
+       {"--half-spaces", &call->half_spaces,
+        "each row of FILE (CSV without column names, or NPY) is a half-space a1,..,ad,b"},
        {"--leave-out", &call->leave_out, leave_out_help},
        json_option(call->json)},
       [call] { return run(*call); }};

@@ -436,11 +436,11 @@ int run(const Call& call) {
 Verb info_verb() {
   const auto call = std::make_shared<Call>();
   return {"info",
-          "What is in these files? Which formats are read?",
+          "What do these files contain? Which formats does the program read?",
           codes_of_reports,
-          {{"FILE", &call->files, "meshes, sets of points, robots, scenes, files of the plane", ""},
+          {{"FILE", &call->files, "meshes, sets of points, robots, scenes, or planar files (WKT, GeoJSON, CSV)", ""},
            package_option(call->packages),
-           {"--formats", &call->formats, "list the formats that are in"},
+           {"--formats", &call->formats, "list all formats that the program reads or writes"},
            json_option(call->json)},
           [call] { return run(*call); }};
 }

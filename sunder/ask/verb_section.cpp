@@ -306,26 +306,29 @@ int run(const SectionCall& call) {
 
 Verb section_verb() {
   const auto call = std::make_shared<SectionCall>();
-  return {"section",
-          "What do a convex body and planes have in common? Points, segments, convex polygons.",
-          "0 no plane meets the body; 1 some do",
-          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
-           {.name = "--plane",
-            .value = &call->planes,
-            .help = fmt::format("{}; a file .json with a plane, as of pair; may be given again", io::plane_forms),
-            .type = "PLANES",
-            .required = true},
-           {"--pose", &call->pose, fmt::format("where the body is: {}", pose_forms), "POSE"},
-           {"-o,--out", &call->out, "write the sections here: .obj, or .wkt", "FILE"},
-           {"--method", &call->method, method_names(methods), "NAME"},
-           {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
-           {"--leave-out", &call->leave_out, leave_out_help},
-           {"--svg", &call->svg, "draw the sections here, each seen from where its normal points to", "FILE"},
-           title_option(call->title),
-           svg_limit_option(call->svg_limit),
-           certificate_option(call->certificate),
-           json_option(call->json)},
-          [call] { return run(*call); }};
+  return {
+      "section",
+      "Cut a convex body with planes: each section is a point, a segment or a convex polygon.",
+      "0 no plane meets the body; 1 some do",
+      {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
+       {.name = "--plane",
+        .value = &call->planes,
+        .help = fmt::format("{}; or a .json file with a plane, as for sunder pair", io::plane_forms),
+        .type = "PLANES",
+        .required = true},
+       {"--pose", &call->pose, fmt::format("the pose of the body (default: as in its file): {}", pose_forms), "POSE"},
+       {"-o,--out", &call->out, "write the sections to FILE: .obj or .wkt", "FILE"},
+       {"--method", &call->method, method_names(methods), "NAME"},
+       {"--require-convex", &call->require_convex,
+        "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
+       {"--leave-out", &call->leave_out, leave_out_help},
+       {"--svg", &call->svg, "draw the sections to FILE, each seen against the direction of its plane's normal",
+        "FILE"},
+       title_option(call->title),
+       svg_limit_option(call->svg_limit),
+       certificate_option(call->certificate),
+       json_option(call->json)},
+      [call] { return run(*call); }};
 }
 
 }  // namespace sunder::ask

@@ -232,17 +232,19 @@ int run(const Call& call) {
 
 Verb verify_verb() {
   const auto call = std::make_shared<Call>();
-  return {"verify",
-          "Are these certificates true? Checked without the library.",
-          "0 all accepted; 1 some refused",
-          {{"FILE", &call->files, "certificate files", "", true},
-           {"--against", &call->against,
-            "refuse what is not made of these files: give all inputs that it names, in their order; the program reads "
-            "them again by the call that it names",
-            "FILE"},
-           {"--no-limit", &call->no_limit, "check files that take long, too"},
-           json_option(call->json)},
-          [call] { return run(*call); }};
+  return {
+      "verify",
+      "Are these certificates true? The checker shares no code with the solvers.",
+      "0 all accepted; 1 some refused",
+      {{"FILE", &call->files, "certificate files", "", true},
+       {"--against", &call->against,
+        "also check that the certificate was made from these files: give all inputs that it names, in the same order; "
+        "the program reads them again, and repeats the call that the certificate names",
+        "FILE"},
+       {"--no-limit", &call->no_limit,
+        "also check certificates that take long for their size (default: refuse to start)"},
+       json_option(call->json)},
+      [call] { return run(*call); }};
 }
 
 }  // namespace sunder::ask

@@ -12,7 +12,8 @@ namespace sunder::io {
 
 // What parse_planes reads, for help texts.
 inline constexpr const char* plane_forms =
-    "z=0.5 (x, y alike); a,b,c,d: where a x + b y + c z = d; a stack: z=FROM:TO:STEP, a,b,c,FROM:TO:STEP";
+    "one plane: z=0.5 (or x=, y=), or a,b,c,d for a x + b y + c z = d; or a stack of parallel planes: z=FROM:TO:STEP, "
+    "or a,b,c,FROM:TO:STEP";
 
 inline constexpr std::size_t most_planes = 1'000'000;
 

@@ -16,7 +16,8 @@ std::vector<double> parse_numbers(std::string_view text, const std::string& plac
 
 // What parse_pose reads, for help texts.
 inline constexpr const char* pose_forms =
-    "tx,ty,tz; or qw,qx,qy,qz,tx,ty,tz; or 12 or 16 numbers of a matrix row by row";
+    "tx,ty,tz (a translation); or qw,qx,qy,qz,tx,ty,tz (a quaternion and a translation); or the 12 or 16 numbers of a "
+    "matrix, row by row";
 
 // A pose as text: "tx,ty,tz", "qw,qx,qy,qz,tx,ty,tz", or the 12 or 16 numbers of a matrix row by row.
 // Throws Error bad_pose or bad_call, with `place`.

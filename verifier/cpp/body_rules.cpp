@@ -165,7 +165,7 @@ void require_behind(const HullBody& body, const Integers& direction, const Integ
   const Integer limit = dot(direction, place);  // of one number more, which does not count
   for (std::size_t k = 0; k < all.size(); ++k) {
     const bool is_behind = body.is_way(k) ? all[k] <= 0 : compare(all[k] * place.back(), e, limit, 0) <= 0;
-    require(is_behind, "slab", body.quoted + " is not behind its point");
+    require(is_behind, "slab", body.quoted + " extends beyond its point along the direction");
   }
 }
 
@@ -233,7 +233,7 @@ bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, con
   const Integers way{scaled[0] - scaled[3], scaled[1] - scaled[4], scaled[2] - scaled[5]};
   if (!body.axis.empty()) {
     require(dot(way, body.axis) == 0, "holds",
-            "the point is not straight beside its own of the axis of " + body.quoted);
+            "the offset of the point from the axis is not perpendicular to the axis of " + body.quoted);
   }
   const int order = dot(way, way).compare(scaled[6] * scaled[6]);
   require(order <= 0, "holds", "the point is outside of " + body.quoted);
@@ -262,7 +262,8 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
   if (body.is_round()) return reaches(claim, body, mean, weights.d, weights.e + e, point);
   for (std::size_t r = 0; r < mean.size(); ++r) {
     require(compare(mean[r] * point[r].d, weights.e + e, point[r].n * weights.d, point[r].e) == 0, "holds",
-            "the weighted sum of " + body.quoted + " is not the point in coordinate " + std::to_string(r));
+            "the weighted sum of the points of " + body.quoted + " differs from the stated point in coordinate " +
+                std::to_string(r));
   }
   return false;
 }
@@ -297,7 +298,7 @@ void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, con
   const Integers p = projective(from_a), q = projective(to_b);
   const Integers way = way_between(p, q);
   require(std::any_of(way.begin(), way.end(), [](const Integer& n) { return n != 0; }), "slab",
-          "the two points are one");
+          "the two points are the same");
   require_behind(a, way, p);
   require_behind(b, opposite(way), q);
 }
@@ -306,7 +307,7 @@ void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const
   const Integers direction = common(claim.direction).integers;  // a positive multiple of it
   const Parting found = parting("clear", direction, a, b, least);
   const bool is_some = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
-  require(is_some && found.gap >= 0, "clear", "along the direction they are nearer");
+  require(is_some && found.gap >= 0, "clear", "along the direction they are less far apart than stated");
 }
 
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least) {
@@ -314,7 +315,8 @@ void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& leas
   take_steps(16, size, size);
   const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
   const Integer limit = least.n * p.back() * q.back();
-  require(compare(dot(way, way), 0, limit * limit, 2 * least.e) < 0, "nearer", "the points are as far apart");
+  require(compare(dot(way, way), 0, limit * limit, 2 * least.e) < 0, "nearer",
+          "the points are not nearer than the stated distance");
 }
 
 void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, const Number& most) {
@@ -331,7 +333,7 @@ void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, cons
       leaves = leaves && covers_with(gap, e, length_of, last.spread, first.spread);
     }
   }
-  require(leaves, "leaves", "along the direction they are deeper in each other");
+  require(leaves, "leaves", "along the direction they overlap by more than the stated depth");
 }
 
 void check_inside(const Claim& claim, const HullBody& body, const Numbers& point) {
@@ -356,7 +358,7 @@ void check_inside(const Claim& claim, const HullBody& body, const Numbers& point
   Span span;
   for (const std::size_t k : named) span.holds(vector_to(k));
   for (std::size_t k = 0; k < rows.size() && span.rank() < body.dimension(); ++k) {
-    require(span.holds(vector_to(k)), "inside", "what makes the point does not span all of " + body.quoted);
+    require(span.holds(vector_to(k)), "inside", "the points with a positive weight do not span " + body.quoted);
   }
 }
 

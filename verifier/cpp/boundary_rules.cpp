@@ -167,7 +167,7 @@ class Boundary {
         const bool side = is_odd(ridge) == (i % 2 == 0);
         std::sort(ridge.begin(), ridge.end());
         const auto twin = ridges_.find({std::move(ridge), !side});
-        require(twin != ridges_.end(), "boundary", "one simplex only is at a ridge of simplex " + std::to_string(s));
+        require(twin != ridges_.end(), "boundary", "only one simplex contains a ridge of simplex " + std::to_string(s));
         const auto [t, w] = twin->second;
         require(facet_of_[s] == facet_of_[t] || dot(planes_[s].normal, points_[w]) < planes_[s].height, "boundary",
                 "facets " + std::to_string(facet_of_[s]) + " and " + std::to_string(facet_of_[t]) +

@@ -77,7 +77,7 @@ void check_surrounds(const Claim& claim, const HullBody& a, const HullBody& b, c
     size = std::max(size, bits(at.back()));
   }
   if (claim.triangles.empty()) {
-    require(at.size() == 1, "surrounds", "there is no surface, and not one point");
+    require(at.size() == 1, "surrounds", "there is no surface, and more than one point");
     const Integers& p = at[0];
     take_steps(8, size, size);
     const Common both = common({{p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 1, 0},
@@ -100,7 +100,7 @@ void check_surrounds(const Claim& claim, const HullBody& a, const HullBody& b, c
       require(far >= wanted, "surrounds", "a triangle is too near to the origin");
     }
     for (const auto& edge : {std::pair(i, j), {j, k}, {k, i}}) {
-      require(edges.insert(edge).second, "surrounds", "an edge is there twice in one direction");
+      require(edges.insert(edge).second, "surrounds", "an edge occurs twice in the same direction");
     }
   }
   for (const auto& [from, to] : edges) {

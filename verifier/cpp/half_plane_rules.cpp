@@ -64,7 +64,7 @@ void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& 
     return turn(first.a, first.b, tables.half_planes[k].a, tables.half_planes[k].b) == 0;
   };
   require(!std::all_of(claim.weights.named.begin(), claim.weights.named.end(), is_parallel), "bounds",
-          "the lines at the point are one");
+          "the lines at the point coincide");
 }
 
 void check_no_objective(const Numbers& objective) {
@@ -114,7 +114,7 @@ void check_ends(const Claim& claim, const Tables& tables, const Numbers& objecti
   if (!claim.ends[0] || !claim.ends[1]) return;
   const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
   const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
-  require(before * places[1][2] < after * places[0][2], "ends", "the ends are one point");
+  require(before * places[1][2] < after * places[0][2], "ends", "the two ends are the same point");
 }
 
 // ---- Common parts.

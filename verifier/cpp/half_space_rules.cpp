@@ -105,7 +105,7 @@ void check_contradicted(const Claim& claim, const RowBody& given) {
 }
 
 void check_spans(const Claim& claim, const RowBody& given, std::size_t dimension, const std::vector<Numbers>& points) {
-  require(points.size() == dimension + 1, "spans", "there are not so many points as the dimension needs");
+  require(points.size() == dimension + 1, "spans", "the number of points is not the dimension plus one");
   std::vector<Integers> places;
   for (const Numbers& point : points) places.push_back(projective(point));
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -103,7 +103,7 @@ class Surface {
         const std::size_t i = faces_[f][c], j = faces_[f][after(c, faces_[f].size())];
         const auto twin = sides_.find({j, i});
         const std::string edge = " the edge from " + std::to_string(i) + " to " + std::to_string(j);
-        require(twin != sides_.end(), "surface", "one face only is at" + edge);
+        require(twin != sides_.end(), "surface", "only one face contains" + edge);
         require(dot(planes_[f].normal, at_[twin->second.next]) < planes_[f].height, "surface",
                 edge.substr(1) + " is not convex");
       }

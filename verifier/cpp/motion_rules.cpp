@@ -44,7 +44,7 @@ void check_not_before(const Claim& claim, const StatedMotion& a, const StatedMot
   for (Integer& n : back) n = -n;
   const Integers of_a = projective(moved_back(point, time, a)), of_b = projective(moved_back(point, time, b));
   const auto require_behind = [](const HullBody& body, const Integers& way, const Integers& place) {
-    require(is_behind("not_before", body, way, place), "not_before", body.quoted + " goes on beyond the point");
+    require(is_behind("not_before", body, way, place), "not_before", body.quoted + " extends beyond the point");
   };
   require_behind(*a.begin, direction, of_a);
   require_behind(*b.begin, back, of_b);

@@ -169,8 +169,9 @@ void check_keeps(const Claim& claim, const RowBody& body, const Numbers& point) 
     } else {
       terms.push_back({place[r], 1, 0});
     }
-    require(sum_of(terms) == 0, "keeps",
-            "the point of " + body.quoted + " is another one in coordinate " + std::to_string(r));
+    require(
+        sum_of(terms) == 0, "keeps",
+        "the weighted point of " + body.quoted + " differs from the stated point in coordinate " + std::to_string(r));
   }
 }
 

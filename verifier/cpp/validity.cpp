@@ -306,7 +306,7 @@ void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings,
     at_ring("circle", parts, rings[k], points[k]);
     places.insert(at_ring("circle", parts, rings[k + 1 < rings.size() ? k + 1 : 0], points[k]).place);
   }
-  require(places.size() == rings.size(), "circle", "a point stands twice");
+  require(places.size() == rings.size(), "circle", "a point is listed twice");
 }
 
 void check_repeated(const PartTable& parts, ValidRule rule, std::size_t edge) {

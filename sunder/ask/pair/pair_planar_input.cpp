@@ -16,7 +16,7 @@
 namespace sunder::ask {
 
 const char* const planar_pose_forms =
-    "tx,ty; or x=..,y=..,angle=.. (radians); or 6 or 9 numbers of a matrix row by row";
+    "tx,ty; or x=..,y=..,angle=.. (radians); or the 6 or 9 numbers of a matrix, row by row";
 
 namespace {
 

@@ -81,7 +81,7 @@ class SolidPair : public PairQuestion {
     if (call.depth && meet_) {
       depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
       facts_.push_back({"depth", depth_json(), depth_text()});
-      if (deepest()) not_proved_.emplace_back("what is against each other there");
+      if (deepest()) not_proved_.emplace_back("which features touch then");
     }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
@@ -250,58 +250,68 @@ Verb pair_verb() {
       "Do two convex objects meet? Finds a common point, or a direction that separates them.",
       "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
       {{"A", &call->a.file,
-        "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL; a point, segment, flat polygon, line, ray or "
-        "plane of space: "
-        "JSON, WKT Z; a ball, capsule, cylinder, cone or ellipsoid: JSON; or a planar object: WKT, GeoJSON, CSV. "
-        "Planar lines, rays, half-planes: in CSV "
-        "line,x1,y1,x2,y2 (ray, half-plane), in WKT LINE (x1 y1, x2 y2) (RAY, HALFPLANE)",
+        "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); a point, segment, flat "
+        "polygon, line, ray or plane in space (JSON, WKT Z); a ball, capsule, cylinder, cone or ellipsoid (JSON); a "
+        "planar object (WKT, GeoJSON, CSV); or a polytope of 2 to 6 dimensions (CSV, NPY). A planar line is "
+        "line,x1,y1,x2,y2 in CSV and LINE (x1 y1, x2 y2) in WKT; for a ray or a half-plane write ray or half-plane "
+        "in CSV, RAY or HALFPLANE in WKT",
         "", true},
-       {"B", &call->b.file, "the other, of the same kind; in the plane, one of the two is bounded", "", true},
-       {"--pose-a", &call->a.pose, fmt::format("where A is: {}; in the plane {}", pose_forms, planar_pose_forms),
+       {"B", &call->b.file, "the second object, in a space of the same dimension; in the plane, A or B must be bounded",
+        "", true},
+       {"--pose-a", &call->a.pose,
+        fmt::format("the pose of A (default: as in its file): {}; in the plane {}", pose_forms, planar_pose_forms),
         "POSE"},
-       {"--pose-b", &call->b.pose, "where B is", "POSE"},
+       {"--pose-b", &call->b.pose, "the pose of B, in the same form", "POSE"},
        {"--to-a", &call->a.to,
-        "of space, bounded: where A is at the end of a straight motion without a turn; do the two meet at any time?",
+        "move A along a straight line from --pose-a to this pose, without turning: do A and B meet at any time? Both "
+        "must be bounded and in space",
         "POSE"},
-       {"--to-b", &call->b.to, "the same for B, at the same time; a body without an end pose rests", "POSE"},
-       {"--radius-a", &call->a.radius, "of space, bounded: A becomes all points within this distance of it", "NUMBER"},
+       {"--to-b", &call->b.to, "the same for B, during the same time; an object without an end pose does not move",
+        "POSE"},
+       {"--radius-a", &call->a.radius,
+        "enlarge A to all points within this distance of it (default 0; bounded objects in space)", "NUMBER"},
        {"--radius-b", &call->b.radius, "the same for B", "NUMBER"},
        {"--method", &call->method,
         fmt::format(
-            "of bodies: {}, drums; with a plane: {}; with a line or ray: {}; in the plane: {}; with a line: {}; "
-            "of polytopes: {}",
+            "for two bodies in space: {}, drums; with a plane: {}; with a line or ray in space: {}; for two planar "
+            "objects: {}; with a planar line, ray or half-plane: {}; for polytopes: {}",
             pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
             planar_line_method_names(), polytope_method_names()),
         "NAME"},
-       {"--classify", &call->classify, "tell touching from overlapping"},
-       {"--require-convex", &call->require_convex, "a mesh that is not exactly convex is an error"},
+       {"--classify", &call->classify, "also tell whether the objects only touch or their interiors overlap"},
+       {"--require-convex", &call->require_convex,
+        "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate),
        json_option(call->json),
-       {"--distance", &call->distance, "both bounded: tell exactly how far apart they are, and the closest features"},
+       {"--distance", &call->distance,
+        "if both are bounded: also compute their exact distance and their closest features"},
        {"--depth", &call->depth,
-        "bounded, of space, and they meet: tell how far A has to be moved until they do not overlap, and which way"},
-       {"--clearance", &call->clearance, "both bounded: are they at least this far apart? If not, the exit code is 1",
-        "NUMBER"},
-       {"--feature-a", &call->a.feature, "planar: which object of the file A is", "NAME"},
-       {"--feature-b", &call->b.feature, "planar: which object of the file B is", "NAME"},
-       {"--mend", &call->mend, "planar: leave out repeated and collinear vertices, turn clockwise ones round"},
-       {"--hull", &call->hull, "planar: take the convex hull"},
+        "if bounded objects in space meet: also compute how far A must move, and in which direction, until they no "
+        "longer overlap"},
+       {"--clearance", &call->clearance,
+        "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
+       {"--feature-a", &call->a.feature,
+        "planar: use this object of file A, given by its name or its number in the file", "NAME"},
+       {"--feature-b", &call->b.feature, "the same for file B", "NAME"},
+       {"--mend", &call->mend, "planar: remove repeated and collinear vertices"},
+       {"--hull", &call->hull, "planar: replace each object by the convex hull of its vertices"},
        {"--project", &call->project,
-        "of space: project polygons on the plane with this origin, u and v, nine numbers; the answer says by how much",
+        "project polygons in space onto a plane; nine numbers: a point of the plane and two vectors in it. The answer "
+        "says how far the vertices moved",
         "FRAME"},
-       {"--drop-z", &call->drop_z, "planar: ignore third coordinates"},
+       {"--drop-z", &call->drop_z, "planar: ignore the third coordinate of each point"},
        {"--mixed-crs", &call->mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
        {"--polytopes", &call->polytopes,
-        "the files are polytopes of two to six dimensions: CSV with a row for each point; not needed for NPY, and for "
-        "CSV whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces)"},
+        "read CSV files as polytopes of 2 to 6 dimensions, one point in each row. Not needed for NPY files, and for "
+        "CSV files whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces a1 x1 + .. + ad xd <= b)"},
        {"--half-spaces-a", &call->a.half_spaces,
-        "of polytopes: the rows of A, CSV without column names or NPY, are half-spaces a1,..,ad,b, not points"},
-       {"--half-spaces-b", &call->b.half_spaces, "the same for B"},
+        "polytopes: each row of A (CSV without column names, or NPY) is a half-space a1,..,ad,b, not a point"},
+       {"--half-spaces-b", &call->b.half_spaces, "the same for the rows of B"},
        {"--hyperplanes", &call->hyperplanes,
-        "of polytopes, with --method tree: prove that they are apart by several half-spaces that contain A, and "
-        "several that contain B"},
-       {"--svg", &call->svg, "planar: draw the objects and the evidence here", "FILE"},
+        "polytopes, with --method tree: prove that A and B are apart by several half-spaces that contain A and several "
+        "that contain B"},
+       {"--svg", &call->svg, "planar: draw the objects and the evidence to FILE", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},
       [call] { return run(*call); }};

@@ -47,33 +47,37 @@ Verb region_verb() {
   const auto call = std::make_shared<RegionCall>();
   return {
       "region",
-      "What is the common part of half-planes, half-spaces, circles, or convex polygons? Its best point? Which "
-      "contradict each "
-      "other?",
-      "0 something is common to all; 1 nothing is",
+      "What is the intersection of all half-planes, half-spaces, discs or convex polygons of a file?",
+      "0 they have a common point; 1 they have none",
       {{"FILE", &call->file,
-        "half-planes a x + b y <= c: CSV (a,b,c, and a name if you like); or half-spaces: CSV a1,..,ad,b", "", true},
+        "half-planes a x + b y <= c: CSV, one in each row: a,b,c, and optionally a name; for other kinds see --of", "",
+        true},
        {"--of", &call->of,
-        "half-planes; half-spaces of 2 to 6 dimensions; circles: CSV x,y,r; or convex polygons: WKT, GeoJSON", "KIND"},
-       {"--maximize", &call->maximize, "two numbers p,q: where is p x + q y greatest? Of half-spaces one a dimension",
+        "what FILE holds: half-planes (the default); half-spaces a1 x1 + .. + ad xd <= b in 2 to 6 dimensions (CSV: "
+        "a1,..,ad,b; not needed if the first line names these columns); circles (CSV: x,y,r); or polygons, which must "
+        "be convex (WKT, GeoJSON)",
+        "KIND"},
+       {"--maximize", &call->maximize,
+        "half-planes and half-spaces: at which point of the intersection is p x + q y greatest? For half-spaces give "
+        "one "
+        "number for each dimension",
         "P,Q"},
        {"--method", &call->method,
-        fmt::format("of half-planes: {}; of polygons: {}; of circles: {}; of half-spaces with --maximize: {}",
+        fmt::format("for half-planes: {}; for polygons: {}; for circles: {}; for half-spaces with --maximize: {}",
                     half_plane_method_names(), polygon_method_names(), circle_method_names(),
                     half_space_method_names()),
         "NAME"},
        certificate_option(call->certificate,
-                          "write the proof here: of the region, or with --maximize of the best point"),
-       {"--svg", &call->svg, "draw the common part here", "FILE"},
+                          "write the proof to FILE: of the intersection, or with --maximize of the best point"),
+       {"--svg", &call->svg, "draw the intersection to FILE", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit),
-       {"--mend", &call->polygons.mend,
-        "polygons: leave out repeated and collinear vertices, turn clockwise ones round"},
+       {"--mend", &call->polygons.mend, "polygons: remove repeated and collinear vertices"},
        {"--skip-invalid", &call->polygons.skip_invalid, "polygons: answer for the convex ones, and list the others"},
-       {"--leave-out", &call->polygons.leave_out, "polygons: leave out points and lines, and say so"},
-       {"--name", &call->polygons.name, "polygons: the property that names them; unless given, name, NAME, id",
+       {"--leave-out", &call->polygons.leave_out, "polygons: leave out points and lines, and list them"},
+       {"--name", &call->polygons.name, "polygons: the property that holds their names (default: name, NAME or id)",
         "FIELD"},
-       {"--drop-z", &call->polygons.drop_z, "polygons: ignore third coordinates"},
+       {"--drop-z", &call->polygons.drop_z, "polygons: ignore the third coordinate of each point"},
        {"--mixed-crs", &call->polygons.mixed_crs, fmt::format("polygons: {}", mixed_crs_help)},
        json_option(call->json)},
       [call] { return run(*call); }};

@@ -78,8 +78,7 @@ std::string words_of(const std::vector<std::string>& keys, const FeatureProperti
 }
 
 Option property_option(std::vector<std::string>& keys, std::string_view of_whom) {
-  return {"--property", &keys, fmt::format("also print this column or property {}; may be given again", of_whom),
-          "FIELD"};
+  return {"--property", &keys, fmt::format("also print this column or property {}", of_whom), "FIELD"};
 }
 
 void require_different(const std::vector<std::string>& keys) {

@@ -16,8 +16,9 @@ using io::text_of;
 
 // Help of the options that make a request.
 inline constexpr const char* skip_invalid_help = "answer for the valid features, and list the others";
-inline constexpr const char* mend_help = "close rings, cut spikes off, leave out rings without area; and say so";
-inline constexpr const char* name_help = "the property that names features; unless given, name, NAME, id";
+inline constexpr const char* mend_help =
+    "close open rings, and remove spikes and rings without area; the output lists the changes";
+inline constexpr const char* name_help = "the property that holds the names of features (default: name, NAME or id)";
 
 // As io::read_polygons, with a bar of progress.
 PolygonsInput read_with_progress(PolygonsRequest request);

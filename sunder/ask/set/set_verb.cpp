@@ -9,19 +9,19 @@ std::vector<Option> set_options(SetCall& call, const SetHelp& help) {
       {.name = "FILE", .value = &call.files, .help = help.file, .type = "", .required = true, .most = help.most_files},
       {.name = "--any",
        .value = &call.any,
-       .help = "does any pair meet? (unless told otherwise)",
+       .help = "find one pair that meets, or prove that there is none (the default)",
        .excludes = {"--all", "--count"}},
       {.name = "--all", .value = &call.all, .help = "list all pairs that meet", .excludes = {"--count"}},
       {"--count", &call.count, "count the pairs that meet, by kind"},
-      {"--allow", &call.allow, fmt::format("what does not count: {}", help.allow), "KIND"},
+      {"--allow", &call.allow, fmt::format("contacts that do not count: {}", help.allow), "KIND"},
       {"--group", &call.group, help.group, "FIELD"},
       {"--name", &call.name, help.name, "FIELD"},
-      property_option(call.properties, "of both members"),
+      property_option(call.properties, "of both members of a pair"),
       {"--method", &call.method, help.method, "NAME"},
       certificate_option(call.certificate),
-      {"--geojson", &call.geojson, "write all contacts here, to lay over a map", "FILE"},
-      {"--csv", &call.csv, "write all contacts here, as a table", "FILE"},
-      {"--svg", &call.svg, fmt::format("draw the {} and the pairs that meet here", help.noun), "FILE"},
+      {"--geojson", &call.geojson, "write all contacts to FILE, as features for a map", "FILE"},
+      {"--csv", &call.csv, "write all contacts to FILE, as a table", "FILE"},
+      {"--svg", &call.svg, fmt::format("draw the {} and their contacts to FILE", help.noun), "FILE"},
       title_option(call.title),
       svg_limit_option(call.svg_limit),
       json_option(call.json),
@@ -30,7 +30,7 @@ std::vector<Option> set_options(SetCall& call, const SetHelp& help) {
 
 void add_file_options(Verb& verb, SetCall& call) {
   verb.options.push_back({"--leave-out", &call.leave_out, leave_out_help});
-  verb.options.push_back({"--drop-z", &call.drop_z, "ignore third coordinates"});
+  verb.options.push_back({"--drop-z", &call.drop_z, "ignore the third coordinate of each point"});
   verb.options.push_back({"--mixed-crs", &call.mixed_crs, mixed_crs_help});
 }
 

@@ -12,8 +12,9 @@ struct Boxes {
   using Members = planar::Boxes;
   static constexpr std::string_view verb = "boxes", noun = "box";
   static constexpr const char* about_verb =
-      "Do any two boxes of a file, whose sides are parallel to the axes, meet? Which, or a proof that none do.";
-  static constexpr const char* file_help = "boxes: CSV (x1,y1,x2,y2: opposite corners, and a name if you like)";
+      "Do any two boxes (rectangles with sides parallel to the axes) in a file meet?";
+  static constexpr const char* file_help =
+      "boxes: CSV, one in each row: x1,y1,x2,y2 (two opposite corners), and optionally a name";
 
   static MembersFile<Members> read(const SetCall& call, InputFiles* inputs) {
     io::LineFile file = io::read_lines(

@@ -16,9 +16,9 @@ using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
 struct Circles {
   using Members = Discs;
   static constexpr std::string_view verb = "circles", noun = "circle";
-  static constexpr const char* about_verb =
-      "Do any two circles of a file, with their insides, meet? Which, or a proof that none do.";
-  static constexpr const char* file_help = "circles: CSV (x,y,r, and a name if you like)";
+  static constexpr const char* about_verb = "Do any two discs (circles with their interiors) in a file meet?";
+  static constexpr const char* file_help =
+      "circles: CSV, one in each row: x,y,r (center and radius), and optionally a name";
   static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
                                                                 {"grid", planar::discs_any_by_grid},
                                                                 {"sweep", planar::discs_any_by_sweep},

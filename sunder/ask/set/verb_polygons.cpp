@@ -172,7 +172,7 @@ class PolygonsSet {
   SetFacts facts(const Result& result) const {
     SetFacts facts;
     if (result.some()) {
-      if (options_.allowed != Allowed::touch) facts.not_proved.emplace_back("touching told from overlapping");
+      if (options_.allowed != Allowed::touch) facts.not_proved.emplace_back("whether the pairs touch or overlap");
       if (call_.lists()) facts.not_proved.emplace_back("where they meet");
     }
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
@@ -285,14 +285,16 @@ class PolygonsSet {
 Verb polygons_verb() {
   const auto call = std::make_shared<Call>();
   Verb verb = set_verb<PolygonsSet>(
-      call,
-      {"polygons", "Do any two polygons of a file, with their insides, meet? Which? Touching and overlapping apart.",
-       "polygons, with holes and parts: WKT, GeoJSON; of two files, pairs across them", "polygons",
-       "nothing, shared-endpoint, or touch", "features that are the same in this may meet: a property of the GeoJSON",
-       name_help, method_names(any_methods), 0});
+      call, {"polygons", "Do any two polygons (with their interiors) in a file meet? Do they touch or overlap?",
+             "polygons, possibly with holes and several parts: WKT, GeoJSON. With two files, only polygons of "
+             "different files "
+             "are compared",
+             "polygons", "nothing, shared-endpoint, or touch",
+             "features with the same value of FIELD, a property of the GeoJSON, may meet", name_help,
+             method_names(any_methods), 0});
   add_file_options(verb, *call);
   verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
-  verb.options.push_back({"--self-touch", &call->self_touch, "take rings that touch themselves in points"});
+  verb.options.push_back({"--self-touch", &call->self_touch, "accept rings that touch themselves in points"});
   verb.options.push_back({"--mend", &call->mend, mend_help});
   return verb;
 }

@@ -493,22 +493,23 @@ Verb segments_verb() {
   const auto call = std::make_shared<Call>();
   Verb verb = set_verb<SegmentsSet>(
       call,
-      {"segments", "Do any two segments of a file meet? Which, or a proof that none do.",
-       "segments, lines or polygons: CSV (x1,y1,x2,y2), WKT, GeoJSON, KiCad board", "segments",
-       "nothing, shared-endpoint, or touch",
-       "segments that are the same in this may meet and cross: feature, ring, a column of the CSV, a property of the "
-       "GeoJSON; of a board net (unless told otherwise) or layer",
-       "the column or property that names features; unless given, name, NAME, id",
-       fmt::format("{}; for lists and counts: {}", method_names(any_methods), method_names(all_methods))});
+      {"segments", "Do any two segments in a file meet?",
+       "segments: CSV (x1,y1,x2,y2 in each row); the edges of lines or polygons: WKT, GeoJSON; the tracks of a KiCad "
+       "board",
+       "segments", "nothing, shared-endpoint, or touch",
+       "segments with the same value of FIELD may meet: feature, ring, a column of the CSV, or a property of the "
+       "GeoJSON; for a board: net (the default) or layer",
+       "the column or property that holds the names of features (default: name, NAME or id)",
+       fmt::format("for --any: {}; for --all and --count: {}", method_names(any_methods), method_names(all_methods))});
   add_file_options(verb, *call);
-  verb.options.push_back({"--layer", &call->layer, "of a board, this layer only", "NAME"});
+  verb.options.push_back({"--layer", &call->layer, "board: use this layer only", "NAME"});
   verb.options.push_back({.name = "--across-layers",
                           .value = &call->across_layers,
-                          .help = "of a board, tracks of different layers may meet too",
+                          .help = "board: also compare tracks of different layers",
                           .excludes = {"--layer"}});
   verb.options.push_back(
       {"--centre-lines", &call->centre_lines,
-       "of a board, ask about the tracks' centre lines: copper is not read, neither widths nor pads nor zones"});
+       "board: required, because only the centre lines of tracks are compared; widths, pads and zones are not read"});
   return verb;
 }
 

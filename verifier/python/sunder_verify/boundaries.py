@@ -97,7 +97,7 @@ def boundary(steps, homes, body, facets):
             require(key not in ridges, "boundary", "two simplices are on one side of a ridge of simplex %d" % s)
             ridges[key] = s, v
     for (*ridge, side), (s, v) in ridges.items():
-        require((*ridge, not side) in ridges, "boundary", "one simplex only is at a ridge of simplex %d" % s)
+        require((*ridge, not side) in ridges, "boundary", "only one simplex contains a ridge of simplex %d" % s)
         t, w = ridges[(*ridge, not side)]
         normal, height, _ = planes[s]
         require(facet_of[s] == facet_of[t] or dot(normal, points[w]) < height, "boundary",

@@ -35,7 +35,7 @@ def leaves(steps, direction, a, b, most):
             leaves_it = leaves_it and w >= s and covers(s + w - x - y, 4 * s * w, 4 * x * y)
         else:
             leaves_it = leaves_it and covers_with(s + w - x - y, 4 * s * w, 4 * x * y)
-    require(leaves_it, "leaves", "along the direction they are deeper in each other")
+    require(leaves_it, "leaves", "along the direction they overlap by more than the stated depth")
 
 
 def place_of(steps, end, body):
@@ -71,7 +71,7 @@ def surrounds(steps, corners, triangles, a, b, least):
     at = [difference_of(steps, corner, a, b) for corner in corners]
     size = max(length([least, *radii]), *map(bits, at), 0)
     if not triangles:
-        require(len(at) == 1, "surrounds", "there is no surface, and not one point")
+        require(len(at) == 1, "surrounds", "there is no surface, and more than one point")
         (*p, w), = at
         steps.take(8, size, size)
         (square, wanted), _, _ = common([(dot(p, p), 1, 0), ((rest * w) ** 2, whole * whole, 2 * e)])
@@ -89,6 +89,6 @@ def surrounds(steps, corners, triangles, a, b, least):
             (far, wanted), _, _ = common([(volume ** 2, 1, 0), (rest ** 2 * dot(normal, normal), whole * whole, 2 * e)])
             require(far >= wanted, "surrounds", "a triangle is too near to the origin")
         for edge in around(triangle):
-            require(edge not in edges, "surrounds", "an edge is there twice in one direction")
+            require(edge not in edges, "surrounds", "an edge occurs twice in the same direction")
             edges.add(edge)
     require(all((j, i) in edges for i, j in edges), "surrounds", "the surface is not closed")

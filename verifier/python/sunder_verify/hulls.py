@@ -42,7 +42,7 @@ def surface(steps, homes, body, faces):
             require(edge not in beside, "surface", "two faces have the edge from %d to %d" % edge)
             beside[edge] = f, after
     for (i, j), (f, _) in beside.items():
-        require((j, i) in beside, "surface", "one face only is at the edge from %d to %d" % (i, j))
+        require((j, i) in beside, "surface", "only one face contains the edge from %d to %d" % (i, j))
         normal, height = planes[f]
         require(dot(normal, at[beside[j, i][1]]) < height, "surface", "the edge from %d to %d is not convex" % (i, j))
     middle = [sum(axis) for axis in zip(*(at[k] for k in faces[0]))]

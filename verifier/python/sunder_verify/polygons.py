@@ -251,7 +251,7 @@ def circle(steps, parts, rings, points):
         for ring in touching:
             x, y, w = ring_at(steps, "circle", parts, ring, point)[1]
         places.add((fractions.Fraction(x, w), fractions.Fraction(y, w)))
-    require(len(places) == len(rings), "circle", "a point stands twice")
+    require(len(places) == len(rings), "circle", "a point is listed twice")
 
 
 def repeated(steps, parts, rule, edge):

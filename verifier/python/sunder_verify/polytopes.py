@@ -30,7 +30,7 @@ def keeps(steps, weights, at, body, point):
                  for r, t in enumerate(body.translation)]
     for axis, (m, n) in enumerate(zip(image, p)):
         m, wanted = aligned(m * q, e, n * w, 0)
-        require(m == wanted, "keeps", "the point of %s is another one in coordinate %d" % (body.name, axis))
+        require(m == wanted, "keeps", "the weighted point of %s differs from the stated point in coordinate %d" % (body.name, axis))
 
 
 def planes_of(steps, body, planes):
@@ -129,7 +129,7 @@ def contradicted(steps, multipliers, given):
 
 def spans(steps, multipliers, given, dimension, points):
     """The common part has that dimension: that of these points of it, and rows that hold it there have all the rest."""
-    require(len(points) == dimension + 1, "spans", "there are not so many points as the dimension needs")
+    require(len(points) == dimension + 1, "spans", "the number of points is not the dimension plus one")
     places = [projective(point) for point in points]
     for point, place in zip(points, places):
         steps.take(len(given), length(point), given.bits)

@@ -85,18 +85,18 @@ def slab(steps, a, b, from_a, to_b):
     """Along the way from a point of A to one of B, nothing of A is beyond the first, nothing of B before the second."""
     p, q = projective(from_a), projective(to_b)
     d = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]  # a positive multiple of the way
-    require(any(d), "slab", "the two points are one")
+    require(any(d), "slab", "the two points are the same")
     for body, end, sign in ((a, p, 1), (b, q, -1)):
         points, ways, e = body.forms(steps, [sign * n for n in d])
         most, limit = aligned(max(points) * end[-1], e, sign * dot(d, end), 0)
-        require(all(n <= 0 for n in ways) and most <= limit, "slab", "%s is not behind its point" % body.name)
+        require(all(n <= 0 for n in ways) and most <= limit, "slab", "%s extends beyond its point along the direction" % body.name)
 
 
 def clear(steps, direction, a, b, least):
     """From A to B it is so far along a direction, which is in units of its length."""
     d = common(direction)[0]
     further, _ = gap(steps, "clear", d, a, b, least)
-    require(any(d) and further >= 0, "clear", "along the direction they are nearer")
+    require(any(d) and further >= 0, "clear", "along the direction they are less far apart than stated")
 
 
 def nearer(steps, from_a, to_b, least):
@@ -105,7 +105,7 @@ def nearer(steps, from_a, to_b, least):
     (n, _, unit), p, q = least, projective(from_a), projective(to_b)
     way = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
     square, limit = aligned(dot(way, way), 0, (n * p[-1] * q[-1]) ** 2, 2 * unit)
-    require(square < limit, "nearer", "the points are as far apart")
+    require(square < limit, "nearer", "the points are not nearer than the stated distance")
 
 
 def holds(steps, weights, origin, body, point):
@@ -118,7 +118,7 @@ def holds(steps, weights, origin, body, point):
     if not body.kind:
         for axis, (m, (n, denominator, k)) in enumerate(zip(mean, point)):
             m, wanted = aligned(m * denominator, e, n * d, k)
-            require(m == wanted, "holds", "the weighted sum of %s is not the point in coordinate %d" % (body.name, axis))
+            require(m == wanted, "holds", "the weighted sum of the points of %s differs from the stated point in coordinate %d" % (body.name, axis))
         return False
     size = body.size + length(point) + length(origin or []) + length([weight for _, weight in weights])
     steps.take(8, size, size)
@@ -133,7 +133,7 @@ def holds(steps, weights, origin, body, point):
     values = [(n * d, denominator, k) for n, denominator, k in origin or point] + [(m, 1, e) for m in mean]
     (*values, radius), _, _ = common([*values, (r * share * d, whole, f + k)])
     way = [x - y for x, y in zip(values[:3], values[3:])]
-    require(dot(way, body.axis) == 0, "holds", "the point is not straight beside its own of the axis of %s" % body.name)
+    require(dot(way, body.axis) == 0, "holds", "the offset of the point from the axis is not perpendicular to the axis of %s" % body.name)
     require(dot(way, way) <= radius ** 2, "holds", "the point is outside of %s" % body.name)
     return dot(way, way) < radius ** 2
 
@@ -153,7 +153,7 @@ def inside(steps, weights, origin, body, point):
         row = (int(k < body.count), *body.rows[k])
         for other, lead in basis:
             row = [x * other[lead] - y * row[lead] for x, y in zip(row, other)]
-        require(k in named or not any(row), "inside", "what makes the point does not span all of %s" % body.name)
+        require(k in named or not any(row), "inside", "the points with a positive weight do not span %s" % body.name)
         if any(row):
             basis.append((row, next(axis for axis, x in enumerate(row) if x)))
         if len(basis) > body.dimension:
@@ -192,7 +192,7 @@ def not_before(steps, direction, a, b, to_a, to_b, time, point):
         for n, e, (square, whole, k) in furthest:
             last, limit = aligned(n * w, e, dot(way, place), 0)
             (left, right), _, _ = common([((limit - last) ** 2, w * w, 2 * min(e, 0)), (square, whole, k)])
-            require(limit >= last and left >= right, "not_before", "%s goes on beyond the point" % body.name)
+            require(limit >= last and left >= right, "not_before", "%s extends beyond the point" % body.name)
     p, q = places
     between = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
     require(dot(d, between) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))
@@ -256,7 +256,7 @@ def bounds(steps, weights, given, objective, point, is_only=False):
     for k, _ in weights:
         require(excess(given[k], place) == 0, "bounds", "the point is not on the line of half-plane %d" % k)
     is_corner = any(turn(given[weights[0][0]], given[k]) for k, _ in weights)
-    require(is_corner or not is_only, "bounds", "the lines at the point are one")
+    require(is_corner or not is_only, "bounds", "the lines at the point coincide")
 
 
 def no_objective(steps, given, objective):
@@ -293,7 +293,7 @@ def ends(steps, given_ends, given, objective, point):
             places.append(place)
     if len(places) == 2:
         (x, y, w), last = places
-        require(excess((-q * w, p * w, p * y - q * x), last) > 0, "ends", "the ends are one point")
+        require(excess((-q * w, p * w, p * y - q * x), last) > 0, "ends", "the two ends are the same point")
 
 
 EXTENTS = {"point": 0, "segment": 2, "ray": 0}  # how many sides with a corner at each end are no point; else all
