@@ -64,7 +64,8 @@ std::string about(const CLI::App& verb, const CLI::Option& option) {
 
 constexpr std::size_t most_columns = 100, text_column = 28;  // of help
 
-// The words in lines of at most most_columns; the first line begins at column `at`, the others are indented by `indent`.
+// The words in lines of at most most_columns; the first line begins at column `at`, the others are indented by
+// `indent`.
 std::string wrapped(const std::string& text, std::size_t at, std::size_t indent) {
   std::istringstream words(text);
   std::string word, lines;

@@ -1,4 +1,5 @@
-// Is a certificate file made of these files? The program reads them again, by the call that the file names, and compares.
+// Is a certificate file made of these files? The program reads them again, by the call that the file names, and
+// compares.
 #pragma once
 
 #include <sunder/certificate/origin.h>
@@ -19,8 +20,8 @@ struct GivenInput {
 GivenInput read_given(const std::string& name);
 
 // What shows that the file is not made of these, in words; empty where it is: they are its inputs, each by its SHA-256,
-// in their order, and its call makes a file of them that is the same byte for byte, up to its statements. So is all that
-// it says of itself, but for the statements, which the checker checks.
+// in their order, and its call makes a file of them that is the same byte for byte, up to its statements. So is all
+// that it says of itself, but for the statements, which the checker checks.
 // text: a certificate file that is right in form; inputs and call: what it says of itself. The call reads nothing but
 // these files, and writes none.
 // Cost: that of the call.

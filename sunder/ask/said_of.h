@@ -1,5 +1,5 @@
-// What a proof says that its tables are made of (certificate/said.h), of files that were read. Where no proof is written
-// files are not told (InputFiles is empty), and nothing is said.
+// What a proof says that its tables are made of (certificate/said.h), of files that were read. Where no proof is
+// written files are not told (InputFiles is empty), and nothing is said.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -7,8 +7,8 @@
 namespace sunder {
 
 // While it lives, `check` is called on this thread, while a question works, about every 10 milliseconds (never, where
-// all that is done takes less). What it throws comes out of the question, whose objects stay as they were. Of those that
-// live at once on a thread, the last one counts. Other threads that work for the question do not call it.
+// all that is done takes less). What it throws comes out of the question, whose objects stay as they were. Of those
+// that live at once on a thread, the last one counts. Other threads that work for the question do not call it.
 class Interruptible {
  public:
   explicit Interruptible(std::function<void()> check);

@@ -15,8 +15,8 @@ namespace sunder::scene {
 // Of each part of each body, its number in the file.
 using PartNumbers = std::vector<std::vector<std::uint32_t>>;
 
-// Notes what is said of the statement that follows, about all pairs of the scene or about those of two bodies. `others`:
-// why pairs are not asked about, but for those that are allowed.
+// Notes what is said of the statement that follows, about all pairs of the scene or about those of two bodies.
+// `others`: why pairs are not asked about, but for those that are allowed.
 using NotePairs = std::function<void(bool is_of_scene, const PairReasons& others)>;
 
 // States whether two parts, of these numbers in the file, are `least` apart, or more. False, and nothing is stated,

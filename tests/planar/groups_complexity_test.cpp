@@ -147,7 +147,8 @@ void for_each_set(const std::function<void(const std::string&, const Set&, doubl
   }
 }
 
-// The work of any and count: at least a look at each member, and at most what growth states, to look at a pair `weight`.
+// The work of any and count: at least a look at each member, and at most what growth states, to look at a pair
+// `weight`.
 void add(Growth& growth, const std::string& what, const Set& set, const Cost& any, const Cost& count,
          double weight = 1) {
   const double n = number(set.boxes.size());

@@ -171,8 +171,9 @@ TEST(RegionVertices, AreThoseOfAllCombinations) {
   EXPECT_GT(left_out, scaled_count(400));
 }
 
-// Many half-spaces in each vertex: a cube or a cross-polytope somewhere, or the facets of few lattice points; with copies
-// that have another scale, and sums of two, which touch; in any order; of some a third is left out, or opposites are added.
+// Many half-spaces in each vertex: a cube or a cross-polytope somewhere, or the facets of few lattice points; with
+// copies that have another scale, and sums of two, which touch; in any order; of some a third is left out, or opposites
+// are added.
 std::vector<double> degenerate_rows(std::size_t d, Random& random) {
   const auto whole = [&](std::int64_t most) { return static_cast<double>(random.between(-most, most)); };
   std::vector<std::vector<double>> rows;

@@ -222,8 +222,8 @@ std::vector<std::size_t> strongest_kinds(const std::vector<typename Set::Contact
   return strongest;
 }
 
-// A picture of full members: seen, what must be on it; said, the verdict; name(i); draw(drawing, i, ink); mark(contact): where it has a
-// ring over all, or nothing.
+// A picture of full members: seen, what must be on it; said, the verdict; name(i); draw(drawing, i, ink);
+// mark(contact): where it has a ring over all, or nothing.
 template <class Set, class Name, class Draw, class Mark>
 std::string picture_of_members(const SetCall& call, const SetResult<Set>& result,
                                const std::vector<typename Set::Contact>& contacts, std::span<const Point2> seen,

@@ -44,8 +44,8 @@ Cost discs_visit_block(const Discs& circles, const SetOptions& options, const Bl
 DiscsMethod discs_all_by_grid;
 
 // A line sweeps from left to right over the discs' boxes; a tree of greatest ordinates over those that it cuts finds
-// the boxes that a new one meets. O((N + k) log N) time, O(N) memory; k pairs are compared. Where there are groups, boxes
-// are halved (box_pairs.h): O(N log N + k).
+// the boxes that a new one meets. O((N + k) log N) time, O(N) memory; k pairs are compared. Where there are groups,
+// boxes are halved (box_pairs.h): O(N log N + k).
 DiscsMethod discs_all_by_sweep;
 
 // Every pair: the oracle, by i, then j. O(N^2) time.

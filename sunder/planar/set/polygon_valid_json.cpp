@@ -435,8 +435,8 @@ void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts) {
   }
 }
 
-// What is common to the statements about the parts of one multipolygon, and which of them stand in the file: a ring that
-// touches itself in a point many times has many defects, and one statement tells of all.
+// What is common to the statements about the parts of one multipolygon, and which of them stand in the file: a ring
+// that touches itself in a point many times has many defects, and one statement tells of all.
 struct ValidClaims::Data {
   Numbered all;
   Statement out;

@@ -16,8 +16,8 @@ namespace sunder::planar {
 // Adds the parts to the table `polygons`, which is open. A last vertex that repeats its ring's first is left out.
 void write_parts(ClaimsWriter& file, std::span<const PolygonRings> parts);
 
-// The statements about the parts of one multipolygon; in the table these are first_part and those that follow. Keeps the
-// writer by reference.
+// The statements about the parts of one multipolygon; in the table these are first_part and those that follow. Keeps
+// the writer by reference.
 class ValidClaims {
  public:
   // O(n) for n edges.

@@ -96,7 +96,8 @@ class PairCount {
   std::size_t full_ = 1 << 16;
 };
 
-// By sweeps, each of which counts the pairs of some i, from the lowest on: by keys, or by bits where these tell of more.
+// By sweeps, each of which counts the pairs of some i, from the lowest on: by keys, or by bits where these tell of
+// more.
 PolygonsCountAnswer count_by_sweeps(std::span<const Polygon> polygons, const SetOptions& all_options) {
   PolygonsCountAnswer answer;
   SetOptions options = all_options;

@@ -67,8 +67,9 @@ PolygonsAnswer polygons_contact_by_scan(const Polygon& a, const Polygon& b);
 PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not
-// count. O((n + k) log n) for n edges in all and k contacts that do not count: edges of one group that cross; edges that
-// pass a vertex of another polygon. All edges with one end in common are one contact. Where all are of one group, linear.
+// count. O((n + k) log n) for n edges in all and k contacts that do not count: edges of one group that cross; edges
+// that pass a vertex of another polygon. All edges with one end in common are one contact. Where all are of one group,
+// linear.
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where

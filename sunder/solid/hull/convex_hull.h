@@ -41,11 +41,11 @@ struct ConvexHull {
 // Throws Error: bad_shape when there is no point (or 2^29 or more: the counts in ConvexHull are up to 6 per point),
 // bad_value naming the first point with a NaN or infinite coordinate ("point 7").
 // Cost: O(n log n) side tests on all families of tests/support/solid_shapes.h, vertices of degree n among them, and of
-// points that crowd together geometrically (tests/solid/solid_hull_complexity_test.cpp); no proof that it is so on every
-// input. Every side test is decided exactly, in floating point where that can tell, at all sizes of coordinates;
+// points that crowd together geometrically (tests/solid/solid_hull_complexity_test.cpp); no proof that it is so on
+// every input. Every side test is decided exactly, in floating point where that can tell, at all sizes of coordinates;
 // coplanar points cost more, and so do some that lie next to each other with coordinates of very different size (1e-300
-// beside 1e300). Source: Barber, Dobkin, Huhdanpaa 1996 (Quickhull). Departures: signs are exact, so facets are merged in
-// the end because they are coplanar, and never because they nearly are; the proofs that this needs are in
+// beside 1e300). Source: Barber, Dobkin, Huhdanpaa 1996 (Quickhull). Departures: signs are exact, so facets are merged
+// in the end because they are coplanar, and never because they nearly are; the proofs that this needs are in
 // quickhull.cpp.
 ConvexHull convex_hull(std::span<const Point3> points);
 
