@@ -1,5 +1,4 @@
-// Is a certificate file made of these files? The program reads them again, by the call that the file names, and
-// compares.
+// Was a certificate file made from these files? The program reads them again, by the call that it names, and compares.
 #pragma once
 
 #include <sunder/certificate/origin.h>

@@ -141,8 +141,8 @@ std::string human_text(const File& file) {
   const std::size_t told = std::min(file.refused.size(), most_refused);
   for (const std::size_t i : std::span(file.refused).first(told)) {
     const StatementResult& pair = result.statements[i];
-    text += fmt::format("  {} {}, said that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i, pair.sentence,
-                        pair.failed_check, io::one_line(pair.reason));
+    text += fmt::format("  {} {}, which states that {}: check {}: {}\n", file.is_set ? "statement" : "pair", i,
+                        pair.sentence, pair.failed_check, io::one_line(pair.reason));
   }
   if (told < file.refused.size()) text += fmt::format("  {} more are refused\n", file.refused.size() - told);
   return text;

@@ -65,7 +65,7 @@ TEST(ScenePicture, SaysWhatHullsAndNotesSay) {
   ScenePanel panel{"", bodies, answer};
   EXPECT_EQ(scene_svg(std::span(&panel, 1), "").find("hulls"), std::string::npos);
   panel.is_hull = [](std::uint32_t body, std::uint32_t) { return body == 3; };
-  panel.notes = {"not asked about, as allowed to meet: 1 pair of bodies (1 Never)"};
+  panel.notes = {"allowed to meet, so not tested: 1 pair of bodies (1 Never)"};
   const std::string svg = scene_svg(std::span(&panel, 1), "");
   EXPECT_NE(svg.find(">1. box0 and box1 meet<"), std::string::npos);
   EXPECT_NE(svg.find(">3. box2 and box3 meet as hulls<"), std::string::npos);

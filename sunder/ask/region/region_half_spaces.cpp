@@ -197,7 +197,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
 
   std::string region_text() const {
     std::string text = fmt::format("{}, of dimension {}\n", name_of(region_.kind), region_.dimension);
-    if (!rows_.empty()) text += "  all is on the hyperplanes of these:\n" + rows_text("");
+    if (!rows_.empty()) text += "  it lies in the boundary hyperplanes of:\n" + rows_text("");
     for (std::size_t c = 0; c < d_; ++c) {
       const auto& [least, greatest] = region_.extents[c];
       const std::string from = least ? fmt::format(" from about {:.10g}", *least) : "",
@@ -209,7 +209,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
                                             : " takes all values");
     }
     if (!region_.direction.empty()) {
-      text += fmt::format("  it goes on for ever along the direction of about {}\n",
+      text += fmt::format("  it extends without end in the direction of about {}\n",
                           numbers_text(direction_about(region_.direction)));
     }
     return text;

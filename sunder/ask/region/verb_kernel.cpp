@@ -148,14 +148,13 @@ class KernelQuestion : public FeasibilityQuestion {
   }
 
  private:
-  // "1 of 2 polygons have a kernel, said of these only: skipped: 1 invalid feature"
+  // "1 of 2 polygons have a kernel, among these only: skipped: 1 invalid feature"
   std::string verdict() const {
     const auto seen =
         std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
     const std::string without = input_.left_out_words();
     return fmt::format("{} of {} {} a kernel{}", seen, count_of(results_.size(), "polygon"),
-                       results_.size() == 1 ? "has" : "have",
-                       without.empty() ? "" : ", said of these only: " + without);
+                       results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", among these only: " + without);
   }
 
   Said said_of_ring() const {

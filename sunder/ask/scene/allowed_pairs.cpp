@@ -82,7 +82,7 @@ std::vector<std::string> left_out_texts(const LeftOutList& left_out, std::span<c
 }
 
 std::string allowed_clause(std::span<const AllowedPair> list) {
-  return list.empty() ? "" : "; not asked about, as allowed to meet: " + allowed_text(list);
+  return list.empty() ? "" : "; allowed to meet, so not tested: " + allowed_text(list);
 }
 
 }  // namespace sunder::ask

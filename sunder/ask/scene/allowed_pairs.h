@@ -40,7 +40,7 @@ Json allowed_json(std::span<const AllowedPair> list);
 // What a certificate does not speak of: what was left out of files, and these pairs.
 std::vector<std::string> left_out_texts(const LeftOutList& left_out, std::span<const AllowedPair> list);
 
-// "; not asked about, as allowed to meet: 28 pairs ..", to stand behind what is said of others; or nothing.
+// "; allowed to meet, so not tested: 28 pairs ..", to stand behind what is said of others; or nothing.
 std::string allowed_clause(std::span<const AllowedPair> list);
 
 }  // namespace sunder::ask

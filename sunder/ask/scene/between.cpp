@@ -282,14 +282,15 @@ class Between {
 
   std::string summary() const {
     const LeftOutList& left_out = input_.left_out();
-    std::string text = fmt::format(
-        "{}, of which {} {}", count_of(asked_, "step"), totals_.some,
-        left_out.empty() ? "have bodies that meet on the way" : "have bodies, of those read, that meet on the way");
-    if (totals_.unknown > 0) text += fmt::format("; where that is not known: {}", totals_.unknown);
-    if (asked_ < steps_) text += fmt::format("; not asked about, after the first that meets: {}", steps_ - asked_);
-    text += fmt::format("; pairs asked about all the way: {}", totals_.all_the_way);
+    std::string text =
+        fmt::format("{} of {} {} bodies that meet during the motion{}", totals_.some, count_of(asked_, "step"),
+                    totals_.some == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
+    if (totals_.unknown > 0) text += fmt::format("; steps where this is not known: {}", totals_.unknown);
+    if (asked_ < steps_)
+      text += fmt::format("; not tested, because they follow the first that meets: {}", steps_ - asked_);
+    text += fmt::format("; pairs tested for the whole motion: {}", totals_.all_the_way);
     if (totals_.at_ends_only > 0) {
-      text += fmt::format("; at their ends only, as a part turns: {}", totals_.at_ends_only);
+      text += fmt::format("; pairs tested only at both ends, because a part turns: {}", totals_.at_ends_only);
     }
     text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
             file_line("table", call_.csv);

@@ -301,14 +301,13 @@ class Placements {
  private:
   std::string summary() const {
     const LeftOutList& left_out = input_.left_out();
-    std::string text =
-        fmt::format("{}, of which {} {}", count_of(asked_, "placement"), some_,
-                    left_out.empty() ? "have bodies that meet" : "have bodies, of those read, that meet");
-    if (undecided_ > 0) text += fmt::format("; where that is undecided: {}", undecided_);
+    std::string text = fmt::format("{} of {} {} bodies that meet{}", some_, count_of(asked_, "placement"),
+                                   some_ == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
+    if (undecided_ > 0) text += fmt::format("; placements where this is undecided: {}", undecided_);
     if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept_);
     if (asked_ < table_.rows()) {
-      text += fmt::format("; not asked about, after the first that meets{}: {}", near_.clearance ? " or is closer" : "",
-                          table_.rows() - asked_);
+      text += fmt::format("; not tested, because they follow the first that meets{}: {}",
+                          near_.clearance ? " or is closer" : "", table_.rows() - asked_);
     }
     text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
             file_line("table", call_.csv);

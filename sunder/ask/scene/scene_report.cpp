@@ -176,7 +176,7 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
   text += undecided_text(placed, prefix);
-  const char* const of_those = report.allowed.empty() ? "" : ", of the pairs asked about";
+  const char* const of_those = report.allowed.empty() ? "" : ", among the pairs tested";
   if (listed == 0 && placed.answer.counts.undecided > 0) {
     text += prefix + "no others meet" + of_those + left_out.clause() + "\n";
   } else if (listed == 0) {
@@ -185,7 +185,7 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
                                                    : "none of the bodies read meet";
     text += prefix + none + (placed.bodies.empty() ? "" : of_those) + left_out.clause() + "\n";
   } else if (!left_out.empty()) {
-    text += fmt::format("{}this is of the bodies read{}\n", prefix, left_out.clause());
+    text += fmt::format("{}the answer covers only the bodies that were read{}\n", prefix, left_out.clause());
   }
   return text;
 }
@@ -232,7 +232,7 @@ std::string allowed_meeting_text(const SceneReport& report, const Placed& placed
 }
 
 std::string allowed_pairs_text(const SceneReport& report) {
-  return (report.checks_allowed ? "not counted, as allowed to meet: " : "not asked about, as allowed to meet: ") +
+  return (report.checks_allowed ? "allowed to meet, so not counted: " : "allowed to meet, so not tested: ") +
          allowed_text(report.allowed);
 }
 

@@ -192,7 +192,7 @@ class PolygonsSet {
     if (grouped()) facts.rules = {fmt::format("those of one {} may meet", call_.group)};
     const std::string without = input_.left_out_words();
     if (!without.empty()) {
-      facts.clause = fmt::format(", said of the {} only: {}", count_of(input_.polygons.size(), "feature"), without);
+      facts.clause = fmt::format(", among {} only: {}", count_of(input_.polygons.size(), "feature"), without);
     }
     facts.tail = tell(input_);
     tell(input_, facts.last);

@@ -309,8 +309,9 @@ class ValidQuestion {
     text += fmt::format("{}: {}, {}, {}\n", io::one_line(call_.file), valid_text(), count_of(edges_, "edge"),
                         file().format);
     if (valid_ < asked_ && !call_.lists()) text += "one defect of each is named; --all lists all\n";
-    if (mended > 0) text += fmt::format("said of what was mended: {}\n", count_of(mended, "feature"));
-    if (skipped > 0) text += fmt::format("said of these only; skipped: {}\n", count_of(skipped, input_.skipped_kind));
+    if (mended > 0) text += fmt::format("mended before the answer: {}\n", count_of(mended, "feature"));
+    if (skipped > 0)
+      text += fmt::format("the answer does not cover what was skipped: {}\n", count_of(skipped, input_.skipped_kind));
     if (!input_.left_out.empty()) text += fmt::format("left out: {}\n", input_.left_out.text());
     for (const std::string& remark : file().remarks) text += fmt::format("remark: {}\n", remark);
     if (!input_.systems.declared().empty()) text += fmt::format("crs: {}\n", input_.systems.text());

@@ -68,8 +68,7 @@ PolygonsAnswer polygons_any(std::span<const Polygon> polygons, const SetOptions&
 
 // A line sweeps over the edges, which know the polygons that fill what is above them, and passes contacts that do not
 // count. O((n + k) log n) for n edges in all and k contacts that do not count: edges of one group that cross; edges
-// that pass a vertex of another polygon. All edges with one end in common are one contact. Where all are of one group,
-// linear.
+// that pass a vertex of another polygon. All edges with one common end are one contact. One group only: linear.
 PolygonsAnswer polygons_any_by_sweep(std::span<const Polygon> polygons, const SetOptions& options = {});
 
 // The pairs of polygons whose boxes meet; of each, the runs of edges whose boxes meet (EdgeBoxes), down to edges. Where

@@ -9,8 +9,7 @@
 //   R4. Other pairs may be undecided. A cone against a polyhedron of radius 0 only where no direction was found that
 //       parts what its features show to be apart; where one body is curved and the other curved, or of a radius above
 //       0, where the gap or the depth is below some 2^-76 of their size (one in 50 there, one in 500 at 2^-72, one in
-//       2,000 at 2^-60); of what is thinner than some 2^-8 of its width rarely more, at its rim: depths of 2^-36 were
-//       seen.
+//       2,000 at 2^-60); of what is thinner than some 2^-8 of its width rarely more, at its rim: up to 2^-36 was seen.
 //   R5. The answer and the evidence are the same for every compiler, thread count and vector unit.
 // What one might assume and does not hold: swapped bodies may get other evidence, and of undecided ones an answer.
 #pragma once
