@@ -11,21 +11,28 @@ from files import FORCED, MUTANT, Twins, dice_of, file_of, hexadecimal, lacking,
 QUESTION = "polytope_hull"
 
 
+def eliminated(rows):
+    """Of rows of whole numbers: the columns that tell the others, and the determinant of these columns, if they are as
+    many as the rows. All divisions are exact (E. Bareiss)."""
+    rows, columns, sign, over = list(rows), [], 1, 1
+    for c in range(len(rows[0]) if rows else 0):
+        at = next((k for k, row in enumerate(rows) if row[c]), None)
+        if at is not None:
+            sign, by = -sign if at % 2 else sign, rows.pop(at)
+            rows = [[(x * by[c] - y * row[c]) // over for x, y in zip(row, by)] for row in rows]
+            over = by[c]
+            columns.append(c)
+    return columns, sign * over
+
+
 def determinant(m):
-    if not m:
-        return 1
-    return sum((-1) ** c * x * determinant([row[:c] + row[c + 1:] for row in m[1:]]) for c, x in enumerate(m[0]) if x)
+    columns, result = eliminated(m)
+    return result if len(columns) == len(m) else 0
 
 
 def basis(rows):
     """The columns that tell the others of these rows."""
-    rows, columns = [list(map(Fraction, row)) for row in rows], []
-    for c in range(len(rows[0]) if rows else 0):
-        pivot = next((row for row in rows if row[c]), None)
-        if pivot:
-            rows = [[x - y * row[c] / pivot[c] for x, y in zip(row, pivot)] for row in rows if row is not pivot]
-            columns.append(c)
-    return columns
+    return eliminated(rows)[0]
 
 
 def ways(points):
