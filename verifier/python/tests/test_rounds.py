@@ -6,10 +6,11 @@ the distance from an axis or a box instead of by weights, and points of the bodi
 """
 import decimal
 import itertools
+import operator
 import unittest
 from decimal import Decimal
 from fractions import Fraction
-from math import isqrt
+from math import isqrt, lcm
 
 from files import FORCED, MUTANT, TRIED, Twins, dice_of, file_of, fraction, main, some, spoilt_in_statements
 
@@ -21,11 +22,11 @@ WAYS = [(1, 0, 0), (0, 0, 1), (3, 4, 0), (0, 3, -4), (1, 2, 2), (3, 4, 5), (3, 4
 
 
 def dot(u, v):
-    return sum(x * y for x, y in zip(u, v))
+    return sum(map(operator.mul, u, v))
 
 
 def less(u, v):
-    return [x - y for x, y in zip(u, v)]
+    return list(map(operator.sub, u, v))
 
 
 def times(matrix, v):
@@ -207,8 +208,11 @@ def is_so(top, dice):
         return False
     if verdict in ("apart", "kept", "touching"):
         d = next([value(x) for x in claim["direction"]] for claim in one["claims"] if "direction" in claim)
-        least = value(one["least"]) ** 2 if verdict == "kept" else 0
-        for x, y in itertools.product(a.points(dice), b.points(dice)):
+        points = [list(body.points(dice)) for body in (a, b)]
+        scale = lcm(*(x.denominator for x in itertools.chain(d, *points[0], *points[1])))  # whole numbers are faster
+        d, points = [int(scale * x) for x in d], [[[int(scale * x) for x in p] for p in those] for those in points]
+        least = (scale * value(one["least"])) ** 2 if verdict == "kept" else 0
+        for x, y in itertools.product(*points):
             way = less(y, x)
             if dot(way, d) < 0 or dot(way, way) < least or (verdict == "apart" and dot(way, d) == 0):
                 return False
@@ -252,10 +256,8 @@ def placed(item, linear, translation):
 
 
 def furthest(body, d, dice):
-    """A point that is as far along d as any of the body, and the claim for it; None if it has roots."""
+    """A point that is as far along d as any of the body, and the claim for it; body.square(d) is a square."""
     length = root(Fraction(body.square(d)))
-    if length is None:
-        return None
     far = [dot(d, p) for p in body.core]
     if body.kind == "cone":
         far[0] += body.radius * length
@@ -291,9 +293,8 @@ def some_touch(dice, kinds):
         a, b = placed(item_a, turn_a, shift), placed(item_b, turn_b, [0] * 3)
         for way in dice.sample(WAYS, len(WAYS)):
             d = times(dice.choice((TURNS[0], turn_a)), way)
-            found = any(d) and [furthest(a, d, dice), furthest(b, [-x for x in d], dice)]
-            if found and None not in found:
-                (x, claim_a), (y, claim_b) = found
+            if any(d) and all(root(Fraction(body.square(d))) is not None for body in (a, b)):
+                (x, claim_a), (y, claim_b) = furthest(a, d, dice), furthest(b, [-x for x in d], dice)
                 if is_double(less(x, y)):
                     return (item_a, turn_a, shift), (item_b, turn_b, less(x, y)), d, x, [claim_a, claim_b]
 
