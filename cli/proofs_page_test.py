@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Runs each row of docs/guide/proofs.md: the program answers and states what the row says, and both checkers accept it."""
+import contextlib
+import io
 import json
 import os
 import re
@@ -13,7 +15,7 @@ sys.dont_write_bytecode = True
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PROGRAM = os.environ.get("SUNDER_PROGRAM", "")
 sys.path.insert(0, os.path.join(ROOT, "verifier", "python"))
-import sunder_verify  # noqa: E402
+from sunder_verify import __main__ as checker  # noqa: E402
 from sunder_verify.questions import QUESTIONS  # noqa: E402
 
 NOTHING_ASKED = "nothing is asked"
@@ -70,6 +72,7 @@ def options_of(verb):
 
 class ProofsPage(unittest.TestCase):
     def test_each_row(self):
+        self.is_command_tried = False
         with tempfile.TemporaryDirectory() as folder:
             for row in ROWS:
                 with self.subTest(row.example):
@@ -89,26 +92,32 @@ class ProofsPage(unittest.TestCase):
         made = {(s["question"], s["verdict"], tuple(claim["claim"] for claim in s["claims"])) for s in top["statements"]}
         self.assertEqual(made, row.wanted)
         self.assertEqual(bool(top["left_out"]), row.has_left_out)
-        self.assertEqual(self.said_by_python(proof), self.said_by_program(proof))
-        self.look_at_inputs(top, proof)
+        against = [word for given in top["inputs"] for word in ("--against", os.path.join(ROOT, given["name"]))]
+        self.assertEqual(self.said_by_python(proof, against), self.said_by_program(proof))
+        self.look_at_inputs(top, proof, against)
         os.remove(proof)
 
-    def look_at_inputs(self, top, proof):
+    def look_at_inputs(self, top, proof, against):
         """The program makes the same tables again of the inputs, and says of each what the tables are made of."""
-        against = [word for given in top["inputs"] for word in ("--against", given["name"])]
         done = run(PROGRAM, "verify", proof, *against)
         self.assertEqual(done.returncode, 0, done)
         self.assertIn("made of these files: this program", done.stdout)
         self.assertTrue(top.get("said") or any("said" in entry for entry in top["tables"].get("bodies", []) +
                                                top["tables"].get("polytopes", [])), top["call"])
-        python = [sys.executable, os.path.join(ROOT, "verifier", "python", "sunder_verify"), "--quiet", proof]
-        self.assertIn("of files with these digests", run(*python, *against).stdout)
 
-    def said_by_python(self, proof):
-        with open(proof, "rb") as stream:
-            statements = sunder_verify.verify(stream.read(), True).statements
-        self.assertEqual([refusal for _, refusal in statements if refusal], [])
-        return [sentence for sentence, _ in statements]
+    def said_by_python(self, proof, against):
+        """By what its command calls, in this process; once by the command. It knows the inputs by their digests."""
+        if not self.is_command_tried:
+            command = os.path.join(ROOT, "verifier", "python", "sunder_verify")
+            told = run(sys.executable, command, proof, *against).stdout
+            self.is_command_tried = True
+        else:
+            with contextlib.redirect_stdout(io.StringIO()) as stream:
+                self.assertEqual(checker.main([proof, *against]), 0)
+            told = stream.getvalue()
+        self.assertIn("of files with these digests", told)
+        self.assertTrue(told.endswith(" statements accepted, 0 refused: accepted\n"), told)
+        return re.findall(r": statement \d+: accepted: (.*)$", told, re.M)
 
     def said_by_program(self, proof):
         done = run(PROGRAM, "verify", "--json", proof)
