@@ -3,6 +3,8 @@
 
 All of the files if SUNDER_TEST_SCALE is greater than 1; else each fourth, but for the slowest.
 """
+import contextlib
+import io
 import json
 import math
 import os
@@ -345,6 +347,15 @@ def twins():
     return result
 
 
+def codes_of(path, *arguments):
+    """The exit code by each twin; of the Python checker by what its command calls, which is faster than a new process."""
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+        code = program.main([path, *arguments])
+    yield "python", code
+    if PROGRAM:
+        yield "c++", checked([PROGRAM, "verify"], path, *arguments)[0]
+
+
 def yardstick():
     """The seconds of the processor that a fixed piece of work takes: how fast is this machine now?"""
     before, n = time.process_time(), 3 ** 20000
@@ -366,11 +377,9 @@ class InFolder(unittest.TestCase):
         return path
 
     def expect_both(self, text, code):
-        path = self.write("file.json", text)
-        for name, command in twins().items():
+        for name, found in codes_of(self.write("file.json", text)):
             with self.subTest(twin=name, text=text[:40]):
-                result = checked(command, path)
-                self.assertEqual(result[0], code, result)
+                self.assertEqual(found, code)
 
 
 class Hostile(InFolder):
@@ -401,12 +410,11 @@ class Hostile(InFolder):
             text = json.dumps(bodies([ZEROS] * 16806, [apart(direction)] * count), separators=(",", ":"))
             self.assertLess(len(text), 10 ** 6)
             path = self.write("pairs.json", text)
-            for name, command in twins().items():
+            for name, found in codes_of(path):
                 with self.subTest(twin=name, count=count):
-                    self.assertEqual(checked(command, path)[0], code)
-        for name, command in twins().items():
-            self.assertEqual(checked(command, path, "--no-limit")[0], 1)
-
+                    self.assertEqual(found, code)
+        for _, found in codes_of(path, "--no-limit"):
+            self.assertEqual(found, 1)
 
     def test_roots_are_counted(self):
         """Four looks of two cones at K bits, two points a body; then a point, or where it comes from, of so many."""
