@@ -569,6 +569,7 @@ std::shared_ptr<const PartTable> Tables::parts_of(const std::vector<std::size_t>
     take_steps(20 * size, 1, 1);
     last_named_ = which;
     last_parts_ = std::make_shared<const PartTable>(numbered_anew(polygons, which));
+    ++part_tables_made_;
   }
   return last_parts_;
 }

@@ -177,10 +177,12 @@ struct Tables {
 
   // Those of the call before, if it named the same: statements that follow each other mostly do.
   std::shared_ptr<const PartTable> parts_of(const std::vector<std::size_t>& which) const;
+  std::size_t part_tables_made() const { return part_tables_made_; }
 
  private:
   mutable std::vector<std::size_t> last_named_;
   mutable std::shared_ptr<const PartTable> last_parts_;
+  mutable std::size_t part_tables_made_ = 0;
 };
 
 Tables read_tables(const Json& item, InputNames inputs);

@@ -84,14 +84,15 @@ void note(const ClaimedStatement& statement, Proved& proved) {
 }
 
 // The statements of a file. Reads all of them first, for their form. The first ones are kept so: claims take some ten
-// times the memory of their text, so the others are read again where they are checked.
+// times the memory of their text, and each set of parts has a table of its own, so the others are read again where they
+// are checked.
 class Statements {
  public:
   Statements(const Json& list, const Tables& tables) : list_(list), tables_(tables) {
     std::size_t k = 0;
     for (const Json& item : list) {
       ClaimedStatement statement = read(item, k++);
-      if (k <= most_kept) kept_.push_back(std::move(statement));
+      if (k <= most_kept && tables_.part_tables_made() <= most_part_tables) kept_.push_back(std::move(statement));
     }
   }
 
@@ -109,7 +110,7 @@ class Statements {
   }
 
  private:
-  static constexpr std::size_t most_kept = 1000;
+  static constexpr std::size_t most_kept = 1000, most_part_tables = 4;
 
   ClaimedStatement read(const Json& item, std::size_t k) {
     return read_statement(*ReadNow(item), tables_, proved_, "statements[" + std::to_string(k) + "]");
