@@ -132,9 +132,9 @@ def fan(n):
     return swept(rows, first + [[-1, -1, *range(n)]] + [[2 * i + 1, -1] for i in range(n)], groups=[1] * n)
 
 
-def parts_in_turns(n, count, parts=([0], [0, 1])):
-    """Short statements about parts that are long, each other one about others."""
-    return claimed("polygons", [[parabola(n), [["0x0p0", "0x0p0"]]], [[["0x0p0", "0x0p0"]]]],
+def parts_in_turns(n, count, parts=([0], [0, 1]), far=()):
+    """Short statements about parts that are long, each other one about others; a far point makes all integers long."""
+    return claimed("polygons", [[parabola(n) + [*far], [["0x0p0", "0x0p0"]]], [[["0x0p0", "0x0p0"]]]],
                    *[{"question": "valid", "parts": parts[k % len(parts)], "rule": "valid", "verdict": "too_few_points", "ring": 1,
                       "claims": [{"claim": "too_few_points"}]} for k in range(count)])
 
@@ -539,6 +539,17 @@ class Around(unittest.TestCase):
                 while self.within(most, [*command, self.files[0]]).returncode != 0:  # what the program itself needs
                     most += 8 << 20
                 self.expect_line(self.within(most + (16 << 20), [*command, path]), 3)
+
+    @unittest.skipIf(IS_SANITIZED, "a sanitizer needs more memory than that")
+    def test_parts_in_turns_of_long_integers(self):
+        """In 300 MB: refused, as the file takes too many steps, and not for want of memory."""
+        text = json.dumps(parts_in_turns(12000, 5000, far=[["0x1p1023", "0x1p-1074"]]))
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "turns.json")
+            with open(path, "w", encoding="utf-8") as stream:
+                stream.write(text)
+            for command in twins().values():
+                self.expect_line(self.within(300 << 20, [*command, path]), 2)
 
     def within(self, most, command):
         """The call, with so many bytes of memory."""
