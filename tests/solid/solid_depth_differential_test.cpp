@@ -97,8 +97,8 @@ class Oracle {
       most_b = std::max(most_b, along);
       least_b = std::min(least_b, along);
     }
-    const Integer beyond = std::min(Integer(most_a - least_b), Integer(most_b - least_a));
-    const Fraction depth2(Integer(beyond * beyond), square);
+    const Integer beyond = std::min(most_a - least_b, most_b - least_a);
+    const Fraction depth2(beyond * beyond, square);
     if (!least_ || depth2 < *least_) least_ = depth2;
   }
 

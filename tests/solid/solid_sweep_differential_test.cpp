@@ -216,8 +216,7 @@ TEST(SolidSweepDifferential, GridsWhereAllIsDegenerate) {
     if (!first) continue;
     at_one_time += *first + *last == 1;
     first_at_end += *first == 1;
-    const auto whole = denominator(*first);
-    rational += msb(whole) != lsb(whole);
+    rational += !first->is_dyadic();
   }
   tally.print("grid");
   std::printf("at one time only %d, not before the end %d, at a time that is no double %d\n", at_one_time, first_at_end,

@@ -1,25 +1,18 @@
 // Is what is said of two bodies with a radius true? Fractions and plain formulas: shares no code with what it checks.
 #pragma once
 
+#include <sunder/number/integer_internal.h>
 #include <sunder/solid/round/round_round.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include <tests/support/fraction.h>
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
 namespace sunder::tests {
 
-using Fraction = boost::multiprecision::cpp_rational;
-using Integer = boost::multiprecision::cpp_int;
-
 inline Fraction fraction(double x) { return Fraction(x); }
-inline Fraction fraction(const Dyadic& x) {
-  const std::string text = fraction_text(x, Dyadic(1.0));
-  return Fraction(text);
-}
+inline Fraction fraction(const Dyadic& x) { return Fraction(Integer(mantissa_of(x).str())).scaled(x.exponent()); }
 
 using Triple = std::array<Fraction, 3>;
 
@@ -119,13 +112,6 @@ inline bool is_parted(const OracleBody& a, const OracleBody& b, const Triple& d)
 // g >= sqrt(u) + sqrt(v) + sqrt(w)?
 inline bool is_as_far(const Fraction& g, const Fraction& u, const Fraction& v, const Fraction& w) {
   if (g <= 0) return g == 0 && u == 0 && v == 0 && w == 0;
-  if (numerator(g) != 1 && (numerator(g) > denominator(g) << 64 || denominator(g) > numerator(g) << 64)) {
-    // In another unit, in which g is about 1, so that no number is long.
-    using boost::multiprecision::msb;
-    const auto n = msb(numerator(g)), d = msb(denominator(g));
-    const Fraction unit = n > d ? Fraction(1, Integer(1) << (n - d)) : Fraction(Integer(1) << (d - n));
-    return is_as_far(g * unit, u * unit * unit, v * unit * unit, w * unit * unit);
-  }
   if (g * g < u) return false;
   // (g - sqrt(u))^2 >= (sqrt(v) + sqrt(w))^2, which is e >= 2 g sqrt(u) + 2 sqrt(v w).
   const Fraction e = g * g + u - v - w, rest = e * e - 4 * g * g * u - 4 * v * w;  // >= 8 g sqrt(u v w)?

@@ -1,15 +1,13 @@
 // When do two hulls of points first meet, of which each point goes straight from one place to another? By a dense
-// simplex method on fractions, with Bland's rule, over all points: an oracle that shares no code with what it checks.
+// simplex method in integers, with Bland's rule, over all points: an oracle that shares no code with what it checks.
 #pragma once
 
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/point.h>
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include <tests/support/fraction.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -19,28 +17,10 @@
 
 namespace sunder::tests {
 
-using Fraction =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational::backend_type, boost::multiprecision::et_off>;
 using FractionPoint = std::array<Fraction, 3>;
 
-// Times 2^exponent.
-inline Fraction scaled(Fraction x, std::int64_t exponent) {
-  for (; exponent > 0; exponent -= std::min<std::int64_t>(exponent, 60)) {
-    x *= std::int64_t{1} << std::min<std::int64_t>(exponent, 60);
-  }
-  for (; exponent < 0; exponent += std::min<std::int64_t>(-exponent, 60)) {
-    x /= std::int64_t{1} << std::min<std::int64_t>(-exponent, 60);
-  }
-  return x;
-}
-
-inline Fraction fraction_of(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  return scaled(Fraction(static_cast<std::int64_t>(std::ldexp(m, 53))), e - 53);
-}
-
-inline Fraction fraction_of(const Dyadic& x) { return scaled(Fraction(mantissa_of(x).str()), x.exponent()); }
+inline Fraction fraction_of(double x) { return Fraction(x); }
+inline Fraction fraction_of(const Dyadic& x) { return Fraction(Integer(mantissa_of(x).str())).scaled(x.exponent()); }
 
 // A moving hull: the points under the linear map, and the translations at times 0 and 1.
 struct MovingHull {
@@ -69,26 +49,30 @@ struct MovingHull {
   }
 };
 
-// The tableau: rows of equations with sides that are not negative, a basic variable each, and a row of costs.
+// The tableau: rows of equations with sides that are not negative, a basic variable each. In integers over their common
+// denominator, the determinant of the basis (Bareiss 1968).
 class DenseSimplex {
  public:
-  // Minimises costs . x over x >= 0 with the equations; nothing where there are none.
-  static std::optional<Fraction> least(std::vector<std::vector<Fraction>> rows, std::vector<Fraction> sides,
-                                       const std::vector<Fraction>& costs) {
+  // Minimises costs . x over x >= 0 with the equations; nothing where there are none. Requires rows of n 2^e.
+  static std::optional<Fraction> least(const std::vector<std::vector<Fraction>>& rows,
+                                       const std::vector<Fraction>& sides, const std::vector<int>& costs) {
     DenseSimplex simplex;
     const std::size_t n = costs.size(), m = rows.size();
     for (std::size_t i = 0; i < m; ++i) {
+      std::int64_t unit = sides[i].exponent();
+      for (const Fraction& x : rows[i]) unit = std::min(unit, x.exponent());
+      std::vector<Integer> row;
+      for (const Fraction& x : rows[i]) row.push_back(x.in_units(unit));
+      row.resize(n + m);
+      row.push_back(sides[i].in_units(unit));
       if (sides[i] < 0) {
-        sides[i] = -sides[i];
-        for (Fraction& x : rows[i]) x = -x;
+        for (Integer& x : row) x = -x;
       }
-      rows[i].resize(n + m, 0);
-      rows[i][n + i] = 1;
-      rows[i].push_back(sides[i]);
+      row[n + i] = 1;
+      simplex.rows_.push_back(std::move(row));
       simplex.basis_.push_back(n + i);
     }
-    simplex.rows_ = std::move(rows);
-    std::vector<Fraction> artificial(n + m, 0);
+    std::vector<int> artificial(n + m, 0);
     for (std::size_t i = 0; i < m; ++i) artificial[n + i] = 1;
     if (simplex.minimize(artificial, n + m) > 0) return std::nullopt;
     // What is artificial, and still in the basis at zero, goes out where something else of the row can come in.
@@ -97,21 +81,19 @@ class DenseSimplex {
         if (simplex.rows_[i][j] != 0) simplex.pivot(i, j);
       }
     }
-    std::vector<Fraction> all = costs;
+    std::vector<int> all = costs;
     all.resize(n + m, 0);
     return simplex.minimize(all, n);
   }
 
  private:
-  Fraction minimize(const std::vector<Fraction>& costs, std::size_t columns) {
+  Fraction minimize(const std::vector<int>& costs, std::size_t columns) {
     for (;;) {
       std::size_t entering = columns;
       for (std::size_t j = 0; j < columns && entering == columns; ++j) {
-        Fraction reduced = costs[j];
-        for (std::size_t i = 0; i < rows_.size(); ++i) reduced -= costs[basis_[i]] * rows_[i][j];
-        if (reduced < 0) entering = j;
+        if (costs[j] * denominator_ - cost_of(costs, j) < 0) entering = j;
       }
-      if (entering == columns) break;
+      if (entering == columns) return {cost_of(costs, rows_[0].size() - 1), denominator_};
       std::size_t leaving = rows_.size();
       for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (rows_[i][entering] <= 0) continue;
@@ -119,28 +101,43 @@ class DenseSimplex {
           leaving = i;
           continue;
         }
-        const Fraction x = rows_[i].back() * rows_[leaving][entering], y = rows_[leaving].back() * rows_[i][entering];
+        const Integer x = rows_[i].back() * rows_[leaving][entering], y = rows_[leaving].back() * rows_[i][entering];
         if (x < y || (x == y && basis_[i] < basis_[leaving])) leaving = i;
       }
       pivot(leaving, entering);
     }
-    Fraction value = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) value += costs[basis_[i]] * rows_[i].back();
-    return value;
+  }
+
+  // Of a column, by the costs of the basic variables, times the denominator.
+  Integer cost_of(const std::vector<int>& costs, std::size_t column) const {
+    Integer sum = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (costs[basis_[i]] != 0) sum += costs[basis_[i]] * rows_[i][column];
+    }
+    return sum;
   }
 
   void pivot(std::size_t r, std::size_t c) {
-    const Fraction by = rows_[r][c];
-    for (Fraction& x : rows_[r]) x /= by;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (i == r || rows_[i][c] == 0) continue;
-      const Fraction factor = rows_[i][c];
-      for (std::size_t j = 0; j < rows_[i].size(); ++j) rows_[i][j] -= factor * rows_[r][j];
+    if (rows_[r][c] < 0) {
+      for (Integer& x : rows_[r]) x = -x;
     }
+    const Integer by = rows_[r][c];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (i == r) continue;
+      const Integer factor = rows_[i][c];
+      for (std::size_t j = 0; j < rows_[i].size(); ++j) {
+        Integer& x = rows_[i][j];
+        x *= by;
+        if (factor != 0 && rows_[r][j] != 0) x -= factor * rows_[r][j];
+        x /= denominator_;  // leaves no rest
+      }
+    }
+    denominator_ = by;
     basis_[r] = c;
   }
 
-  std::vector<std::vector<Fraction>> rows_;  // the last column: the sides
+  std::vector<std::vector<Integer>> rows_;  // the last column: the sides
+  Integer denominator_ = 1;
   std::vector<std::size_t> basis_;
 };
 
@@ -158,9 +155,9 @@ inline std::optional<Fraction> first_time(const MovingHull& a, const MovingHull&
     for (std::size_t k = 0; k < 3; ++k) rows[k][n + end] = a.at[end][k] - b.at[end][k];
     rows[5][n + end] = 1;
   }
-  std::vector<Fraction> costs(n + 2, 0);
+  std::vector<int> costs(n + 2, 0);
   costs.back() = 1;
-  return DenseSimplex::least(std::move(rows), {0, 0, 0, 1, 1, 1}, costs);
+  return DenseSimplex::least(rows, {0, 0, 0, 1, 1, 1}, costs);
 }
 
 }  // namespace sunder::tests
