@@ -539,9 +539,10 @@ part_verify() {
   verify_sample() {
     certificates "$folder" build "$count" || return 1
     local accepted
-    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 500 \
-      python3 verifier/python/sunder_verify >"$folder/verdicts" || { grep -vE ': accepted(: |$)' "$folder/verdicts"; return 1; }
-    accepted=$(grep -cE ': statement [0-9]+: accepted: ' "$folder/verdicts" || true)
+    find "$folder" -name '*.json' -print0 | sort -z | xargs -0 -n 250 -P "$(job_count)" \
+      sh -c 'python3 verifier/python/sunder_verify "$@" >"$0/verdicts.$$"' "$folder" ||
+      { grep -hvE ': accepted(: |$)' "$folder"/verdicts.*; return 1; }
+    accepted=$(cat "$folder"/verdicts.* | grep -cE ': statement [0-9]+: accepted: ' || true)
     echo "$accepted certificates accepted"
     [ "$accepted" -ge $((4 * count + count / 4)) ]  # a sample that reads empty fails
   }

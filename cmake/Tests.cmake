@@ -44,7 +44,8 @@ if(sources)
 endif()
 
 # Tests compile at -O1; those in which most of the time is run (FAST: differentials, and what counts) as the library
-# does; those that read small files at -O0 (PLAIN). The headers of others are compiled
+# does; those that read small files at -O0 (PLAIN), and all of them under sanitizers, where few instances are run and
+# what is instrumented takes long to optimize. The headers of others are compiled
 # once, but for FAST by GCC, whose -O3 may take them for the place of what it warns of.
 set(precompiled plain light)
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -52,7 +53,7 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 function(sunder_test_code target speed)
   sunder_own_code(${target})
-  if(speed STREQUAL "plain")
+  if(speed STREQUAL "plain" OR SUNDER_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)
   elseif(speed STREQUAL "light")
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>
@@ -66,7 +67,11 @@ foreach(speed ${precompiled})
   set_target_properties(${headers} PROPERTIES POSITION_INDEPENDENT_CODE OFF)  # but as executables are compiled:
   target_compile_options(${headers} PRIVATE -fPIE)
   sunder_test_code(${headers} ${speed})
-  sunder_precompile(${headers} <gtest/gtest.h> <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+  set(others "")
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # which instantiates again, for each source, what headers need
+    set(others <nlohmann/json.hpp> <boost/multiprecision/cpp_int.hpp>)
+  endif()
+  sunder_precompile(${headers} <gtest/gtest.h> ${others})
 endforeach()
 
 function(sunder_add_executable target folder)
