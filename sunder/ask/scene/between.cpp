@@ -282,9 +282,9 @@ class Between {
 
   std::string summary() const {
     const LeftOutList& left_out = input_.left_out();
-    std::string text =
-        fmt::format("{} of {} {} bodies that meet during the motion{}", totals_.some, count_of(asked_, "step"),
-                    totals_.some == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
+    std::string text = fmt::format("{} of {} {} bodies that meet during the motion{}", totals_.some,
+                                   count_of(asked_, "step"), totals_.some == 1 || asked_ == 1 ? "has" : "have",
+                                   left_out.empty() ? "" : ", among the bodies read");
     if (totals_.unknown > 0) text += fmt::format("; steps where this is not known: {}", totals_.unknown);
     if (asked_ < steps_)
       text += fmt::format("; not tested, because they follow the first that meets: {}", steps_ - asked_);

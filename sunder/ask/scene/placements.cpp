@@ -301,8 +301,9 @@ class Placements {
  private:
   std::string summary() const {
     const LeftOutList& left_out = input_.left_out();
-    std::string text = fmt::format("{} of {} {} bodies that meet{}", some_, count_of(asked_, "placement"),
-                                   some_ == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
+    std::string text =
+        fmt::format("{} of {} {} bodies that meet{}", some_, count_of(asked_, "placement"),
+                    some_ == 1 || asked_ == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
     if (undecided_ > 0) text += fmt::format("; placements where this is undecided: {}", undecided_);
     if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept_);
     if (asked_ < table_.rows()) {
