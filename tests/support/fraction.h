@@ -22,7 +22,9 @@ class Fraction {
   Fraction(int x) : n_(x) { cancel(); }
   Fraction(std::int64_t x) : n_(x) { cancel(); }
   Fraction(Integer x) : n_(std::move(x)) { cancel(); }
-  Fraction(Integer numerator, Integer denominator) : n_(std::move(numerator)) { *this /= Fraction(std::move(denominator)); }
+  Fraction(Integer numerator, Integer denominator) : n_(std::move(numerator)) {
+    *this /= Fraction(std::move(denominator));
+  }
   Fraction(double x) {
     int e = 0;
     const double m = std::frexp(x, &e);
