@@ -106,7 +106,10 @@ struct WideGame::Table {
 
 bool WideGame::solve() {
   Table table(*this);
+  std::size_t counted = 0;  // pivots
   while (!table.is_solved()) {
+    products_ += table.size * (columns() + 2 * (table.pivots - counted) * table.size);
+    counted = table.pivots;
     if (table.pivots > 2 * (rows_ + columns())) return false;
     bool pays = false;
     for (std::size_t i = 0; i < rows_; ++i) pays = table.enter_if_it_pays(columns() + i) || pays;

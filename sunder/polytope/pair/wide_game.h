@@ -32,6 +32,7 @@ class WideGame {
   // False where no end comes, which roundings may cause. Cost: some 2 (rows + columns) pivots, of (rows + 1)
   // (rows + columns) products each.
   bool solve();
+  std::uint64_t products() const { return products_; }  // so far, about
   bool columns_win() const { return columns_win_; }
   // Of the columns where they win, else of the rows.
   const std::vector<Dyadic>& weights() const { return weights_; }
@@ -44,6 +45,7 @@ class WideGame {
   LongFloats to_;
   std::size_t rows_ = 0;
   std::vector<std::vector<Dyadic>> columns_;
+  std::uint64_t products_ = 0;
   bool columns_win_ = false;
   std::vector<Dyadic> weights_;
   std::vector<std::size_t> tight_;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t more_bits = 128;  // than exponents differ by, or twice, or four times that
 constexpr std::int64_t wide = 256;       // exponents that differ by less are left to doubles, and to integers
 constexpr std::uint32_t first_items = 32;
-constexpr int most_steps = 64;
+constexpr std::uint64_t most_products = 1'000'000;  // of all games; what has no proof by then is left to integers
 
 // By how much the exponents of a body's numbers differ.
 std::int64_t exponent_range(const Polytope& body) {
@@ -41,8 +41,9 @@ class WideSearch {
     for (std::uint32_t k = 0; k < std::min(half_spaces.body().size(), first_items); ++k) add_half_space(k);
   }
 
-  std::optional<ExactDecision> search() {
-    for (int step = 0; step < most_steps && game_.solve(); ++step) {
+  // Until so many products are made.
+  std::optional<ExactDecision> search(std::uint64_t most) {
+    while (game_.products() < most && game_.solve()) {
       ++cost_.iterations;
       if (game_.columns_win()) {
         const auto broken = half_space_broken();
@@ -62,6 +63,7 @@ class WideSearch {
     }
     return std::nullopt;
   }
+  std::uint64_t products() const { return game_.products(); }
 
  private:
   struct Item {
@@ -140,8 +142,11 @@ class WideSearch {
 std::optional<ExactDecision> search_widely(Placed& half_spaces, Placed& points, Cost& cost) {
   const std::int64_t range = exponent_range(half_spaces.body()) + exponent_range(points.body());
   if (range < wide) return std::nullopt;
-  for (const std::int64_t times : {1, 2, 4}) {
-    if (auto held = WideSearch(half_spaces, points, times * range + more_bits, cost).search()) return held;
+  std::uint64_t products = 0;
+  for (std::int64_t times = 1; times <= 4 && products < most_products; times *= 2) {
+    WideSearch search(half_spaces, points, times * range + more_bits, cost);
+    if (auto held = search.search(most_products - products)) return held;
+    products += search.products();
   }
   return std::nullopt;
 }
