@@ -345,6 +345,7 @@ TEST(SolidHierarchyComplexity, ScanningAllNeighboursIsLinearOnStackedBodies) {
 TEST(SolidHierarchyComplexity, SignsOfFinishingGrowAsALogarithm) {
   const int greatest_power = scaled_count(16, 12) >= 16 ? 16 : 12;
   int finished = 0;
+  std::uint64_t last = 400;
   for (int power = 8; power <= greatest_power; power += 2) {
     const std::size_t n = std::size_t{1} << power;
     std::vector<Point3> points;
@@ -362,6 +363,8 @@ TEST(SolidHierarchyComplexity, SignsOfFinishingGrowAsALogarithm) {
       greatest = std::max<std::uint64_t>(greatest, answer.cost.exact);
     }
     EXPECT_LE(greatest, std::min(200.0 * power, 10000.0)) << n;
+    EXPECT_LE(greatest, last + 2 * 330) << n;  // each doubling adds 206 to 319: N is four times the last one
+    last = greatest;
     std::printf("finishing: N %7zu signs %6llu\n", n, static_cast<unsigned long long>(greatest));  // NOLINT
   }
   EXPECT_GE(finished, 2 * (greatest_power / 2 - 3));
