@@ -232,7 +232,6 @@ if(NOT SUNDER_SANITIZE AND NOT SUNDER_COVERAGE AND NOT SUNDER_FUZZ)
   sunder_add_test(python TIMEOUT 1200 LABELS python slow COMMAND ${python}
     ${PROJECT_SOURCE_DIR}/python/tests/run.py ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR} ${CMAKE_CXX_COMPILER}
     ${SUNDER_WARNINGS_AS_ERRORS})
-  set_tests_properties(python PROPERTIES PROCESSORS 2)
   sunder_add_test(consumer TIMEOUT 300 LABELS consumer slow COMMAND ${CMAKE_COMMAND}
     -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DBUILD_DIR=${PROJECT_BINARY_DIR} -DGENERATOR=${CMAKE_GENERATOR}
     -DCXX=${CMAKE_CXX_COMPILER} -DBUILD_TYPE=${CMAKE_BUILD_TYPE} -P ${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake)
@@ -240,7 +239,9 @@ endif()
 
 # The longest are begun first, so that no core waits for them at the end.
 foreach(name unit_solid_1 unit_solid_2 unit_solid_3 unit_solid_4 unit_planar_1 unit_planar_2 unit_predicate_1 unit_predicate_2
-             solid_drums_complexity_test solid_hierarchy_complexity_test segments_growth_complexity_test
+             python solid_drums_complexity_test polytope_pair_differential_test solid_pair_differential_test
+             solid_pair_by_drums_differential_test solid_polygon_differential_test solid_distance_differential_test
+             solid_hierarchy_complexity_test segments_growth_complexity_test
              polygon_sets_complexity_test solid_line_complexity_test reports_test_py claims_limits_py calls_simple
              calls_sets calls_space files_and_lists_test_py)
   if(TEST ${name})
