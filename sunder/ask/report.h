@@ -135,7 +135,7 @@ std::string titled(std::string_view title, std::string value);
 // The same of a file that was written; empty where there is none. clause: what is said of it.
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause = "");
 
-// What is told of the coordinate systems of the inputs: a line for people; "coordinate_systems" of a report; notes.
+// Reports name the coordinate systems of the inputs: in a line of text, in "coordinate_systems" of JSON, and in notes.
 // Each is empty where no input declares a system.
 std::string systems_line(const io::CoordinateSystems& systems);
 void add_systems(const io::CoordinateSystems& systems, Json& report);

@@ -16,7 +16,7 @@ std::int64_t length(const Dyadic& x) { return x.top() - x.exponent() + 1; }
 Dyadic LongFloats::rounded(Dyadic x) const {
   const std::int64_t over = x.sign() == Sign::zero ? 0 : length(x) - bits;
   if (over <= 0) return x;
-  // Of the size alone: Boost 1.74 shifts some negative numbers to the right to positive ones.
+  // Only the absolute value is shifted: for some negative numbers, a right shift of Boost 1.74 returns a positive one.
   Integer size = boost::multiprecision::abs(mantissa_of(x)) >> static_cast<unsigned>(over - 1);
   ++size;  // to the nearest
   size >>= 1;

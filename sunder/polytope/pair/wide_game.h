@@ -34,9 +34,9 @@ class WideGame {
   bool solve();
   std::uint64_t products() const { return products_; }  // so far, about
   bool columns_win() const { return columns_win_; }
-  // Of the columns where they win, else of the rows.
+  // The weights of the winner: one for each column if the columns win, one for each row if the rows win.
   const std::vector<Dyadic>& weights() const { return weights_; }
-  // Where columns win, the rows that have no slack: they are zero with these weights.
+  // If the columns win: the rows without slack. With these weights each of them sums to zero.
   const std::vector<std::size_t>& tight() const { return tight_; }
 
  private:
