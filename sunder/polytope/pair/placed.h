@@ -32,6 +32,10 @@ class Placed {
  public:
   Placed(const Polytope& body, const Pose& pose) : body_(body), pose_(pose) {}
   Placed(const HierarchicalTree& tree, const Pose& pose) : body_(tree.body()), pose_(pose), walk_(tree) {}
+  // Body and pose must outlive this: temporary ones are refused.
+  Placed(const Polytope&, const Pose&&) = delete;
+  Placed(const Polytope&&, const Pose&) = delete;
+  Placed(const HierarchicalTree&, const Pose&&) = delete;
 
   const Polytope& body() const { return body_; }
   const Pose& pose() const { return pose_; }

@@ -40,16 +40,17 @@ TEST(WideSearch, DecidesWhatDoublesCannotHold) {
     const std::size_t d = 2 + random.below(5);
     const std::int64_t range = i % 3 == 0 ? 1000 : random.between(150, 1000);
     const WidePair pair = WidePair::make(random, d, i % 10 == 9 ? 60 : 20, range);
+    const Pose here(d);
     Pose moved(d);
     std::vector<double> linear(d * d), by(d, 0x1p-300);
     for (std::size_t c = 0; c < d; ++c) linear[c * d + (c + 1) % d] = c + 1 < d || d % 2 == 1 ? 1 : -1;  // a turn
     if (i % 5 == 4) moved = Pose::from_matrix(d, linear, by);
-    Placed half_spaces(pair.half_spaces, moved), points(pair.points, Pose(d));
+    Placed half_spaces(pair.half_spaces, moved), points(pair.points, here);
     Cost cost;
     const auto decision = search_widely(half_spaces, points, cost);
-    const PolytopeAnswer answer = polytope_polytope(pair.points, Pose(d), pair.half_spaces, moved);
-    EXPECT_TRUE(check(pair.points, Pose(d), pair.half_spaces, moved, answer.evidence.verdict,
-                      exact_evidence(pair.points, Pose(d), pair.half_spaces, moved, answer)));
+    const PolytopeAnswer answer = polytope_polytope(pair.points, here, pair.half_spaces, moved);
+    EXPECT_TRUE(check(pair.points, here, pair.half_spaces, moved, answer.evidence.verdict,
+                      exact_evidence(pair.points, here, pair.half_spaces, moved, answer)));
     if (!decision) continue;
     EXPECT_EQ(decision->verdict, answer.evidence.verdict) << i;
     ++decided;
