@@ -1,11 +1,12 @@
-// bench_polytope_vertices: how long does it take to list the vertices of half-spaces in three to six dimensions? Against
-// the Parma Polyhedra Library (the double description method in integers of any size): the same rows, in one run, in
-// turns, from numbers in memory to vertices in memory. Times are medians over rounds, of processor time. Both are
-// exact; Sunder's answer has the normal fan beside the vertices, which proves it.
+// bench_polytope_vertices: how long does it take to list the vertices of half-spaces in three to six dimensions?
+// Against the Parma Polyhedra Library (the double description method in integers of any size): the same rows, in one
+// run, in turns, from numbers in memory to vertices in memory. Times are medians over rounds, of processor time. Both
+// are exact; Sunder's answer has the normal fan beside the vertices, which proves it.
 //
 //   bench_polytope_vertices [--quick] [--check]   (other options are those of other benchmarks, and change nothing)
 //
-// --check exits 1 where a set of degenerate vertices takes more than twice PPL's time, or the numbers of vertices differ.
+// --check exits 1 where a set of degenerate vertices takes more than twice PPL's time, or the numbers of vertices
+// differ.
 #include <sunder/base/random.h>
 #include <sunder/polytope/hull/vertices.h>
 

@@ -7,8 +7,8 @@
 //   - Bodies, shapes and poses are prepared outside of the loop. What is asked is yes or no; Sunder's answer has its
 //     evidence, checked exactly.
 //   - FCL is asked by fcl::collide with both of its solvers; the faster one counts, right or wrong, and its wrong
-//     answers are told: the truth is Sunder's answer, which tests prove against fractions. What Sunder leaves undecided is not
-//     asked.
+//     answers are told: the truth is Sunder's answer, which tests prove against fractions. What Sunder leaves undecided
+//     is not asked.
 //   - random: about half of the pairs meet. near: moved along a line to where they touch, then by 1e-12 of their size
 //     to either side.
 #include <bench/contest/program.h>

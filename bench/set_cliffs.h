@@ -1,6 +1,6 @@
 // Sets of polygons and segments where boxes tell little: what bench_sets demands of them, beside the growth of counted
-// probes that tests/planar/polygon_sets_complexity_test.cpp and segments_growth_complexity_test.cpp bound. No peers: they were
-// not chosen for these.
+// probes that tests/planar/polygon_sets_complexity_test.cpp and segments_growth_complexity_test.cpp bound. No peers:
+// they were not chosen for these.
 #pragma once
 
 #include <bench/contest/contest.h>

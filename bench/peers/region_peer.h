@@ -22,8 +22,8 @@ struct RegionWay {
 //   intersection, of the range, and of pairs, pairs of these, and so on: polygons, and discs as general polygons. (Two
 //     arcs of one circle that follow each other are one side: CGAL parts them where the circle turns back.)
 //   convex_hull_2 of the polar points, exact, and rounded to doubles: half-planes, and polygons by their edges. CGAL
-//     has no common part of half-planes in the plane; this is what it has next to it, and it wants a point inside, which it
-//     is given: the origin. So it does not answer the same question, and is a library of its own, "hull".
+//     has no common part of half-planes in the plane; this is what it has next to it, and it wants a point inside,
+//     which it is given: the origin. So it does not answer the same question, and is a library of its own, "hull".
 std::vector<RegionWay> cgal_region_ways();
 
 struct Objective {

@@ -1,6 +1,6 @@
-// The main function of every test executable. Besides GoogleTest's own options it takes --file=NAME: only the tests of the
-// source NAME.cpp are run, so that a CTest entry is one file though an executable holds many. A file without tests, or a
-// run that selects none, is a failure.
+// The main function of every test executable. Besides GoogleTest's own options it takes --file=NAME: only the tests of
+// the source NAME.cpp are run, so that a CTest entry is one file though an executable holds many. A file without tests,
+// or a run that selects none, is a failure.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -41,6 +41,8 @@ struct Numbered {
           ring_of.push_back(static_cast<std::uint32_t>(part.size()));
         }
         part.push_back(i);
+        box.push_back(vertices.empty() ? Box2{} : Box2{vertices[0], vertices[0]});
+        for (const Point2& p : vertices) box.back() = hull(box.back(), {p, p});
       }
     }
     first_edge.push_back(static_cast<std::uint32_t>(edges.size()));
@@ -54,6 +56,7 @@ struct Numbered {
 
   std::vector<std::uint32_t> first_ring, first_edge;  // of each part, of each ring
   std::vector<std::uint32_t> ring_of, part;           // of each edge, of each ring
+  std::vector<Box2> box;                              // of each ring
   std::vector<Segment> edges;
 };
 
@@ -137,10 +140,12 @@ bool fits(const Numbered& all, const std::vector<std::uint32_t>& rings) {
   return filled <= 1;
 }
 
-// Of a point of a ring: is it on no other, and does what is on one of its sides not fit?
-bool is_misplaced(const Numbered& all, std::uint32_t ring, const ExactPoint2& p) {
+// Is this point of an edge on no other ring, and does what is on one side of it not fit?
+bool is_misplaced(const Numbered& all, std::uint32_t edge, const ExactPoint2& p) {
+  const std::uint32_t ring = all.ring_of[edge];
   std::vector<std::uint32_t> others, with;
   for (std::uint32_t r = 0; r < all.part.size(); ++r) {
+    if (!meet(all.box[r], box_of(all.edges[edge]))) continue;  // the point is outside
     const Place place = r == ring ? Place::outside : place_in(all.edges_of(r), p);
     if (place == Place::on) return false;
     if (place == Place::inside) others.push_back(r);
@@ -160,7 +165,7 @@ std::optional<ExactPoint2> misplaced_on(const Numbered& all, std::uint32_t edge)
     const Dyadic part = Dyadic::power_of_two(-k);
     for (const auto& [p, q] : {std::pair(e.a, e.b), std::pair(e.b, e.a)}) {
       ExactPoint2 point = between(p, q, part);
-      if (is_misplaced(all, all.ring_of[edge], point)) return point;
+      if (is_misplaced(all, edge, point)) return point;
     }
   }
   return std::nullopt;

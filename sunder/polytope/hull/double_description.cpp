@@ -139,8 +139,8 @@ class Cone {
     return result;
   }
 
-  // From all of space to a cone of as many rays as numbers: each row that cuts a line makes it a ray, and moves all that
-  // there is along it into its boundary.
+  // From all of space to a cone of as many rays as numbers: each row that cuts a line makes it a ray, and moves all
+  // that there is along it into its boundary.
   void begin(std::vector<std::size_t>& others) {
     for (std::size_t c = 0; c < width_; ++c) lines_.emplace_back()[c] = 1;
     Bits used = no_bits(rows_.size());

@@ -41,8 +41,8 @@ std::vector<Dyadic> point_inside(const Polytope& half_spaces);
 
 // Requires half-spaces. Throws Error bad_shape where their common part is empty, is not bounded, or has no inside (lies
 // in a hyperplane); and as convex_hull(), where the polar has too many simplices. Cost: that of point_inside(), and of
-// the hull of n points with as many facets as there are vertices; where many half-spaces end in each vertex, of a double
-// description (double_description_internal.h).
+// the hull of n points with as many facets as there are vertices; where many half-spaces end in each vertex, of a
+// double description (double_description_internal.h).
 PolytopeVertices vertices_of(const Polytope& half_spaces, std::uint64_t most = most_simplices);
 
 }  // namespace sunder::polytope
