@@ -425,10 +425,10 @@ changed_since_lint_base() {
 
 # lint_files NAME...: clang-tidy on these sources.
 lint_files() {
-  configure asan-ubsan "clang++-$clang" || return 1
+  configure lint "clang++-$clang" || return 1
   run precompile "The headers that sources are compiled with" \
-    cmake --build build/asan-ubsan --target CMakeFiles/sunder_{core,io,ask,picture,verifier}.dir/cmake_pch.hxx.pch || return 1
-  check_tidy() { printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/asan-ubsan --quiet; }
+    cmake --build build/lint --target CMakeFiles/sunder_{core,io,ask,picture,verifier}.dir/cmake_pch.hxx.pch || return 1
+  check_tidy() { printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang-tidy-$clang" -p build/lint --quiet; }
   run tidy "clang-tidy-$clang on $# files" check_tidy "$@"
 }
 

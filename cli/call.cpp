@@ -101,7 +101,7 @@ std::string problem_of(const CLI::App& verb, const Given& given) {
 namespace fs = std::filesystem;
 using ask::NamedFile;
 
-constexpr std::string_view stream = "-";
+constexpr std::string_view standard_stream = "-";
 
 // "cube.obj" of "cube.obj@1,0,0".
 std::string without_pose(const std::string& word) { return word.substr(0, word.rfind('@')); }
@@ -121,7 +121,7 @@ bool is_allowed_kind(const std::string& word) {
 }
 
 void require_one_reader(const std::vector<NamedFile>& inputs) {
-  const auto reads = [](const NamedFile& file) { return file.path == stream || file.path == "/dev/stdin"; };
+  const auto reads = [](const NamedFile& file) { return file.path == standard_stream || file.path == "/dev/stdin"; };
   if (std::count_if(inputs.begin(), inputs.end(), reads) < 2) return;
   throw Error(ErrorCode::bad_call, "standard input is named twice, and can be read once; name a file", "-");
 }
@@ -188,7 +188,7 @@ bool takes_standard_output(const CLI::App& verb) {
   bool takes = false;
   for (const std::string_view name : output_options) {
     const CLI::Option* option = verb.get_option_no_throw(std::string(name));
-    if (option == nullptr || !is_in(option->results(), stream)) continue;
+    if (option == nullptr || !is_in(option->results(), standard_stream)) continue;
     if (!first.empty()) {
       throw Error(ErrorCode::bad_call, "standard output is taken by " + first + "; name a file", std::string(name));
     }
@@ -203,7 +203,7 @@ bool prints_over_input(std::span<const std::string> words) {
     const bool is_output = k > 0 && (words[k - 1] == "-o" || is_in(output_options, words[k - 1]));
     if (is_output) continue;
     for (const std::string& file : {words[k], without_pose(words[k])}) {
-      if (!file.empty() && ask::overwrites(stream, file)) return true;
+      if (!file.empty() && ask::overwrites(standard_stream, file)) return true;
     }
   }
   return false;

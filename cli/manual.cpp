@@ -136,7 +136,7 @@ std::string joined(const List& list, const Text& text, std::string_view between 
   return all;
 }
 
-std::string names_of_verbs(const CLI::App& program) {
+std::string verbs_in_a_line(const CLI::App& program) {
   return joined(verbs_of(program), [](const CLI::App& verb) { return verb.get_name(); });
 }
 
@@ -156,7 +156,7 @@ std::string methods_of(const CLI::App& verb) {
 std::string bash(const CLI::App& program) {
   std::string text =
       "# Completion of sunder for bash: source it, or put it where bash-completion looks.\n_sunder() {\n";
-  text += fmt::format("  local verbs='{}' options= methods= texts=\n", names_of_verbs(program));
+  text += fmt::format("  local verbs='{}' options= methods= texts=\n", verbs_in_a_line(program));
   text += "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} first=${COMP_WORDS[1]}\n";
   text += "  case $first in\n";
   for (const CLI::App* verb : verbs_of(program)) {
@@ -247,7 +247,7 @@ std::string fish(const CLI::App& program) {
   }
   text += "complete -c sunder -f -n __fish_use_subcommand -a help -d 'the options of a verb'\n";
   return text +
-         fmt::format("complete -c sunder -f -n '__fish_seen_subcommand_from help' -a '{}'\n", names_of_verbs(program));
+         fmt::format("complete -c sunder -f -n '__fish_seen_subcommand_from help' -a '{}'\n", verbs_in_a_line(program));
 }
 
 // Text of a manual page: hyphens as they are typed, and no line that groff takes for a request.

@@ -15,6 +15,8 @@ function(sunder_own_code target)
     $<$<CXX_COMPILER_ID:GNU>:-Wuseless-cast>
     # GCC 12 sees overlapping memory in "text" + std::string (bug 105651, mended in 13).
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+    # In a batch it warns of anonymous namespaces as if sources were headers.
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${SUNDER_BATCHES}>>:-Wno-subobject-linkage>
     $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 
@@ -26,6 +28,47 @@ function(sunder_precompile target)
     target_compile_options(${target} PRIVATE  # so that the compiler cache takes part
       $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess> "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
   endif()
+endfunction()
+
+# Compiles the sources of a folder eight at a time (a unity build): headers are read, and templates compiled, once for
+# all eight. So names in anonymous namespaces must differ within a folder; EXCEPT names sources that stay alone. A batch
+# includes its sources by their path in the project, so that the compiler's cache serves all clones. `variable` holds the
+# sources, absolute, and then what is to be compiled. ./do soak builds and tests each source alone.
+function(sunder_batches variable target)
+  if(NOT SUNDER_BATCHES)  # never in a consumer's build
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "EXCEPT")
+  set(result ${arg_EXCEPT})
+  list(TRANSFORM result PREPEND "${PROJECT_SOURCE_DIR}/")
+  set(sources ${${variable}})
+  list(REMOVE_ITEM sources ${result})
+  set(folders "")
+  foreach(source IN LISTS sources)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
+    cmake_path(GET source PARENT_PATH folder)
+    list(APPEND folders ${folder})
+    list(APPEND in_${folder} ${source})
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  foreach(folder IN LISTS folders)
+    list(LENGTH in_${folder} count)
+    math(EXPR last "${count} - 1")
+    string(REPLACE "/" "_" name ${folder})
+    foreach(begin RANGE 0 ${last} 8)
+      list(SUBLIST in_${folder} ${begin} 8 batch)
+      list(LENGTH batch size)
+      if(size EQUAL 1)
+        list(APPEND result ${PROJECT_SOURCE_DIR}/${batch})
+      elseif(size GREATER 1)
+        list(TRANSFORM batch REPLACE "(.+)" "#include <\\1>\n")
+        list(JOIN batch "" text)
+        file(CONFIGURE OUTPUT batches/${target}/${name}_${begin}.cpp CONTENT "${text}" @ONLY)
+        list(APPEND result ${PROJECT_BINARY_DIR}/batches/${target}/${name}_${begin}.cpp)
+      endif()
+    endforeach()
+  endforeach()
+  set(${variable} ${result} PARENT_SCOPE)
 endfunction()
 
 # What fuzzers are to find their way through counts its branches for them.

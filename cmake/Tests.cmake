@@ -37,6 +37,7 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPE
 
 sunder_glob(sources "tests/support/*.cpp")
 if(sources)
+  sunder_batches(sources sunder_test_support EXCEPT tests/support/places.cpp tests/support/test_main.cpp)
   add_library(sunder_test_support STATIC ${sources})
   target_link_libraries(sunder_test_support PUBLIC ${libraries} GTest::gtest rapidcheck nlohmann_json::nlohmann_json)
   sunder_own_code(sunder_test_support)
@@ -76,6 +77,7 @@ endforeach()
 
 function(sunder_add_executable target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "FAST;LIGHT;PLAIN" "" "SOURCES;LINK")
+  sunder_batches(arg_SOURCES ${target})
   add_executable(${target} ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${folder})
   target_link_libraries(${target} PRIVATE ${libraries} ${arg_LINK})

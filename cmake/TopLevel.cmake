@@ -15,6 +15,7 @@ if(SUNDER_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 option(SUNDER_PRECOMPILED_HEADERS "Compile the headers of others once" ON)
+option(SUNDER_BATCHES "Compile the sources of a folder eight at a time" ON)
 if(SUNDER_FUZZ AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   message(FATAL_ERROR "Fuzzers need Clang: cmake --preset asan-ubsan -DCMAKE_CXX_COMPILER=clang++-19, or ./do build asan-ubsan")
 endif()

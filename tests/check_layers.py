@@ -14,6 +14,8 @@ L5  Sources are ASCII, end with a newline, and hold no tab.
 L6  No source is over 600 lines without a line "// long because: ...".
 L7  No line of a comment's list is a word or two that a formatter left over: what follows a full line, and is indented
     as an entry is, begins one.
+L8  No header gives a type of a namespace within sunder the name of one of sunder itself: which of both is meant
+    would depend on what else is included.
 
 Tests beside the sources (x_test.cpp, x_test.h) are held to L1, L2, L5 and L6.
 Exit code 0: in order. 1: not, one line for each finding. 2: nothing was found to check.
@@ -89,6 +91,10 @@ SOURCES = (".h", ".cpp", ".py", ".cmake", ".sh")
 FOLDERS = ["sunder", "cli", "python", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
 LONGEST = 600
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+NAMESPACE = re.compile(r"namespace ((?:\w+)(?:::\w+)*) \{|\}  // namespace (\w+)$")
+TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)(?: final)?(?: :.*)? (?:\{|=)")
 
 
 def without_comments_and_strings(text):
@@ -225,9 +231,34 @@ def sources_of(root):
             yield name
 
 
+def types_of(root, path):
+    """(namespace, name, line number) of each type that a header of the library gives a name in a namespace itself."""
+    namespace = None
+    with open(os.path.join(root, path), encoding="ascii", errors="replace") as stream:
+        for number, line in enumerate(stream, 1):
+            match = NAMESPACE.match(line)
+            if match and match.group(2):
+                namespace = namespace and namespace.removesuffix("::" + match.group(2))
+            elif match:
+                namespace = "::".join(filter(None, [namespace, match.group(1)]))
+            match = TYPE.match(line)
+            if match and namespace:
+                yield namespace, match.group(1), number
+
+
+def namesakes(root, paths):
+    types = [(path, *found) for path in paths for found in types_of(root, path)]
+    of_all = {name for _, namespace, name, _ in types if namespace == "sunder"}
+    for path, namespace, name, number in types:
+        if namespace != "sunder" and name in of_all:
+            yield "%s:%d: L8: %s is a type of sunder, too" % (path, number, name)
+
+
 def check(root):
     """(findings as text, number of files, number of C++ files in layers)"""
     findings, files, in_layers = [], 0, 0
+    headers = [p for p in sources_of(root) if re.match(r"sunder/.*(?<!_test)\.h$", p)]
+    findings += namesakes(root, headers)
     for path in sources_of(root):
         files += 1
         in_layers += place_of(path)[0] is not None and path.endswith((".h", ".cpp"))

@@ -10,7 +10,7 @@ namespace sunder::ask {
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 16;
+constexpr std::size_t piece_size = std::size_t{1} << 16;
 
 // The text of the report before and behind the items of the list.
 std::pair<std::string, std::string> around(Json report, std::string_view list) {
@@ -46,7 +46,7 @@ void ListStream::add(std::string_view item) {
 
 void ListStream::append(std::string_view more) {
   text_ += more;
-  if (text_.size() < piece) return;
+  if (text_.size() < piece_size) return;
   sink_(text_);
   text_.clear();
 }

@@ -35,7 +35,7 @@ constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
 
 constexpr std::size_t text_width = 120;
 
-Spoken said;
+Spoken reported;
 
 bool is_flat(const Json& json) {
   return std::none_of(json.items().begin(), json.items().end(), [](const Json& item) { return item.is_structured(); });
@@ -63,13 +63,13 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-Silence::Silence() : before_(std::make_unique<Spoken>(said)) { said.is_quiet = said.is_silent = true; }
+Silence::Silence() : before_(std::make_unique<Spoken>(reported)) { reported.is_quiet = reported.is_silent = true; }
 
-Silence::~Silence() { said = std::move(*before_); }
+Silence::~Silence() { reported = std::move(*before_); }
 
 void print(std::string_view text) {
-  if (said.is_silent) return;
-  said.has_printed = true;
+  if (reported.is_silent) return;
+  reported.has_printed = true;
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return;
@@ -78,13 +78,13 @@ void print(std::string_view text) {
               "standard output");
 }
 
-void be_quiet() { said.is_quiet = true; }
-bool is_quiet() { return said.is_quiet; }
-void leave_standard_output() { said.leaves_output = true; }
-bool is_output_in_use() { return said.leaves_output || said.has_printed; }
+void be_quiet() { reported.is_quiet = true; }
+bool is_quiet() { return reported.is_quiet; }
+void leave_standard_output() { reported.leaves_output = true; }
+bool is_output_in_use() { return reported.leaves_output || reported.has_printed; }
 
 void print_for_people(std::string_view text) {
-  if (said.is_quiet || said.leaves_output) return;
+  if (reported.is_quiet || reported.leaves_output) return;
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
@@ -101,8 +101,8 @@ void print_error(std::string_view text) {
 }
 
 void note(std::string_view text) {
-  said.notes.push_back(io::one_line(text));
-  if (!said.is_quiet) print_error("note: " + said.notes.back());
+  reported.notes.push_back(io::one_line(text));
+  if (!reported.is_quiet) print_error("note: " + reported.notes.back());
 }
 
 void refuse_method(std::string_view method, std::string_view known) {
@@ -125,7 +125,7 @@ std::string pair_method_names() { return method_names(pair_methods); }
 
 Json envelope(const Json& verb, const Json& answer, const Json& method) {
   return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},
-          {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}, {"notes", said.notes}};
+          {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}, {"notes", reported.notes}};
 }
 
 Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text) {

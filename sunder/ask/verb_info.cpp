@@ -31,7 +31,7 @@ namespace sunder::ask {
 
 namespace {
 
-struct Call {
+struct InfoCall {
   std::vector<std::string> files, packages;
   bool formats = false;
   bool json = false;
@@ -408,7 +408,7 @@ Info describe(const std::string& file, const io::Packages& packages) {
   return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
 }
 
-int run(const Call& call) {
+int run(const InfoCall& call) {
   if (call.files.empty() && !call.formats) {
     throw Error(ErrorCode::bad_call, "no file is named; name files, or ask for --formats", "info");
   }
@@ -434,7 +434,7 @@ int run(const Call& call) {
 }  // namespace
 
 Verb info_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<InfoCall>();
   return {"info",
           "What do these files contain? Which formats does the program read?",
           codes_of_reports,

@@ -51,7 +51,7 @@ void sections_by_scan(const solid::ConvexPolyhedron& body, const solid::Pose& po
 
 using SectionMethod = void(const solid::ConvexPolyhedron&, const solid::Pose&, const Plane&, std::span<const double>,
                            const solid::SectionVisitor&);
-constexpr std::array<Named<SectionMethod>, 2> methods{
+constexpr std::array<Named<SectionMethod>, 2> section_methods{
     {{"automatic", solid::polyhedron_plane_sections}, {"scan", sections_by_scan}}};
 
 struct Planes {
@@ -59,7 +59,7 @@ struct Planes {
   std::string file;  // that has the plane; empty: none
 };
 
-struct Result {
+struct SectionResult {
   Plane plane;
   std::string name;  // "z = 0.5"
   PlaneSection section;
@@ -103,7 +103,7 @@ class SectionQuestion {
  public:
   static constexpr const char *verb = "section", *drawn_noun = "plane";
 
-  explicit SectionQuestion(const SectionCall& asked) : call(asked), method_(method_by(asked.method, methods)) {
+  explicit SectionQuestion(const SectionCall& asked) : call(asked), method_(method_by(asked.method, section_methods)) {
     if (!call.out.empty()) format_ = io::section_format_of_name(call.out);
     for (const std::string& text : call.planes) add_planes(text);
     if (!call.pose.empty()) pose_ = parse_pose(call.pose, "--pose");
@@ -125,7 +125,7 @@ class SectionQuestion {
         const double offset = stack.offsets[k];
         Plane plane = stack.plane;
         plane.offset = offset;
-        Result result{plane, title_of(planes, offset), section, {}};
+        SectionResult result{plane, title_of(planes, offset), section, {}};
         points.set_offset(offset);
         for (const SectionCorner& corner : section.corners) result.corners.push_back(points.nearest(corner));
         cost_.probes += section.cost.probes;
@@ -140,7 +140,7 @@ class SectionQuestion {
     return claims_text(origin_of(inputs_, left_out_.texts()), [&](ClaimsWriter& file) {
       file.say(said_of_mesh(*body_, inputs_, left_out_));
       solid::SectionClaims claims(file, body_->name, body_->hull, pose_);
-      for (const Result& result : results_) claims.add(result.plane, result.section);
+      for (const SectionResult& result : results_) claims.add(result.plane, result.section);
     });
   }
 
@@ -148,7 +148,7 @@ class SectionQuestion {
   std::string picture() const {
     std::vector<std::vector<Point2>> shapes;
     std::vector<Point2> seen;
-    for (const Result& result : results_) {
+    for (const SectionResult& result : results_) {
       const auto [u, v] = along(result.plane.normal);
       shapes.emplace_back();
       for (const Point3& p : result.corners) {
@@ -181,7 +181,7 @@ class SectionQuestion {
   }
 
   std::vector<std::string> not_proved() const {
-    const auto is_polygon = [](const Result& result) { return result.section.kind == SectionKind::polygon; };
+    const auto is_polygon = [](const SectionResult& result) { return result.section.kind == SectionKind::polygon; };
     if (std::any_of(results_.begin(), results_.end(), is_polygon)) return {"the area"};
     return {};
   }
@@ -197,7 +197,7 @@ class SectionQuestion {
     if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
     json["count"] = met();
     json["sections"] = Json::array();
-    for (const Result& result : results_) json["sections"].push_back(section_json(result));
+    for (const SectionResult& result : results_) json["sections"].push_back(section_json(result));
     json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
   }
 
@@ -230,7 +230,7 @@ class SectionQuestion {
   }
 
   std::size_t met() const {
-    return static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), [](const Result& result) {
+    return static_cast<std::size_t>(std::count_if(results_.begin(), results_.end(), [](const SectionResult& result) {
       return result.section.kind != SectionKind::nothing;
     }));
   }
@@ -240,7 +240,7 @@ class SectionQuestion {
                                 : fmt::format("{} of {} meet it", met(), count_of(results_.size(), "plane"));
   }
 
-  static std::string told(const Result& result) {
+  static std::string told(const SectionResult& result) {
     const PlaneSection& section = result.section;
     switch (section.kind) {
       case SectionKind::nothing:
@@ -254,7 +254,7 @@ class SectionQuestion {
                        about(area_of(result.corners)));
   }
 
-  static Json section_json(const Result& result) {
+  static Json section_json(const SectionResult& result) {
     const PlaneSection& section = result.section;
     Json json = {{"normal", to_json(result.plane.normal)},
                  {"offset", result.plane.offset},
@@ -281,7 +281,7 @@ class SectionQuestion {
 
   std::string text_of_sections() const {
     std::vector<io::SectionText> texts;
-    for (const Result& result : results_) texts.push_back({result.name, result.corners});
+    for (const SectionResult& result : results_) texts.push_back({result.name, result.corners});
     return io::to_text(format_, texts);
   }
 
@@ -293,7 +293,7 @@ class SectionQuestion {
   InputFiles inputs_;
   std::optional<MeshBody> body_;
 
-  std::vector<Result> results_;
+  std::vector<SectionResult> results_;
   Cost cost_;
 };
 
@@ -318,7 +318,7 @@ Verb section_verb() {
         .required = true},
        {"--pose", &call->pose, fmt::format("the pose of the body (default: as in its file): {}", pose_forms), "POSE"},
        {"-o,--out", &call->out, "write the sections to FILE: .obj or .wkt", "FILE"},
-       {"--method", &call->method, method_names(methods), "NAME"},
+       {"--method", &call->method, method_names(section_methods), "NAME"},
        {"--require-convex", &call->require_convex,
         "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
        {"--leave-out", &call->leave_out, leave_out_help},

@@ -24,7 +24,7 @@ namespace sunder::ask {
 
 namespace {
 
-struct Call {
+struct VerifyCall {
   std::vector<std::string> files, against;
   bool no_limit = false;
   bool json = false;
@@ -202,7 +202,7 @@ void not_checked(const std::vector<std::string>& names, const Error& error, Outc
 }
 
 // Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
-int run(const Call& call) {
+int run(const VerifyCall& call) {
   Outcome outcome;
   std::vector<GivenInput> against;
   try {
@@ -231,7 +231,7 @@ int run(const Call& call) {
 }  // namespace
 
 Verb verify_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<VerifyCall>();
   return {
       "verify",
       "Are these certificates true? The checker shares no code with the solvers.",

@@ -2,6 +2,7 @@
 // every sort of mutation of them, are accepted or refused as the definition says, and for its reason.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
+#include <sunder/certificate/fractions_test.h>
 
 #include <tests/support/scale.h>
 
@@ -19,7 +20,6 @@
 namespace sunder {
 namespace {
 
-using Fraction = boost::multiprecision::cpp_rational;
 using Whole3 = std::array<std::int64_t, 3>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -235,7 +235,7 @@ class CheckTest : public testing::Test {
 
 TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
   std::map<std::string, int> seen;
-  for (int i = 0; i < tests::scaled_count(8000, 8000); ++i) {
+  for (int i = 0; i < tests::scaled_count(8000, 1500); ++i) {
     const bool meet = random_.below(2);
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
     const Direction::Kind kind = kinds[random_.below(kinds.size())];
@@ -249,15 +249,15 @@ TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
     ++seen[what + " " + std::string(name_of(expected))];
   }
   // Every kind was accepted often, and refused often. (Rates of a small run say little.)
-  if (tests::scaled_count(8000, 8000) < 8000) return;
+  if (tests::scaled_count(8000, 1500) < 8000) return;
   for (const Direction::Kind kind : kinds) {
     const std::string what = "apart " + std::to_string(static_cast<int>(kind));
-    EXPECT_GT(seen[what + " accepted"], 5 * tests::scaled_count(8000, 8000) / 1000) << what;
-    EXPECT_GT(seen[what + " not strictly apart"], 5 * tests::scaled_count(8000, 8000) / 1000) << what;
+    EXPECT_GT(seen[what + " accepted"], 5 * tests::scaled_count(8000, 1500) / 1000) << what;
+    EXPECT_GT(seen[what + " not strictly apart"], 5 * tests::scaled_count(8000, 1500) / 1000) << what;
   }
   for (const std::string counts : {"11", "12", "21", "13", "22", "31", "14", "23", "32", "41"}) {
-    EXPECT_GT(seen["meet " + counts + " accepted"], tests::scaled_count(8000, 8000) / 1000) << counts;
-    EXPECT_GT(seen["meet " + counts + " no common point"], tests::scaled_count(8000, 8000) / 1000) << counts;
+    EXPECT_GT(seen["meet " + counts + " accepted"], tests::scaled_count(8000, 1500) / 1000) << counts;
+    EXPECT_GT(seen["meet " + counts + " no common point"], tests::scaled_count(8000, 1500) / 1000) << counts;
   }
 }
 
@@ -336,7 +336,7 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
   std::map<std::string, std::map<CheckResult, int>> seen;
   std::set<Direction::Kind> kinds_refused;
   int true_ones = 0;
-  for (int i = 0; i < tests::scaled_count(3000, 3000); ++i) {
+  for (int i = 0; i < tests::scaled_count(3000, 600); ++i) {
     const bool meet = random_.below(3) > 0;
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
     const PairCertificate c = meet ? some_meet(a, b) : some_apart(kinds[random_.below(kinds.size())], a, b);
@@ -352,7 +352,7 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
       if (c.verdict == Verdict::apart && expected != CheckResult::accepted) kinds_refused.insert(c.direction.kind);
     }
   }
-  EXPECT_GT(true_ones, tests::scaled_count(3000, 3000) / 10);
+  EXPECT_GT(true_ones, tests::scaled_count(3000, 600) / 10);
   EXPECT_EQ(kinds_refused.size(), kinds.size());
   for (const auto& [name, mutate] : mutations) {
     int refused = 0;

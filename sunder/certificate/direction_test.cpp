@@ -1,12 +1,11 @@
 // Directions of certificates against the same formulas in fractions.
 #include <sunder/base/random.h>
 #include <sunder/certificate/direction.h>
-#include <sunder/number/integer_internal.h>
+#include <sunder/certificate/fractions_test.h>
 
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -16,39 +15,13 @@
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::cpp_int;
-using Fraction = boost::multiprecision::cpp_rational;
-using Exact3 = std::array<Fraction, 3>;
-
-Fraction times_power(const Whole& m, std::int64_t e) {
-  const Whole power = Whole(1) << static_cast<unsigned>(std::abs(e));
-  return e < 0 ? Fraction(m, power) : Fraction(m * power);
-}
-
-Fraction exact(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  return times_power(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
-}
-
-Fraction exact(const Dyadic& x) { return times_power(Whole(mantissa_of(x).str()), x.exponent()); }
-
-Exact3 exact(const WorldDirection& d) {
+Exact3 exact_direction(const WorldDirection& d) {
   const Vector3<Dyadic> v = d.exact();
   return {exact(v.x), exact(v.y), exact(v.z)};
 }
 
-Exact3 image(const Affine3& pose, const Point3& p) {
-  Exact3 out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    out[i] = exact(pose.linear[3 * i]) * exact(p.x) + exact(pose.linear[3 * i + 1]) * exact(p.y) +
-             exact(pose.linear[3 * i + 2]) * exact(p.z) + exact(pose.translation[i]);
-  }
-  return out;
-}
-
-Exact3 minus(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Exact3 cross(const Exact3& a, const Exact3& b) {
+Exact3 difference(const Exact3& a, const Exact3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Exact3 cross_product(const Exact3& a, const Exact3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
@@ -57,7 +30,7 @@ bool is_zero(const Exact3& a) { return a[0] == 0 && a[1] == 0 && a[2] == 0; }
 // The same ray: parallel, and not against each other; or both zero.
 bool same_ray(const Exact3& a, const Exact3& b) {
   if (is_zero(a) || is_zero(b)) return is_zero(a) && is_zero(b);
-  return is_zero(cross(a, b)) && Fraction(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 0;
+  return is_zero(cross_product(a, b)) && a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0;
 }
 
 class DirectionTest : public testing::Test {
@@ -98,16 +71,17 @@ TEST_F(DirectionTest, IsThatOfTheFeaturesItNames) {
     const auto expect = [&](Direction::Kind kind, const Exact3& forward) {
       d.kind = kind;
       d.reversed = false;
-      EXPECT_TRUE(same_ray(exact(world_direction(d, a, b)), forward)) << i << " kind " << static_cast<int>(kind);
+      EXPECT_TRUE(same_ray(exact_direction(world_direction(d, a, b)), forward))
+          << i << " kind " << static_cast<int>(kind);
       d.reversed = true;
-      EXPECT_TRUE(same_ray(exact(world_direction(d, a, b)), minus({}, forward)))
+      EXPECT_TRUE(same_ray(exact_direction(world_direction(d, a, b)), difference({}, forward)))
           << i << " kind " << static_cast<int>(kind);
       ++(is_zero(forward) ? degenerate : proper);
     };
-    expect(Direction::Kind::normal_of_a, cross(minus(p(1), p(0)), minus(p(2), p(0))));
-    expect(Direction::Kind::normal_of_b, cross(minus(q(1), q(0)), minus(q(2), q(0))));
-    expect(Direction::Kind::edge_cross_edge, cross(minus(p(1), p(0)), minus(q(3), q(2))));
-    expect(Direction::Kind::difference, minus(q(1), p(0)));
+    expect(Direction::Kind::normal_of_a, cross_product(difference(p(1), p(0)), difference(p(2), p(0))));
+    expect(Direction::Kind::normal_of_b, cross_product(difference(q(1), q(0)), difference(q(2), q(0))));
+    expect(Direction::Kind::edge_cross_edge, cross_product(difference(p(1), p(0)), difference(q(3), q(2))));
+    expect(Direction::Kind::difference, difference(q(1), p(0)));
   }
   EXPECT_GT(degenerate, 100);
   EXPECT_GT(proper, 500);
@@ -132,7 +106,7 @@ TEST_F(DirectionTest, GivenNumbersAreTakenAsTheyAre) {
     d.reversed = reversed;
     const WorldDirection w = world_direction(d, a, a);
     EXPECT_FALSE(w.is_doubles());
-    EXPECT_TRUE(same_ray(exact(w), {times_power(3, -5000), 0, times_power(-1, 4000)}));
+    EXPECT_TRUE(same_ray(exact_direction(w), {times_power(3, -5000), 0, times_power(-1, 4000)}));
   }
 }
 

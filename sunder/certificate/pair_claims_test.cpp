@@ -1,11 +1,10 @@
 // The certificate file, read back by a foreign JSON parser and an own reader of its numbers, in fractions.
 #include <sunder/base/random.h>
+#include <sunder/certificate/fractions_test.h>
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -16,20 +15,6 @@ namespace sunder {
 namespace {
 
 using nlohmann::json;
-using Whole = boost::multiprecision::cpp_int;
-using Fraction = boost::multiprecision::cpp_rational;
-using Exact3 = std::array<Fraction, 3>;
-
-Fraction times_power(const Whole& m, std::int64_t e) {
-  const Whole power = Whole(1) << static_cast<unsigned>(std::abs(e));
-  return e < 0 ? Fraction(m, power) : Fraction(m * power);
-}
-
-Fraction exact(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  return times_power(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
-}
 
 // A number of docs/claims.md; throws for anything else.
 Fraction number(const json& text) {
@@ -51,21 +36,12 @@ Fraction number(const json& text) {
   } else {
     throw std::runtime_error("no number: " + s);
   }
-  return m[1].length() ? Fraction(-size) : size;
+  return m[1].length() ? -size : size;
 }
 
 Exact3 numbers(const json& list) {
   EXPECT_EQ(list.size(), 3u);
   return {number(list.at(0)), number(list.at(1)), number(list.at(2))};
-}
-
-Exact3 image(const Affine3& pose, const Point3& p) {
-  Exact3 out;
-  for (std::size_t i = 0; i < 3; ++i) {
-    out[i] = exact(pose.linear[3 * i]) * exact(p.x) + exact(pose.linear[3 * i + 1]) * exact(p.y) +
-             exact(pose.linear[3 * i + 2]) * exact(p.z) + exact(pose.translation[i]);
-  }
-  return out;
 }
 
 // Is it, as a double, this very double?
@@ -281,7 +257,7 @@ class PairClaimsAnswerTest : public testing::Test {
         if (a[i] * b[j] != a[j] * b[i]) return false;
       }
     }
-    return Fraction(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > 0;
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] > 0;
   }
 
   const std::vector<Point3> cube_{{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},

@@ -21,7 +21,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-const std::filesystem::path cases = tests::cases_folder() / std::filesystem::path("coordinate-systems");
+const std::filesystem::path system_cases = tests::cases_folder() / std::filesystem::path("coordinate-systems");
 
 Texts ids(const LineFile& file) {
   Texts ids;
@@ -134,23 +134,23 @@ TEST(CoordinateSystemTest, JsonFg) {
 }
 
 TEST(CoordinateSystemTest, BesideFiles) {
-  EXPECT_EQ(ids(read_lines(cases / "canal.wkt")), Texts{"EPSG:28992"});
-  EXPECT_EQ(ids(read_lines(cases / "fence.csv")).size(), 1u);
-  EXPECT_TRUE(read_lines(cases / "fence.csv").systems[0].system.name.starts_with("'RD_New'"));
-  EXPECT_EQ(read_planar_objects(cases / "canal.wkt").objects[0].system.id, "EPSG:28992");
+  EXPECT_EQ(ids(read_lines(system_cases / "canal.wkt")), Texts{"EPSG:28992"});
+  EXPECT_EQ(ids(read_lines(system_cases / "fence.csv")).size(), 1u);
+  EXPECT_TRUE(read_lines(system_cases / "fence.csv").systems[0].system.name.starts_with("'RD_New'"));
+  EXPECT_EQ(read_planar_objects(system_cases / "canal.wkt").objects[0].system.id, "EPSG:28992");
   EXPECT_FALSE(system_beside("-").declared());
-  EXPECT_FALSE(system_beside(cases / "nothing.wkt").declared());
-  EXPECT_FALSE(system_beside(cases / "canal.prj").declared());
+  EXPECT_FALSE(system_beside(system_cases / "nothing.wkt").declared());
+  EXPECT_FALSE(system_beside(system_cases / "canal.prj").declared());
 }
 
 // What is read is told, once; what is not needed is not read; and files that are given are those that are there.
 TEST(CoordinateSystemTest, BesideFilesAreInputs) {
   InputFiles inputs;
-  const LineFile canal = read_lines(cases / "canal.wkt", {.inputs = &inputs});
+  const LineFile canal = read_lines(system_cases / "canal.wkt", {.inputs = &inputs});
   ASSERT_EQ(inputs.size(), 2u);
-  EXPECT_EQ(inputs[1].name, (cases / "canal.prj").string());
-  static_cast<void>(system_beside(cases / "canal.wkt", &inputs));
-  static_cast<void>(read_planar_objects(cases / "canal.wkt", false, &inputs));
+  EXPECT_EQ(inputs[1].name, (system_cases / "canal.prj").string());
+  static_cast<void>(system_beside(system_cases / "canal.wkt", &inputs));
+  static_cast<void>(read_planar_objects(system_cases / "canal.wkt", false, &inputs));
   EXPECT_EQ(inputs.size(), 2u);
 
   const std::string line = "LINESTRING (0 0, 1 1)", declared = "SRID=4326;" + line, prj = "EPSG:7";
@@ -167,7 +167,7 @@ TEST(CoordinateSystemTest, BesideFilesAreInputs) {
   EXPECT_EQ(read("a.wkt", 2), Texts{"EPSG:7"});
   EXPECT_EQ(read("b.wkt", 1), Texts{"EPSG:4326"});
   EXPECT_EQ(read("c.wkt", 1), Texts{""});
-  EXPECT_FALSE(system_beside(cases / "canal.wkt").declared());
+  EXPECT_FALSE(system_beside(system_cases / "canal.wkt").declared());
 }
 
 TEST(CoordinateSystemTest, InWords) {

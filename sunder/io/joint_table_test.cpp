@@ -16,7 +16,7 @@ using namespace std::string_literals;
 using Names = std::vector<std::string>;
 using Values = std::vector<double>;
 
-std::string error_of(const std::string& bytes) {
+std::string table_error(const std::string& bytes) {
   try {
     (void)parse_joint_table(bytes, "t");
   } catch (const Error& error) {
@@ -26,7 +26,7 @@ std::string error_of(const std::string& bytes) {
 }
 
 // As numpy.save() writes: header padded to 64 bytes.
-std::string npy(const std::string& dictionary, const std::string& data, char version = 1) {
+std::string npy_of_table(const std::string& dictionary, const std::string& data, char version = 1) {
   std::string header = dictionary;
   const std::size_t before = version == 1 ? 10 : 12;
   while ((before + header.size() + 1) % 64 != 0) header += ' ';
@@ -48,7 +48,7 @@ std::string bytes_of(const std::vector<Float>& numbers) {
 }
 
 const std::string doubles = bytes_of<std::uint64_t, double>({1, -0.1, 3, 4e300, 5, 6});
-const std::string shape = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }";
+const std::string table_shape = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 3), }";
 
 TEST(JointTable, OfCsv) {
   const JointTable table = parse_joint_table("elbow, wrist\r\n0.1,-2\n\n\"3\",4e-1\n", "t");
@@ -80,13 +80,13 @@ TEST(JointTable, IsTheSameHoweverItIsRead) {
     }
   }
   for (const std::string rows : {"1,2\n3\n", "1,2,3\n", "1,2\n3,x\n", "1,inf\n", "1,1e400\n", "1;2\n"}) {
-    EXPECT_NE(error_of("a,b\n" + rows), "no error") << rows;
+    EXPECT_NE(table_error("a,b\n" + rows), "no error") << rows;
   }
 }
 
 TEST(JointTable, OfNpy) {
   for (const char version : {'\1', '\2', '\3'}) {
-    const JointTable table = parse_joint_table(npy(shape, doubles, version), "t");
+    const JointTable table = parse_joint_table(npy_of_table(table_shape, doubles, version), "t");
     EXPECT_TRUE(table.joints.empty());
     EXPECT_EQ(table.columns, 3u);
     EXPECT_EQ(table.values, (Values{1, -0.1, 3, 4e300, 5, 6}));
@@ -94,28 +94,28 @@ TEST(JointTable, OfNpy) {
   }
   const std::string floats = bytes_of<std::uint32_t, float>({1.5f, -0.1f});
   const JointTable table =
-      parse_joint_table(npy("{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2), }", floats), "t");
+      parse_joint_table(npy_of_table("{'descr': '<f4', 'fortran_order': False, 'shape': (1, 2), }", floats), "t");
   EXPECT_EQ(table.values, (Values{1.5, static_cast<double>(-0.1f)}));
 }
 
 TEST(JointTable, SaysWhatIsWrong) {
   const auto of_kind = [](const std::string& what, const std::string& with, const std::string& data) {
-    std::string text = shape;
-    return error_of(npy(text.replace(text.find(what), what.size(), with), data));
+    std::string text = table_shape;
+    return table_error(npy_of_table(text.replace(text.find(what), what.size(), with), data));
   };
   const std::vector<std::pair<std::string, std::string>> expected{
-      {error_of("a,b\n1,2\n1,x\n"), "t:3: joint 'b': 'x' is not a number"},
-      {error_of("a,b\n1,2,3\n"), "t:2: 3 fields, but 2 columns"},
-      {error_of("a,b\n1\n"), "t:2: 1 field, but 2 columns"},
-      {error_of("a,a\n1,2\n"), "t:1: joint 'a' comes twice"},
-      {error_of("1,2\n3,4\n"), "t:1: '1' is a number"},
-      {error_of("a,\n3,4\n"), "t:1: a column has no name"},
-      {error_of("a,b\n1,inf\n"), "t:2: joint 'b': 'inf' is infinite"},
-      {error_of("a,b\n"), "t: there is no placement"},
-      {error_of(npy(shape, doubles + "x")), "t: 49 bytes of numbers"},
-      {error_of(npy(shape, doubles.substr(1))), "t: 47 bytes of numbers"},
-      {error_of(npy(shape, doubles).substr(0, 40)), "t: the file is cut off"},
-      {error_of(npy(shape, doubles).substr(0, 6)), "t: NPY version 0"},
+      {table_error("a,b\n1,2\n1,x\n"), "t:3: joint 'b': 'x' is not a number"},
+      {table_error("a,b\n1,2,3\n"), "t:2: 3 fields, but 2 columns"},
+      {table_error("a,b\n1\n"), "t:2: 1 field, but 2 columns"},
+      {table_error("a,a\n1,2\n"), "t:1: joint 'a' comes twice"},
+      {table_error("1,2\n3,4\n"), "t:1: '1' is a number"},
+      {table_error("a,\n3,4\n"), "t:1: a column has no name"},
+      {table_error("a,b\n1,inf\n"), "t:2: joint 'b': 'inf' is infinite"},
+      {table_error("a,b\n"), "t: there is no placement"},
+      {table_error(npy_of_table(table_shape, doubles + "x")), "t: 49 bytes of numbers"},
+      {table_error(npy_of_table(table_shape, doubles.substr(1))), "t: 47 bytes of numbers"},
+      {table_error(npy_of_table(table_shape, doubles).substr(0, 40)), "t: the file is cut off"},
+      {table_error(npy_of_table(table_shape, doubles).substr(0, 6)), "t: NPY version 0"},
       {of_kind("<f8", "<c8", doubles), "t: its numbers are of kind"},
       {of_kind("<f8", "<i8", doubles), "t: row 0: column 0 is no double"},
       {of_kind("False", "None", doubles), "t: its order is not told"},
@@ -125,7 +125,7 @@ TEST(JointTable, SaysWhatIsWrong) {
       {of_kind("(2, 3)", "(x, 3)", ""), "t: its shape is not of numbers"},
       {of_kind("(2, 3)", "(2305843009213693952, 4)", ""), "t: 0 bytes of numbers"},
       {of_kind("'shape'", "'form'", doubles), "t: its header has no 'shape'"},
-      {error_of(npy(shape, bytes_of<std::uint64_t, double>({1, 2, 3, 4, HUGE_VAL, 6}))),
+      {table_error(npy_of_table(table_shape, bytes_of<std::uint64_t, double>({1, 2, 3, 4, HUGE_VAL, 6}))),
        "t: row 1: column 1 is not finite"},
   };
   for (const auto& [is, begins] : expected) EXPECT_TRUE(is.starts_with(begins)) << is << "\n" << begins;

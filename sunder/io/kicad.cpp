@@ -17,7 +17,7 @@ namespace sunder::io {
 
 namespace {
 
-struct Token {
+struct KicadToken {
   enum class Kind { open, close, atom, end };
   Kind kind = Kind::end;
   std::string_view text;  // of an atom; of a string what stands between the quotes
@@ -26,13 +26,13 @@ struct Token {
 };
 
 // A '#' that is the first on its line begins a comment. A string ends on its line.
-class Lexer {
+class KicadLexer {
  public:
-  Lexer(std::string_view text, std::string_view place) : text_(text), place_(place) {}
+  KicadLexer(std::string_view text, std::string_view place) : text_(text), place_(place) {}
 
-  Token next() {
+  KicadToken next() {
     skip_blanks();
-    Token token;
+    KicadToken token;
     token.line = line_;
     at_line_begin_ = false;
     if (at_ == text_.size()) return token;
@@ -40,10 +40,10 @@ class Lexer {
     const char c = text_[at_++];
     token.text = text_.substr(begin, 1);
     if (c == '(' || c == ')') {
-      token.kind = c == '(' ? Token::Kind::open : Token::Kind::close;
+      token.kind = c == '(' ? KicadToken::Kind::open : KicadToken::Kind::close;
       return token;
     }
-    token.kind = Token::Kind::atom;
+    token.kind = KicadToken::Kind::atom;
     token.quoted = c == '"';
     if (token.quoted) {
       token.text = string();
@@ -179,7 +179,7 @@ struct Track {
   std::string_view kind;  // segment, arc
   std::uint32_t line = 0;
   Point2 start, mid, end;  // mid: of an arc
-  Token layer, net;
+  KicadToken layer, net;
 };
 
 class Board {
@@ -204,11 +204,11 @@ class Board {
   // --- Lists -------------------------------------------------------------------------------------------------------
 
   // Goes on by one token, and keeps the list of what is open.
-  Token step() {
-    const Token token = lexer_.next();
-    if (token.kind == Token::Kind::open) open_.push_back(token.line);
-    if (token.kind == Token::Kind::close) open_.pop_back();
-    if (token.kind == Token::Kind::end) {
+  KicadToken step() {
+    const KicadToken token = lexer_.next();
+    if (token.kind == KicadToken::Kind::open) open_.push_back(token.line);
+    if (token.kind == KicadToken::Kind::close) open_.pop_back();
+    if (token.kind == KicadToken::Kind::end) {
       fail_line(place_, token.line,
                 fmt::format("ends within the list that begins on line {}; is a ')' missing, or the file cut off?",
                             open_.back()));
@@ -217,23 +217,23 @@ class Board {
   }
 
   // Goes into the next list within the open one; its first atom is put into `head`. False: the open list ended.
-  bool enter(Token& head) {
+  bool enter(KicadToken& head) {
     for (;;) {
-      const Token token = step();
-      if (token.kind == Token::Kind::close) return false;
-      if (token.kind == Token::Kind::atom) continue;
-      head = lexer_.at_atom() ? lexer_.next() : Token{Token::Kind::atom, {}, token.line, false};
+      const KicadToken token = step();
+      if (token.kind == KicadToken::Kind::close) return false;
+      if (token.kind == KicadToken::Kind::atom) continue;
+      head = lexer_.at_atom() ? lexer_.next() : KicadToken{KicadToken::Kind::atom, {}, token.line, false};
       return true;
     }
   }
 
   // The atoms of the open list, to its end. Lists within are passed over.
-  const std::vector<Token>& leave() {
+  const std::vector<KicadToken>& leave() {
     atoms_.clear();
     const std::size_t depth = open_.size();
     while (open_.size() >= depth) {
-      const Token token = step();
-      if (token.kind == Token::Kind::atom && open_.size() == depth) atoms_.push_back(token);
+      const KicadToken token = step();
+      if (token.kind == KicadToken::Kind::atom && open_.size() == depth) atoms_.push_back(token);
     }
     return atoms_;
   }
@@ -241,20 +241,20 @@ class Board {
   // --- What stands in the board --------------------------------------------------------------------------------------
 
   void read() {
-    const Token first = lexer_.next();
-    if (first.kind != Token::Kind::open) {
+    const KicadToken first = lexer_.next();
+    if (first.kind != KicadToken::Kind::open) {
       fail_line(place_, first.line, "is no KiCad board, which begins with (kicad_pcb; give a .kicad_pcb file");
     }
     open_.push_back(first.line);
-    const Token type = lexer_.at_atom() ? lexer_.next() : Token();
+    const KicadToken type = lexer_.at_atom() ? lexer_.next() : KicadToken();
     if (type.text != "kicad_pcb") {
       fail_line(place_, first.line,
                 fmt::format("begins with {}, so it is no board; give the .kicad_pcb file",
                             quote("(" + std::string(type.text))));
     }
-    for (Token head; enter(head);) read_item(head);
-    const Token last = lexer_.next();
-    if (last.kind != Token::Kind::end) {
+    for (KicadToken head; enter(head);) read_item(head);
+    const KicadToken last = lexer_.next();
+    if (last.kind != KicadToken::Kind::end) {
       fail_line(place_, last.line,
                 fmt::format("{} stands after the end of the board; is a '(' missing, or a ')' "
                             "too many?",
@@ -263,11 +263,11 @@ class Board {
     if (version_ == 0) fail_line(place_, first.line, "the board has no (version ...); save it with KiCad");
   }
 
-  void read_item(const Token& head) {
+  void read_item(const KicadToken& head) {
     const std::string_view name = head.text;
     if (name == "segment" || name == "arc") return read_track(head);
     if (name == "layers") return read_layers();
-    const std::vector<Token>& atoms = leave();
+    const std::vector<KicadToken>& atoms = leave();
     if (name == "version") {
       read_version(head.line, atoms);
     } else if (name == "net") {
@@ -294,7 +294,7 @@ class Board {
     return std::find(known.begin(), known.end(), name) != known.end();
   }
 
-  void read_version(std::uint32_t line, const std::vector<Token>& atoms) {
+  void read_version(std::uint32_t line, const std::vector<KicadToken>& atoms) {
     std::int64_t version = 0;
     const bool known = atoms.size() == 1 && parse_integer(atoms[0].text, version) &&
                        ((3 <= version && version <= 4) || (20160815 <= version && version <= 20251231));
@@ -308,7 +308,7 @@ class Board {
     version_ = version;
   }
 
-  void read_net(std::uint32_t line, const std::vector<Token>& atoms) {
+  void read_net(std::uint32_t line, const std::vector<KicadToken>& atoms) {
     std::int64_t number = 0;
     if (atoms.size() != 2 || !parse_integer(atoms[0].text, number)) {
       fail_line(place_, line, "a net of the table is not a number and a name; save the board again");
@@ -319,8 +319,8 @@ class Board {
   }
 
   void read_layers() {
-    for (Token head; enter(head);) {
-      const std::vector<Token>& atoms = leave();
+    for (KicadToken head; enter(head);) {
+      const std::vector<KicadToken>& atoms = leave();
       if (atoms.size() < 2) {
         fail_line(place_, head.line, "a layer of the table is not a number, a name and a type; save the board again");
       }
@@ -328,20 +328,20 @@ class Board {
     }
   }
 
-  void read_track(const Token& kind) {
+  void read_track(const KicadToken& kind) {
     Track track;
     track.kind = kind.text;
     track.line = open_.back();
     std::array<bool, 5> has{};
     const std::array<std::string_view, 5> needed{"start", "end", "layer", "net", "mid"};
-    for (Token head; enter(head);) {
+    for (KicadToken head; enter(head);) {
       if (head.text == "segment" || head.text == "arc" || head.text == "via") {
         fail_line(
             place_, head.line,
             fmt::format("a list {} stands within the track of line {}; is a ')' missing?", head.text, track.line));
       }
       const std::string_view name = head.text == "layers" ? std::string_view("layer") : head.text;
-      const std::vector<Token>& atoms = leave();
+      const std::vector<KicadToken>& atoms = leave();
       const auto found = std::find(needed.begin(), needed.end(), name);
       if (found != needed.end()) {
         bool& seen = has[static_cast<std::size_t>(found - needed.begin())];
@@ -364,14 +364,14 @@ class Board {
     tracks_.push_back(track);
   }
 
-  void require_count(const Token& head, const std::vector<Token>& atoms, std::size_t count) const {
+  void require_count(const KicadToken& head, const std::vector<KicadToken>& atoms, std::size_t count) const {
     if (atoms.size() == count) return;
     fail_line(
         place_, head.line,
         fmt::format("{} has {}, not {}; save the board again", head.text, count_of(atoms.size(), "value"), count));
   }
 
-  double number(const Token& head, const Token& atom) const {
+  double number(const KicadToken& head, const KicadToken& atom) const {
     double value = 0;
     if (const char* problem = parse_number(atom.text, value)) {
       fail_line(place_, atom.line, fmt::format("{} {} {}", head.text, quote(atom.text), problem));
@@ -379,20 +379,20 @@ class Board {
     return value;
   }
 
-  Point2 point(const Token& head, const std::vector<Token>& atoms) const {
+  Point2 point(const KicadToken& head, const std::vector<KicadToken>& atoms) const {
     require_count(head, atoms, 2);
     return {number(head, atoms[0]), number(head, atoms[1])};
   }
 
-  Token one_of(const Token& head, const std::vector<Token>& atoms) const {
+  KicadToken one_of(const KicadToken& head, const std::vector<KicadToken>& atoms) const {
     require_count(head, atoms, 1);
     return atoms[0];
   }
 
   // Since KiCad 9, of a track without solder mask: (layers "F.Cu" "F.Mask").
-  Token layer_of(const Token& head, const std::vector<Token>& atoms) const {
+  KicadToken layer_of(const KicadToken& head, const std::vector<KicadToken>& atoms) const {
     if (head.text == "layer") return one_of(head, atoms);
-    const auto is_of_copper = [](const Token& atom) { return atom.text.ends_with(".Cu"); };
+    const auto is_of_copper = [](const KicadToken& atom) { return atom.text.ends_with(".Cu"); };
     if (std::count_if(atoms.begin(), atoms.end(), is_of_copper) != 1) {
       fail_line(place_, head.line, "a track is not on exactly one layer of copper; save the board again");
     }
@@ -418,7 +418,7 @@ class Board {
 
   // Empty: no net.
   std::string_view net_of(const Track& track) const {
-    const Token& net = track.net;
+    const KicadToken& net = track.net;
     std::int64_t number = 0;
     const bool is_number = parse_integer(net.text, number);
     const bool by_name = version_ >= 20241229;  // KiCad 9 ff. may give names
@@ -509,9 +509,9 @@ class Board {
 
   std::string_view place_;
   std::string group_;
-  Lexer lexer_;
+  KicadLexer lexer_;
   std::vector<std::uint32_t> open_;  // the lines on which the open lists begin
-  std::vector<Token> atoms_;
+  std::vector<KicadToken> atoms_;
 
   std::int64_t version_ = 0;
   std::unordered_map<std::int64_t, std::string_view> nets_;

@@ -19,7 +19,7 @@ namespace {
 
 using planar::Segment;
 
-const std::filesystem::path cases = std::filesystem::path(tests::cases_folder()) / "boards";
+const std::filesystem::path board_cases = std::filesystem::path(tests::cases_folder()) / "boards";
 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<std::uint32_t>;
@@ -38,7 +38,7 @@ std::string segment(const std::string& net, const std::string& layer = "F.Cu") {
 std::string arc(const std::string& points) { return "(arc " + points + " (width 0.2) (layer F.Cu) (net 1))"; }
 
 TEST(KicadTest, Board) {
-  const LineFile file = read_lines(cases / "two_nets.kicad_pcb");
+  const LineFile file = read_lines(board_cases / "two_nets.kicad_pcb");
   EXPECT_EQ(file.format, "KiCad board");
   EXPECT_EQ(file.features, (Names{"net GND", "net GND", "net GND", "net CLOCK", "net CLOCK", "net Net-(\"R1\"-Pad2)"}));
   EXPECT_EQ(file.segments[0], (Segment{{100, 100}, {120, 100}}));
@@ -55,7 +55,7 @@ TEST(KicadTest, Board) {
                    "track widths from 0.2 to 0.5 mm; clearance is not checked: tracks are lines without width",
                    "1 net without tracks, of 5 in the table: not looked at",
                    "zones, pads and graphics are not looked at: 0 zones, 0 footprints, 1 drawing"}));
-  EXPECT_EQ(read_lines(cases / "crossing_nets.kicad_pcb").segments.size(), 3u);
+  EXPECT_EQ(read_lines(board_cases / "crossing_nets.kicad_pcb").segments.size(), 3u);
 }
 
 TEST(KicadTest, Groups) {

@@ -12,7 +12,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-std::string error(const std::string& text, const std::string& place) {
+std::string line_format_error(const std::string& text, const std::string& place) {
   try {
     parse_lines(text, place);
   } catch (const Error& problem) {
@@ -44,8 +44,8 @@ TEST(LinesFormatsTest, GeoJsonOfLines) {
   const std::string spread = "\x1e{\"type\": \"LineString\",\n\"coordinates\": [[0, 0],\n[3, 3]]}\n\x1e" + first + "\n";
   EXPECT_EQ(parse_lines(spread, "a.geojsons").source[1].line, 4u);
   EXPECT_EQ(parse_lines("{\n\"type\": \"LineString\", \"coordinates\": [[0, 0], [3, 3]]\n}", "-").segments.size(), 1u);
-  EXPECT_NE(error(first + "\n{\"type\":", "a.json").find("a.json:2: is not JSON"), std::string::npos);
-  EXPECT_NE(error(first + "\n{\"type\":\"Feature\"}", "a.json").find("a.json:2: has no \"geometry\""),
+  EXPECT_NE(line_format_error(first + "\n{\"type\":", "a.json").find("a.json:2: is not JSON"), std::string::npos);
+  EXPECT_NE(line_format_error(first + "\n{\"type\":\"Feature\"}", "a.json").find("a.json:2: has no \"geometry\""),
             std::string::npos);
 }
 
@@ -64,7 +64,7 @@ TEST(LinesFormatsTest, CsvWithWkt) {
   EXPECT_EQ(parse_lines(text, "a.csv", {.group = "ring"}).groups, (Names{"a, line 0", "b, ring 0"}));
   EXPECT_EQ(parse_lines(text, "a.csv", {.group = "feature"}).groups, (Names{"a", "b"}));
   EXPECT_EQ(parse_lines("x1,y1,x2,y2,geom\n0,0,1,1,?\n", "a.csv").format, "CSV");
-  EXPECT_NE(error("wkt\n\"LINESTRING (0 0,\n1)\"\n", "a.csv").find("a.csv:3: a point has two numbers"),
+  EXPECT_NE(line_format_error("wkt\n\"LINESTRING (0 0,\n1)\"\n", "a.csv").find("a.csv:3: a point has two numbers"),
             std::string::npos);
 }
 
@@ -77,8 +77,9 @@ TEST(LinesFormatsTest, EmptyRings) {
   EXPECT_EQ(
       parse_lines(R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]], []]})", "a.json").remarks,
       Names{"holes that are empty: 1, the first of '1'; they hold nothing"});
-  EXPECT_NE(error("POLYGON (EMPTY, (0 0, 4 0, 0 4, 0 0))", "a.wkt").find("a.wkt:1: the outer ring is empty"),
-            std::string::npos);
+  EXPECT_NE(
+      line_format_error("POLYGON (EMPTY, (0 0, 4 0, 0 4, 0 0))", "a.wkt").find("a.wkt:1: the outer ring is empty"),
+      std::string::npos);
 }
 
 }  // namespace

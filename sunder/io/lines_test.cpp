@@ -19,13 +19,13 @@ namespace {
 
 using planar::Segment;
 
-const std::filesystem::path all_cases = tests::cases_folder(), cases = all_cases / "segments";
+const std::filesystem::path all_cases = tests::cases_folder(), line_cases = all_cases / "segments";
 
 using Names = std::vector<std::string>;
 using Numbers = std::vector<std::uint32_t>;
 
-std::string error(const std::string& text, const std::string& place, const std::string& group = {},
-                  ErrorCode code = ErrorCode::bad_file) {
+std::string line_error(const std::string& text, const std::string& place, const std::string& group = {},
+                       ErrorCode code = ErrorCode::bad_file) {
   try {
     parse_lines(text, place, {false, group});
   } catch (const Error& problem) {
@@ -36,7 +36,7 @@ std::string error(const std::string& text, const std::string& place, const std::
 }
 
 TEST(LinesTest, Csv) {
-  const LineFile file = read_lines(cases / "wires.csv");
+  const LineFile file = read_lines(line_cases / "wires.csv");
   EXPECT_EQ(file.format, "CSV");
   ASSERT_EQ(file.segments.size(), 5u);
   EXPECT_EQ(file.segments[1], (Segment{{0, 1}, {4, 2}}));
@@ -149,7 +149,7 @@ TEST(LinesTest, OfAnotherKind) {
   const LineFile file = parse_lines(json, "a.json", {.leave_out = true});
   EXPECT_EQ(file.left_out.at(0).of, "'mast'");
   EXPECT_EQ(file.source[0].feature, 1u);
-  EXPECT_NE(error(json, "a.json")
+  EXPECT_NE(line_error(json, "a.json")
                 .find("a.json: feature 'mast': a point is not what is asked about; give a file without such, or ask "
                       "without them: "
                       "--leave-out"),
@@ -188,7 +188,7 @@ TEST(LinesTest, BrokenRings) {
   const std::string text =
       "POLYGON ((0 0, 1 0, 0 1, 1 1))\nMULTIPOLYGON (((0 0, 4 0, 0 4, 0 0), (1 1, 2 1, 1 1)), ((5 5, 6 5, 5 6, 5 "
       "5)))\n";
-  EXPECT_NE(error(text, "a.wkt").find("a.wkt:1: ring 0: does not end where it began"), std::string::npos);
+  EXPECT_NE(line_error(text, "a.wkt").find("a.wkt:1: ring 0: does not end where it began"), std::string::npos);
   const LineFile file = parse_lines(text, "a.wkt", {.keep_broken = true});
   ASSERT_EQ(file.broken.size(), 2u);
   EXPECT_EQ(file.broken[0].feature, 0u);
@@ -239,14 +239,14 @@ TEST(LinesTest, ForeignFiles) {
        "this is a mesh, which is not read here; ask sunder pair, scene, hull or info"},
       {"cube", "ply\nformat", "this is a mesh"}};
   for (const auto& [place, text, part] : files) {
-    const std::string message = error(text, place);
+    const std::string message = line_error(text, place);
     EXPECT_TRUE(message.starts_with(place + ": " + part)) << message;
   }
-  EXPECT_EQ(error("0,0,1,1\n", "a.csv"), "accepted");
+  EXPECT_EQ(line_error("0,0,1,1\n", "a.csv"), "accepted");
 }
 
 TEST(LinesTest, Wkt) {
-  const LineFile file = read_lines(cases / "paths.wkt");
+  const LineFile file = read_lines(line_cases / "paths.wkt");
   EXPECT_EQ(file.format, "WKT");
   ASSERT_EQ(file.segments.size(), 2u + 1 + 2 + 4 + 3);
   EXPECT_EQ(file.segments[2], (Segment{{2, 2}, {4, 3}}));
@@ -271,7 +271,7 @@ TEST(LinesTest, WktTags) {
 }
 
 TEST(LinesTest, GeoJson) {
-  const LineFile file = read_lines(cases / "pond.geojson");
+  const LineFile file = read_lines(line_cases / "pond.geojson");
   EXPECT_EQ(file.format, "GeoJSON");
   ASSERT_EQ(file.segments.size(), 4u + 3 + 1);
   EXPECT_EQ(file.segments.back(), (Segment{{4, 9}, {4, 6}}));
@@ -313,20 +313,20 @@ TEST(LinesTest, GroupsOfCsv) {
   EXPECT_EQ(parse_lines(text, "a.csv", {false, "feature"}).group, (Numbers{0, 1, 2}));
   EXPECT_EQ(parse_lines("0;0;1;1;a\n0;1;1;0;a\n", "a.csv", {false, "feature"}).groups, (Names{"a", "a"}));
   EXPECT_EQ(parse_lines("x1;y1;x2;y2;feature\n0;0;1;1;a\n0;1;1;0;a\n", "a.csv", {false, "feature"}).groups, Names{"a"});
-  const LineFile none = read_lines(cases / "wires.csv");
+  const LineFile none = read_lines(line_cases / "wires.csv");
   EXPECT_TRUE(none.group.empty() && none.groups.empty() && none.layer.empty() && none.layers.empty());
-  EXPECT_EQ(error(text, "a.csv", "ring", ErrorCode::bad_call),
+  EXPECT_EQ(line_error(text, "a.csv", "ring", ErrorCode::bad_call),
             "a.csv: there is no column 'ring' to group by; there are net, id, layer");
-  EXPECT_EQ(error("0,0,1,1,a\n", "a.csv", "net", ErrorCode::bad_call),
+  EXPECT_EQ(line_error("0,0,1,1,a\n", "a.csv", "net", ErrorCode::bad_call),
             "a.csv: there is no column 'net' to group by; a first line has to name the columns after x1,y1,x2,y2");
-  EXPECT_NE(error("x1,y1,x2,y2,net,net\n", "a.csv", "net").find("a.csv:1: two columns are named 'net'"),
+  EXPECT_NE(line_error("x1,y1,x2,y2,net,net\n", "a.csv", "net").find("a.csv:1: two columns are named 'net'"),
             std::string::npos);
-  EXPECT_NE(error("x1,y1,x2,y2,id,net\n0,0,1,1,a\n", "a.csv", "net")
+  EXPECT_NE(line_error("x1,y1,x2,y2,id,net\n0,0,1,1,a\n", "a.csv", "net")
                 .find("a.csv:2: has 5 fields, but the line of names has 6"),
             std::string::npos);
-  EXPECT_NE(error("x1,y1,x2,y2,net\n0,0,1,1,\n", "a.csv", "net").find("a.csv:2: has no value in the column 'net'"),
+  EXPECT_NE(line_error("x1,y1,x2,y2,net\n0,0,1,1,\n", "a.csv", "net").find("a.csv:2: has no value in the column 'net'"),
             std::string::npos);
-  EXPECT_NE(error("0,0,1,1,a,b\n", "a.csv", "feature").find("a.csv:1: has 6 fields"), std::string::npos);
+  EXPECT_NE(line_error("0,0,1,1,a,b\n", "a.csv", "feature").find("a.csv:1: has 6 fields"), std::string::npos);
 }
 
 TEST(LinesTest, GroupsOfWkt) {
@@ -340,7 +340,7 @@ TEST(LinesTest, GroupsOfWkt) {
   EXPECT_EQ(ring.groups, (Names{"1, line 0", "2, line 0", "2, line 1", "3, polygon 0, ring 0", "3, polygon 0, ring 1",
                                 "3, polygon 1, ring 0"}));
   EXPECT_EQ(ring.group, (Numbers{0, 0, 1, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5}));
-  EXPECT_EQ(error(text, "a.wkt", "net", ErrorCode::bad_call),
+  EXPECT_EQ(line_error(text, "a.wkt", "net", ErrorCode::bad_call),
             "a.wkt: there is no field 'net' to group by; there are feature, ring");
 }
 
@@ -360,23 +360,23 @@ TEST(LinesTest, GroupsOfGeoJson) {
   EXPECT_EQ(use.groups, (Names{"farm", "7", "true"}));
   EXPECT_EQ(use.group, (Numbers{0, 0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, 1, 1, 1}));
   EXPECT_EQ(parse_lines(text, "a.json", {false, "feature"}).groups, (Names{"1", "2", "3", "4", "5"}));
-  const LineFile pond = read_lines(cases / "pond.geojson", {false, "ring"});
+  const LineFile pond = read_lines(line_cases / "pond.geojson", {false, "ring"});
   EXPECT_EQ(pond.groups, (Names{"pond, ring 0", "pond, ring 1", "jetty, line 0"}));
   const std::string rings = "[[[0, 0], [4, 0], [4, 4]], [[1, 1], [2, 1], [2, 2]]]";
   EXPECT_EQ(parse_lines(rings, "a.json", {false, "ring"}).groups, (Names{"1, ring 0", "1, ring 1"}));
-  EXPECT_EQ(error(rings, "a.json", "use", ErrorCode::bad_call),
+  EXPECT_EQ(line_error(rings, "a.json", "use", ErrorCode::bad_call),
             "a.json: there is no field 'use' to group by; there are feature, ring");
   for (const std::string properties : {R"({"name": "b"})", "null", "[]"}) {
-    const std::string message = error(collection({R"({"use": "farm"})", properties}), "a.json", "use");
+    const std::string message = line_error(collection({R"({"use": "farm"})", properties}), "a.json", "use");
     EXPECT_NE(message.find(": has no property 'use'; give it one, or group by feature or ring"), std::string::npos)
         << message;
   }
-  EXPECT_NE(error(collection({R"({"name": "b", "use": []})"}), "a.json", "use")
+  EXPECT_NE(line_error(collection({R"({"name": "b", "use": []})"}), "a.json", "use")
                 .find("a.json: feature 'b': property 'use' is neither text nor a number"),
             std::string::npos);
-  EXPECT_NE(
-      error(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})", "a.json", "use").find("feature '1': has no"),
-      std::string::npos);
+  EXPECT_NE(line_error(R"({"type": "LineString", "coordinates": [[0, 0], [1, 1]]})", "a.json", "use")
+                .find("feature '1': has no"),
+            std::string::npos);
 }
 
 TEST(LinesTest, Properties) {
@@ -419,9 +419,9 @@ TEST(LinesTest, Rings) {
     return found;
   };
   using Rings = std::vector<std::array<std::uint32_t, 3>>;
-  EXPECT_EQ(rings(read_lines(cases / "wires.csv")), Rings{});
-  EXPECT_EQ(rings(read_lines(cases / "paths.wkt")), (Rings{{5, 4, 0}, {9, 3, 0}}));
-  EXPECT_EQ(rings(read_lines(cases / "pond.geojson")), (Rings{{0, 4, 0}, {4, 3, 0}}));
+  EXPECT_EQ(rings(read_lines(line_cases / "wires.csv")), Rings{});
+  EXPECT_EQ(rings(read_lines(line_cases / "paths.wkt")), (Rings{{5, 4, 0}, {9, 3, 0}}));
+  EXPECT_EQ(rings(read_lines(line_cases / "pond.geojson")), (Rings{{0, 4, 0}, {4, 3, 0}}));
   EXPECT_EQ(rings(parse_lines("MULTIPOLYGON(((0 0,1 0,0 1,0 0)),((5 5,6 5,5 6,5 5),(7 7,8 7,7 8,7 7)))", "x.wkt")),
             (Rings{{0, 3, 0}, {3, 3, 1}, {6, 3, 1}}));
   const LineFile plain = parse_lines("[[[0, 0], [4, 0], [4, 4]], [[1, 1], [2, 1], [2, 2], [1, 1]]]", "x.json");
@@ -436,7 +436,7 @@ TEST(LinesTest, DeepNestingIsRefused) {
     text = R"({"type": "GeometryCollection", "geometries": [)" + text + "]}";
   }
   text = R"({"type": "GeometryCollection", "geometries": [)" + text + "]}";
-  EXPECT_NE(error(text, "a.json").find("nested 100 deep"), std::string::npos);
+  EXPECT_NE(line_error(text, "a.json").find("nested 100 deep"), std::string::npos);
 }
 
 TEST(LinesTest, WhatIsWrongAndWhere) {
@@ -493,7 +493,7 @@ TEST(LinesTest, WhatIsWrongAndWhere) {
 
   };
   for (const auto& [place, text, part] : wrong) {
-    const std::string message = error(text, place);
+    const std::string message = line_error(text, place);
     EXPECT_NE(message.find(part), std::string::npos) << text << "\n" << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_TRUE(message.starts_with(place)) << message;
@@ -511,7 +511,7 @@ TEST(LinesTest, RefusesEveryBrokenFile) {
     const std::string name = row.substr(0, tab), part = row.substr(tab + 1);
     SCOPED_TRACE(name);
     EXPECT_TRUE(seen.insert(name).second) << "twice in the table";
-    const std::string path = (folder / name).string(), message = error(read_file(path), path);
+    const std::string path = (folder / name).string(), message = line_error(read_file(path), path);
     EXPECT_TRUE(message.starts_with(path + part)) << "expected: " << part << "\nmessage: " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     EXPECT_LT(message.size(), path.size() + 300) << message;
@@ -528,7 +528,7 @@ TEST(LinesTest, SurvivesTruncationAnywhere) {
        {"segments/pond.geojson", "segments/paths.wkt", "segments/wires.csv", "boards/two_nets.kicad_pcb"}) {
     const std::string text = read_file(all_cases / name);
     for (std::size_t size = 0; size < text.size(); ++size, ++all) {
-      const std::string message = error(text.substr(0, size), name);
+      const std::string message = line_error(text.substr(0, size), name);
       if (message == "accepted") continue;
       ++refused;
       EXPECT_TRUE(message.starts_with(name) && message.find('\n') == std::string::npos) << message;

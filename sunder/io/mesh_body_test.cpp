@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = tests::cases_folder();
+using tests::cases;
 
 // The tetrahedron of the origin and the unit vectors, with other vertices.
 Mesh tetrahedron_and(const std::vector<Point3>& others) {

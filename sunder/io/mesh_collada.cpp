@@ -15,7 +15,7 @@ namespace sunder::io {
 namespace {
 
 constexpr XmlKind collada{"COLLADA", "COLLADA", "COLLADA", "mesh"};
-constexpr std::uint32_t most_nested = 64;        // nodes within nodes, instances included
+constexpr std::uint32_t most_nested_nodes = 64;  // nodes within nodes, instances included
 constexpr std::size_t largest_offset = 1 << 16;  // of an input of a primitive
 
 // What <geometry> holds, in its own coordinates.
@@ -135,9 +135,9 @@ class ColladaParser {
   }
 
   void add_node(const XMLElement& node, NodeFrame frame, std::uint32_t depth) {
-    if (depth > most_nested) {
-      xml_.fail(node,
-                fmt::format("nodes are nested more than {} deep, or in a circle; export the mesh again", most_nested));
+    if (depth > most_nested_nodes) {
+      xml_.fail(node, fmt::format("nodes are nested more than {} deep, or in a circle; export the mesh again",
+                                  most_nested_nodes));
     }
     budget_.spend(1);
     XmlFile::each_child(node, [&](const XMLElement& child) {

@@ -2,8 +2,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/frame_internal.h>
-#include <sunder/io/mesh_check_test.h>
 #include <sunder/io/mesh_formats.h>
+#include <sunder/io/mesh_parse_test.h>
 
 #include <tests/support/places.h>
 
@@ -16,17 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = fs::path(tests::cases_folder()) / "mesh";
-
-std::string message(std::string_view text, MeshFormat format) {
-  try {
-    parse_mesh(text, "test", format);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::bad_file);
-    return error.what();
-  }
-  return "no error";
-}
+const fs::path mesh_cases = fs::path(tests::cases_folder()) / "mesh";
 
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
   const std::size_t at = text.find(from);
@@ -34,19 +24,13 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
   return text.replace(at, from.size(), to);
 }
 
-Mesh parse(const std::string& text, MeshFormat format) {
-  Mesh mesh = parse_mesh(text, "test", format);
-  EXPECT_EQ(mesh_fault(mesh), "");
-  return mesh;
-}
-
 // A tetrahedron turned by a quarter about z, and one twice as large beside it; both at (10, 0, 0).
-const std::vector<Point3> turned{{10, 0, 0}, {10, 1, 0}, {9, 0, 0}, {10, 0, 1}};
-const std::vector<Point3> large{{10, 5, 0}, {12, 5, 0}, {10, 7, 0}, {10, 5, 2}};
+const std::vector<Point3> turned_tetrahedron{{10, 0, 0}, {10, 1, 0}, {9, 0, 0}, {10, 0, 1}};
+const std::vector<Point3> large_tetrahedron{{10, 5, 0}, {12, 5, 0}, {10, 7, 0}, {10, 5, 2}};
 
 void expect_two_nodes(const Mesh& mesh, double margin) {
-  std::vector<Point3> expected = turned;
-  expected.insert(expected.end(), large.begin(), large.end());
+  std::vector<Point3> expected = turned_tetrahedron;
+  expected.insert(expected.end(), large_tetrahedron.begin(), large_tetrahedron.end());
   EXPECT_EQ(mesh.vertices.size(), expected.size());
   const std::vector<std::uint32_t> corners{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 4, 6, 5, 4, 5, 7, 4, 7, 6, 5, 6, 7};
   ASSERT_EQ(mesh.polygon_vertices.size(), corners.size());
@@ -61,10 +45,10 @@ void expect_two_nodes(const Mesh& mesh, double margin) {
 }
 
 TEST(MeshScenes, NodesMoveTheirMeshes) {
-  expect_two_nodes(read_mesh(cases / "two_nodes.dae"), 1e-14);
-  expect_two_nodes(read_mesh(cases / "two_nodes.wrl"), 1e-14);
+  expect_two_nodes(read_mesh(mesh_cases / "two_nodes.dae"), 1e-14);
+  expect_two_nodes(read_mesh(mesh_cases / "two_nodes.wrl"), 1e-14);
   InputFiles inputs;
-  const Mesh mesh = read_mesh(cases / "two_nodes.gltf", &inputs);
+  const Mesh mesh = read_mesh(mesh_cases / "two_nodes.gltf", &inputs);
   EXPECT_EQ(inputs.size(), 2u) << "the buffer is an input, too";
   EXPECT_EQ(mesh.parts[0].name, "turned");
   EXPECT_EQ(mesh.parts[1].name, "large");
@@ -91,17 +75,17 @@ TEST(MeshScenes, TheFirstFrameIsTheInnermost) {
 }
 
 TEST(MeshCollada, KeepsDoubles) {
-  const std::string text = read_file(cases / "tetrahedron.dae");
-  const Mesh mesh = parse(replaced(text, ">0 0 0 1 ", ">0.1 1e-320 -0 1 "), MeshFormat::collada);
+  const std::string text = read_file(mesh_cases / "tetrahedron.dae");
+  const Mesh mesh = checked_mesh(replaced(text, ">0 0 0 1 ", ">0.1 1e-320 -0 1 "), MeshFormat::collada);
   EXPECT_EQ(mesh.vertices[0], (Point3{0.1, 1e-320, 0}));
   EXPECT_FALSE(std::signbit(mesh.vertices[0].z));
 }
 
 TEST(MeshCollada, ReadsEveryKindOfPrimitive) {
-  const std::string text = read_file(cases / "tetrahedron.dae");
+  const std::string text = read_file(mesh_cases / "tetrahedron.dae");
   const std::size_t begin = text.find("<polylist"), end = text.find("</polylist>") + 11;
   const auto with = [&](const std::string& primitive) {
-    return parse(text.substr(0, begin) + primitive + text.substr(end), MeshFormat::collada);
+    return checked_mesh(text.substr(0, begin) + primitive + text.substr(end), MeshFormat::collada);
   };
   const std::string input = R"(<input semantic="VERTEX" source="#vertices" offset="0"/>)";
   using Corners = std::vector<std::uint32_t>;
@@ -117,43 +101,44 @@ TEST(MeshCollada, ReadsEveryKindOfPrimitive) {
 }
 
 TEST(MeshCollada, WithoutASceneEachGeometryStandsForItself) {
-  const std::string text = read_file(cases / "tetrahedron.dae");
+  const std::string text = read_file(mesh_cases / "tetrahedron.dae");
   const std::size_t begin = text.find("<library_visual_scenes>");
-  EXPECT_EQ(parse(text.substr(0, begin) + "</COLLADA>", MeshFormat::collada).polygon_count(), 4u);
+  EXPECT_EQ(checked_mesh(text.substr(0, begin) + "</COLLADA>", MeshFormat::collada).polygon_count(), 4u);
   const std::string two =
       replaced(text, "<visual_scene id=\"scene\">", "<visual_scene id=\"other\"/><visual_scene id=\"scene\">");
-  EXPECT_EQ(parse(two, MeshFormat::collada).polygon_count(), 4u);
+  EXPECT_EQ(checked_mesh(two, MeshFormat::collada).polygon_count(), 4u);
   const std::string unsaid = replaced(two, "<scene><instance_visual_scene url=\"#scene\"/></scene>", "");
-  EXPECT_NE(message(unsaid, MeshFormat::collada).find("has several scenes"), std::string::npos);
+  EXPECT_NE(mesh_error(unsaid, MeshFormat::collada).find("has several scenes"), std::string::npos);
 }
 
 TEST(MeshCollada, AxesHaveTheirNames) {
-  const std::string text = read_file(cases / "tetrahedron.dae");
-  const Mesh mesh = parse(replaced(replaced(text, "name=\"X\"", "name=\"Z\""), "<param name=\"Z\" type=\"float\"/>\n",
-                                   "<param name=\"X\" type=\"float\"/>\n"),
-                          MeshFormat::collada);
+  const std::string text = read_file(mesh_cases / "tetrahedron.dae");
+  const Mesh mesh =
+      checked_mesh(replaced(replaced(text, "name=\"X\"", "name=\"Z\""), "<param name=\"Z\" type=\"float\"/>\n",
+                            "<param name=\"X\" type=\"float\"/>\n"),
+                   MeshFormat::collada);
   EXPECT_EQ(mesh.vertices[1], (Point3{0, 0, 1}));
   EXPECT_EQ(mesh.vertices[3], (Point3{1, 0, 0}));
 }
 
 TEST(MeshGltf, JoinsEqualPointsAndTellsLines) {
-  const std::string text = read_file(cases / "cube.gltf");
-  EXPECT_EQ(parse(text, MeshFormat::gltf).vertices.size(), 8u);
-  const Mesh lines = parse(replaced(text, "\"indices\": 1", "\"mode\": 1"), MeshFormat::gltf);
+  const std::string text = read_file(mesh_cases / "cube.gltf");
+  EXPECT_EQ(checked_mesh(text, MeshFormat::gltf).vertices.size(), 8u);
+  const Mesh lines = checked_mesh(replaced(text, "\"indices\": 1", "\"mode\": 1"), MeshFormat::gltf);
   ASSERT_FALSE(lines.left_out.empty());
   EXPECT_EQ(lines.left_out[0].kind, "line");
   EXPECT_EQ(lines.left_out[0].count, 12u);
-  EXPECT_EQ(parse(replaced(text, "\"indices\": 1", "\"mode\": 6"), MeshFormat::gltf).polygon_count(), 22u);
-  EXPECT_EQ(parse(replaced(text, "\"indices\": 1", "\"mode\": 5"), MeshFormat::gltf).polygon_count(), 22u);
+  EXPECT_EQ(checked_mesh(replaced(text, "\"indices\": 1", "\"mode\": 6"), MeshFormat::gltf).polygon_count(), 22u);
+  EXPECT_EQ(checked_mesh(replaced(text, "\"indices\": 1", "\"mode\": 5"), MeshFormat::gltf).polygon_count(), 22u);
 }
 
 TEST(MeshGltf, OneFileAloneHasNoBuffersBeside) {
-  EXPECT_NE(message(read_file(cases / "two_nodes.gltf"), MeshFormat::gltf).find("only this file is given"),
+  EXPECT_NE(mesh_error(read_file(mesh_cases / "two_nodes.gltf"), MeshFormat::gltf).find("only this file is given"),
             std::string::npos);
 }
 
 TEST(MeshGltf, NamesOfBuffersStayWithinTheFolder) {
-  const std::string text = read_file(cases / "two_nodes.gltf");
+  const std::string text = read_file(mesh_cases / "two_nodes.gltf");
   for (const char* name :
        {"/etc/passwd", "../a.bin", "a/../../b.bin", "%2e%2e/a.bin", "%2Fetc/passwd", "file:a", "", "."}) {
     std::string asked = "nothing";
@@ -170,7 +155,7 @@ TEST(MeshGltf, NamesOfBuffersStayWithinTheFolder) {
 }
 
 TEST(MeshVrml, CommasAreBlanksAndFieldsMayComeInAnyOrder) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "#VRML V2.0 utf8\n,,Shape{geometry IndexedFaceSet{coordIndex[0,1,2,-1,,]creaseAngle 0.5 colorIndex []\n"
       "texCoord TextureCoordinate{point[0 0]} coord Coordinate{point[0 0 0 1,0,0 .5 1 0]}ccw FALSE}}",
       MeshFormat::vrml);
@@ -179,7 +164,7 @@ TEST(MeshVrml, CommasAreBlanksAndFieldsMayComeInAnyOrder) {
 }
 
 TEST(MeshVrml, TellsWhatIsNoPolygon) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "#VRML V2.0 utf8\nShape{geometry IndexedFaceSet{coord Coordinate{point[0 0 0 1 0 0 0 1 0]}coordIndex[0 1 2]}}\n"
       "DEF s Shape{geometry Sphere{radius 2}} Transform{children[USE s Inline{url \"a.wrl\"}]}",
       MeshFormat::vrml);
@@ -190,7 +175,7 @@ TEST(MeshVrml, TellsWhatIsNoPolygon) {
 }
 
 TEST(MeshVrml, ScalesAlongTurnedAxesAboutACenter) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "#VRML V2.0 utf8\nTransform{center 1 0 0 scale 3 1 1 scaleOrientation 0 0 1 1.5707963267948966 children Shape{"
       "geometry IndexedFaceSet{coord Coordinate{point[1 0 0 2 0 0 1 1 0]}coordIndex[0 1 2]}}}",
       MeshFormat::vrml);
@@ -200,7 +185,7 @@ TEST(MeshVrml, ScalesAlongTurnedAxesAboutACenter) {
 }
 
 TEST(MeshVrml, PointsThatSeveralFacesShareAreCopiedWhereInUse) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "#VRML V2.0 utf8\nShape{geometry IndexedFaceSet{coord DEF c Coordinate{point[0 0 0 1 0 0 0 1 0 5 5 5]}"
       "coordIndex[0 1 2]}} Shape{geometry IndexedFaceSet{coord USE c coordIndex[3 1 2]}}",
       MeshFormat::vrml);

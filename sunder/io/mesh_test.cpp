@@ -1,7 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/file.h>
 #include <sunder/io/mesh.h>
-#include <sunder/io/mesh_check_test.h>
+#include <sunder/io/mesh_parse_test.h>
 #include <sunder/io/urdf.h>
 
 #include <tests/support/places.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = tests::cases_folder();
+using tests::cases;
 
 // The rows of a table, without comments.
 std::vector<std::vector<std::string>> table(const fs::path& path) {
@@ -40,22 +40,6 @@ std::set<std::string> files_in(const fs::path& folder) {
   names.erase("EXPECTED.tsv");
   names.erase("README.md");
   return names;
-}
-
-Mesh parse(std::string_view text, MeshFormat format) {
-  Mesh mesh = parse_mesh(text, "test", format);
-  EXPECT_EQ(mesh_fault(mesh), "");
-  return mesh;
-}
-
-std::string message(std::string_view text, MeshFormat format) {
-  try {
-    parse_mesh(text, "test", format);
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ErrorCode::bad_file);
-    return error.what();
-  }
-  return "no error";
 }
 
 std::vector<Point3> sorted(std::vector<Point3> points) {
@@ -181,7 +165,7 @@ TEST(MeshFormats, AreFoundByContentFirst) {
 }
 
 TEST(MeshObj, KeepsFullPrecisionAndDropsTheSignOfZero) {
-  const Mesh mesh = parse("v 0.1 -0 1e-320\nv -0.0 1.7976931348623157e308 +3\n", MeshFormat::obj);
+  const Mesh mesh = checked_mesh("v 0.1 -0 1e-320\nv -0.0 1.7976931348623157e308 +3\n", MeshFormat::obj);
   EXPECT_EQ(mesh.vertices[0], (Point3{0.1, 0, 1e-320}));
   EXPECT_EQ(mesh.vertices[1], (Point3{0, std::numeric_limits<double>::max(), 3}));
   EXPECT_FALSE(std::signbit(mesh.vertices[0].y));
@@ -189,20 +173,21 @@ TEST(MeshObj, KeepsFullPrecisionAndDropsTheSignOfZero) {
 }
 
 TEST(MeshObj, AllowsCornersThatComeLater) {
-  const Mesh mesh = parse("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0", MeshFormat::obj);
+  const Mesh mesh = checked_mesh("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0", MeshFormat::obj);
   EXPECT_EQ(mesh.polygon_vertices, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(message("v 0 0 0\nf 1 2 9\nf 1 2 3\nf 1 2 9\nv 0 0 0\n", MeshFormat::obj),
+  EXPECT_EQ(mesh_error("v 0 0 0\nf 1 2 9\nf 1 2 3\nf 1 2 9\nv 0 0 0\n", MeshFormat::obj),
             "test:2: this face names vertex 9, but there are 2 in all; export the mesh again");
 }
 
 TEST(MeshObj, CountsBackwardsFromWhereItIs) {
-  const Mesh mesh = parse("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1/2 -2//-7 -4/1/1\n", MeshFormat::obj);
+  const Mesh mesh =
+      checked_mesh("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -1/2 -2//-7 -4/1/1\n", MeshFormat::obj);
   EXPECT_EQ(mesh.polygon_vertices, (std::vector<std::uint32_t>{0, 1, 2, 3, 2, 0}));
 }
 
 TEST(MeshObj, GroupsArePartsWhereAskedFor) {
   const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\ng left all\nf 1 2 3\ng right all\nf 1 2 4\nf 1 3 4\n";
-  EXPECT_EQ(parse(text, MeshFormat::obj).parts.size(), 1u);
+  EXPECT_EQ(checked_mesh(text, MeshFormat::obj).parts.size(), 1u);
   const Mesh mesh = parse_mesh(text, "test", MeshFormat::obj, PartsOf::objects_and_groups);
   ASSERT_EQ(mesh.parts.size(), 2u);
   EXPECT_EQ(mesh.parts[0].name, "left");
@@ -211,12 +196,12 @@ TEST(MeshObj, GroupsArePartsWhereAskedFor) {
 }
 
 TEST(MeshObj, DoesNotContinueComments) {
-  const Mesh mesh = parse("# C:\\folder\\\nv 0 0 0 # end \\\nv 1 1 1\n", MeshFormat::obj);
+  const Mesh mesh = checked_mesh("# C:\\folder\\\nv 0 0 0 # end \\\nv 1 1 1\n", MeshFormat::obj);
   EXPECT_EQ(mesh.vertices.size(), 2u);
 }
 
 TEST(MeshStl, JoinsEqualVerticesInTheirOrder) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "solid\nfacet normal nan -nan(ind) inf outer loop vertex 3 0 0 vertex 0 -0 0 vertex 1 0 0 endloop endfacet\n"
       "facet normal 0 0 1e999\nouter loop\nvertex -0 0 0\nvertex 3 0 0\nvertex 2 0 0\nendloop\nendfacet\nendsolid",
       MeshFormat::stl);
@@ -225,31 +210,31 @@ TEST(MeshStl, JoinsEqualVerticesInTheirOrder) {
 }
 
 TEST(MeshStl, KeepsDegenerateTriangles) {
-  const Mesh mesh =
-      parse("solid\nfacet normal 0 0 0 outer loop vertex 1 2 3 vertex 1 2 3 vertex 1 2 3 endloop endfacet endsolid",
-            MeshFormat::stl);
+  const Mesh mesh = checked_mesh(
+      "solid\nfacet normal 0 0 0 outer loop vertex 1 2 3 vertex 1 2 3 vertex 1 2 3 endloop endfacet endsolid",
+      MeshFormat::stl);
   EXPECT_EQ(mesh.vertices.size(), 1u);
   EXPECT_EQ(mesh.polygon_vertices, (std::vector<std::uint32_t>{0, 0, 0}));
 }
 
 TEST(MeshOff, ReadsHeadersOfEveryKind) {
-  EXPECT_EQ(parse("OFF 1 0\n1 2 3", MeshFormat::off).vertices.size(), 1u);
-  EXPECT_EQ(parse("# c\n\n  OFF # c\n# c\n1 0 0 # c\n\n1 2 3\n", MeshFormat::off).vertices.size(), 1u);
-  EXPECT_EQ(parse("STCNOFF\n1 0 0\n1 2 3 0 0 1 255 255 255 0.5 0.5\n", MeshFormat::off).vertices.size(), 1u);
-  EXPECT_NE(message("nOFF\n3\n1 0 0\n1 2 3\n", MeshFormat::off).find("not of space"), std::string::npos);
-  EXPECT_NE(message("OFFSET\n", MeshFormat::off).find("expected 'OFF'"), std::string::npos);
+  EXPECT_EQ(checked_mesh("OFF 1 0\n1 2 3", MeshFormat::off).vertices.size(), 1u);
+  EXPECT_EQ(checked_mesh("# c\n\n  OFF # c\n# c\n1 0 0 # c\n\n1 2 3\n", MeshFormat::off).vertices.size(), 1u);
+  EXPECT_EQ(checked_mesh("STCNOFF\n1 0 0\n1 2 3 0 0 1 255 255 255 0.5 0.5\n", MeshFormat::off).vertices.size(), 1u);
+  EXPECT_NE(mesh_error("nOFF\n3\n1 0 0\n1 2 3\n", MeshFormat::off).find("not of space"), std::string::npos);
+  EXPECT_NE(mesh_error("OFFSET\n", MeshFormat::off).find("expected 'OFF'"), std::string::npos);
 }
 
 TEST(MeshPly, ReadsIntegerCoordinatesOfEveryType) {
   const std::string header =
       "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\nproperty ushort y\n"
       "property uint32 z\nend_header\n";
-  const Mesh mesh = parse(header + std::string("\xff\xff\xfe\xff\xff\xff\xfd", 7), MeshFormat::ply);
+  const Mesh mesh = checked_mesh(header + std::string("\xff\xff\xfe\xff\xff\xff\xfd", 7), MeshFormat::ply);
   EXPECT_EQ(mesh.vertices[0], (Point3{-1, 65534, 4294967293}));
 }
 
 TEST(MeshPly, AllowsFacesBeforeVerticesAndElementsWithoutProperties) {
-  const Mesh mesh = parse(
+  const Mesh mesh = checked_mesh(
       "ply\rformat ascii 1.0\relement face 1\rproperty list int int vertex_indices\r"
       "element nothing 4000000000000000000\relement vertex 3\rproperty float z\rproperty float y\r"
       "property float x\rend_header\r3 0 1 2\r1 2 3\r4 5 6\r7 8 9\r",
@@ -260,14 +245,14 @@ TEST(MeshPly, AllowsFacesBeforeVerticesAndElementsWithoutProperties) {
 
 TEST(Mesh, LyingHeadersReserveNothing) {
   const std::string counts = "9000000000000000000";
-  EXPECT_NE(message("OFF\n" + counts + " 0 0\n0 0 0\n", MeshFormat::off).find("ends after 1 of"), std::string::npos);
-  EXPECT_NE(message("ply\nformat ascii 1.0\nelement vertex " + counts +
-                        "\nproperty int x\nproperty int y\n"
-                        "property int z\nend_header\n0 0 0\n",
-                    MeshFormat::ply)
+  EXPECT_NE(mesh_error("OFF\n" + counts + " 0 0\n0 0 0\n", MeshFormat::off).find("ends after 1 of"), std::string::npos);
+  EXPECT_NE(mesh_error("ply\nformat ascii 1.0\nelement vertex " + counts +
+                           "\nproperty int x\nproperty int y\n"
+                           "property int z\nend_header\n0 0 0\n",
+                       MeshFormat::ply)
                 .find("ends after 1 of"),
             std::string::npos);
-  EXPECT_NE(message("OFF\n1 1 0\n0 0 0\n4294967296 0 0 0\n", MeshFormat::off).find("has 3 of 4294967296 corners"),
+  EXPECT_NE(mesh_error("OFF\n1 1 0\n0 0 0\n4294967296 0 0 0\n", MeshFormat::off).find("has 3 of 4294967296 corners"),
             std::string::npos);
 }
 
@@ -293,7 +278,8 @@ TEST(Mesh, SplitsParts) {
   EXPECT_EQ(solids[1].vertices.size(), 4u);
   EXPECT_EQ(solids[1].polygon_count(), 4u);
 
-  const std::vector<Mesh> points = split_parts(parse("v 0 0 0\no a\no b\nv 1 1 1\nv 2 2 2\no c\n", MeshFormat::obj));
+  const std::vector<Mesh> points =
+      split_parts(checked_mesh("v 0 0 0\no a\no b\nv 1 1 1\nv 2 2 2\no c\n", MeshFormat::obj));
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[0].name, "");
   EXPECT_EQ(points[1].name, "b");

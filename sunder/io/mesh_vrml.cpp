@@ -16,7 +16,7 @@
 namespace sunder::io {
 namespace {
 
-constexpr std::uint32_t most_nested = 100;  // nodes within nodes
+constexpr std::uint32_t most_nested_groups = 100;  // nodes within nodes
 
 constexpr std::array<std::string_view, 4> groups{"Group", "Transform", "Anchor", "Collision"};
 
@@ -36,64 +36,64 @@ constexpr std::array<std::pair<std::string_view, const char*>, 13> told{{{"Box",
                                                                          {"Billboard", "billboard"}}};
 
 // Nodes without a shape.
-constexpr auto shapeless = std::to_array<std::string_view>({"Appearance",
-                                                            "AudioClip",
-                                                            "Background",
-                                                            "Color",
-                                                            "ColorInterpolator",
-                                                            "CoordinateInterpolator",
-                                                            "CylinderSensor",
-                                                            "DirectionalLight",
-                                                            "Fog",
-                                                            "FontStyle",
-                                                            "ImageTexture",
-                                                            "Material",
-                                                            "MovieTexture",
-                                                            "NavigationInfo",
-                                                            "Normal",
-                                                            "NormalInterpolator",
-                                                            "OrientationInterpolator",
-                                                            "PixelTexture",
-                                                            "PlaneSensor",
-                                                            "PointLight",
-                                                            "PositionInterpolator",
-                                                            "ProximitySensor",
-                                                            "ScalarInterpolator",
-                                                            "Script",
-                                                            "Sound",
-                                                            "SphereSensor",
-                                                            "SpotLight",
-                                                            "TextureCoordinate",
-                                                            "TextureTransform",
-                                                            "TimeSensor",
-                                                            "TouchSensor",
-                                                            "Viewpoint",
-                                                            "VisibilitySensor",
-                                                            "WorldInfo"});
+constexpr auto nodes_without_shape = std::to_array<std::string_view>({"Appearance",
+                                                                      "AudioClip",
+                                                                      "Background",
+                                                                      "Color",
+                                                                      "ColorInterpolator",
+                                                                      "CoordinateInterpolator",
+                                                                      "CylinderSensor",
+                                                                      "DirectionalLight",
+                                                                      "Fog",
+                                                                      "FontStyle",
+                                                                      "ImageTexture",
+                                                                      "Material",
+                                                                      "MovieTexture",
+                                                                      "NavigationInfo",
+                                                                      "Normal",
+                                                                      "NormalInterpolator",
+                                                                      "OrientationInterpolator",
+                                                                      "PixelTexture",
+                                                                      "PlaneSensor",
+                                                                      "PointLight",
+                                                                      "PositionInterpolator",
+                                                                      "ProximitySensor",
+                                                                      "ScalarInterpolator",
+                                                                      "Script",
+                                                                      "Sound",
+                                                                      "SphereSensor",
+                                                                      "SpotLight",
+                                                                      "TextureCoordinate",
+                                                                      "TextureTransform",
+                                                                      "TimeSensor",
+                                                                      "TouchSensor",
+                                                                      "Viewpoint",
+                                                                      "VisibilitySensor",
+                                                                      "WorldInfo"});
 
 template <class Words>
-bool contains(const Words& words, std::string_view word) {
+bool is_one_of(const Words& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-struct Token {
+struct VrmlToken {
   enum class Kind { end, open, close, open_list, close_list, text, word };
   Kind kind = Kind::end;
   std::string_view word;  // a name or a number
   std::size_t line = 1;
 };
 
-class Lexer {
+class VrmlLexer {
  public:
-  Lexer(std::string_view text, std::string_view place) : text_(text), place_(place) {}
+  VrmlLexer(std::string_view text, std::string_view place) : text_(text), place_(place) {}
 
-  const Token& peek() {
+  const VrmlToken& peek() {
     if (!ahead_) ahead_ = read();
     return *ahead_;
   }
 
-  Token next() {
-    const Token token = peek();
+  VrmlToken next() {
+    const VrmlToken token = peek();
     ahead_.reset();
     return token;
   }
@@ -112,8 +112,8 @@ class Lexer {
     }
   }
 
-  Token read() {
-    using Kind = Token::Kind;
+  VrmlToken read() {
+    using Kind = VrmlToken::Kind;
     skip_blanks();
     if (at_ == text_.size()) return {Kind::end, {}, line_};
     switch (text_[at_]) {
@@ -129,10 +129,10 @@ class Lexer {
     return {Kind::word, text_.substr(begin, at_ - begin), line_};
   }
 
-  Token read_text() {
+  VrmlToken read_text() {
     const std::size_t begin = at_, line = line_;
     for (++at_; at_ < text_.size(); ++at_) {
-      if (text_[at_] == '"') return {Token::Kind::text, text_.substr(begin, ++at_ - begin), line};
+      if (text_[at_] == '"') return {VrmlToken::Kind::text, text_.substr(begin, ++at_ - begin), line};
       if (text_[at_] == '\\') ++at_;
       if (at_ < text_.size() && text_[at_] == '\n') ++line_;
     }
@@ -141,7 +141,7 @@ class Lexer {
 
   std::string_view text_, place_;
   std::size_t at_ = 0, line_ = 1;
-  std::optional<Token> ahead_;
+  std::optional<VrmlToken> ahead_;
 };
 
 struct Node {
@@ -165,8 +165,8 @@ class VrmlParser {
 
   Mesh parse() {
     std::vector<std::uint32_t> tops;
-    while (lexer_.peek().kind != Token::Kind::end) {
-      const Token token = lexer_.next();
+    while (lexer_.peek().kind != VrmlToken::Kind::end) {
+      const VrmlToken token = lexer_.next();
       if (token.word == "ROUTE") {  // ROUTE node.event TO node.event
         for (int i = 0; i < 3; ++i) lexer_.next();
         continue;
@@ -178,22 +178,22 @@ class VrmlParser {
   }
 
  private:
-  using Kind = Token::Kind;
+  using Kind = VrmlToken::Kind;
 
-  [[noreturn]] void fail(const Token& token, const std::string& text) const { fail_line(place_, token.line, text); }
+  [[noreturn]] void fail(const VrmlToken& token, const std::string& text) const { fail_line(place_, token.line, text); }
 
-  static std::string shown(const Token& token) {
+  static std::string shown(const VrmlToken& token) {
     return token.kind == Kind::end ? "the end of the file" : quote(token.word);
   }
 
   void expect(Kind kind, std::string_view what) {
-    const Token token = lexer_.next();
+    const VrmlToken token = lexer_.next();
     if (token.kind != kind)
       fail(token, fmt::format("expected {}, found {}; export the mesh again", what, shown(token)));
   }
 
   // DEF NAME TYPE {...}, TYPE {...}, USE NAME, NULL; its first word is read. Nothing for NULL.
-  std::optional<std::uint32_t> statement(const Token& first, std::uint32_t depth) {
+  std::optional<std::uint32_t> statement(const VrmlToken& first, std::uint32_t depth) {
     if (first.kind != Kind::word)
       fail(first, fmt::format("expected a node, found {}; export the mesh again", shown(first)));
     if (first.word == "NULL") return std::nullopt;
@@ -201,7 +201,7 @@ class VrmlParser {
       fail(first, fmt::format("{} is not read; export the mesh without prototypes", first.word));
     }
     if (first.word == "USE") {
-      const Token name = lexer_.next();
+      const VrmlToken name = lexer_.next();
       const auto found = known_.find(name.word);
       if (name.kind != Kind::word || found == known_.end()) {
         fail(name, fmt::format("USE names {}, which no DEF before it has; export the mesh again", shown(name)));
@@ -209,18 +209,18 @@ class VrmlParser {
       return found->second;
     }
     if (first.word != "DEF") return node(first, {}, depth);
-    const Token name = lexer_.next();
+    const VrmlToken name = lexer_.next();
     if (name.kind != Kind::word) fail(name, fmt::format("DEF has no name but {}; export the mesh again", shown(name)));
     const std::uint32_t number = node(lexer_.next(), name.word, depth);
     known_[name.word] = number;
     return number;
   }
 
-  std::uint32_t node(const Token& type, std::string_view name, std::uint32_t depth) {
+  std::uint32_t node(const VrmlToken& type, std::string_view name, std::uint32_t depth) {
     if (type.kind != Kind::word)
       fail(type, fmt::format("expected a node, found {}; export the mesh again", shown(type)));
-    if (depth > most_nested) {
-      fail(type, fmt::format("nodes are nested more than {} deep; export the mesh again", most_nested));
+    if (depth > most_nested_groups) {
+      fail(type, fmt::format("nodes are nested more than {} deep; export the mesh again", most_nested_groups));
     }
     expect(Kind::open, fmt::format("'{{' after {}", shown(type)));
     Node made;
@@ -228,33 +228,33 @@ class VrmlParser {
     made.name = name;
     made.line = type.line;
     const auto other = std::find_if(told.begin(), told.end(), [&](const auto& t) { return t.first == type.word; });
-    if (contains(groups, type.word)) {
+    if (is_one_of(groups, type.word)) {
       made.kind = Node::Kind::group;
       read_group(made, depth);
     } else if (type.word == "Shape") {
       made.kind = Node::Kind::shape;
-      fields([&](const Token& field) { return field.word == "geometry" && read_child(made, depth); });
+      fields([&](const VrmlToken& field) { return field.word == "geometry" && read_child(made, depth); });
     } else if (type.word == "IndexedFaceSet") {
       made.kind = Node::Kind::faces;
-      fields([&](const Token& field) {
+      fields([&](const VrmlToken& field) {
         if (field.word == "coord") return read_child(made, depth);
         if (field.word == "coordIndex") return read_corners(made);
         return false;
       });
     } else if (type.word == "Coordinate") {
       made.kind = Node::Kind::points;
-      fields([&](const Token& field) { return field.word == "point" && read_points(made); });
+      fields([&](const VrmlToken& field) { return field.word == "point" && read_points(made); });
     } else if (other != told.end()) {
       made.kind = Node::Kind::other;
       skip_to_end_of_node();
-    } else if (contains(shapeless, type.word)) {
+    } else if (is_one_of(nodes_without_shape, type.word)) {
       skip_to_end_of_node();
     } else {
       fail(type, fmt::format("{} is no node of VRML 2; export the mesh again", quote(type.word)));
     }
     for (const std::uint32_t child : made.children) made.depth = std::max(made.depth, nodes_[child].depth + 1);
-    if (made.depth > most_nested) {
-      fail(type, fmt::format("nodes are nested more than {} deep; export the mesh again", most_nested));
+    if (made.depth > most_nested_groups) {
+      fail(type, fmt::format("nodes are nested more than {} deep; export the mesh again", most_nested_groups));
     }
     nodes_.push_back(std::move(made));
     return static_cast<std::uint32_t>(nodes_.size() - 1);
@@ -264,7 +264,7 @@ class VrmlParser {
   template <class Read>
   void fields(Read read) {
     for (;;) {
-      const Token field = lexer_.next();
+      const VrmlToken field = lexer_.next();
       if (field.kind == Kind::close) return;
       if (field.kind != Kind::word) {
         fail(field, fmt::format("expected a field or '}}', found {}; export the mesh again", shown(field)));
@@ -275,7 +275,7 @@ class VrmlParser {
 
   // One value of any kind: numbers, a text, a list, a node, TRUE, FALSE, NULL.
   void skip_value() {
-    const Token& first = lexer_.peek();
+    const VrmlToken& first = lexer_.peek();
     if (first.kind == Kind::text) {
       lexer_.next();
     } else if (first.kind == Kind::open_list) {
@@ -286,7 +286,7 @@ class VrmlParser {
         while (lexer_.peek().kind == Kind::word && !is_name(lexer_.peek().word)) lexer_.next();
         return;
       }
-      const Token word = lexer_.next();
+      const VrmlToken word = lexer_.next();
       if (word.word == "USE") lexer_.next();
       if (word.word == "DEF") {
         lexer_.next();
@@ -307,7 +307,7 @@ class VrmlParser {
   // To the end of the list or node that is open; those within are balanced, too.
   void skip_balanced() {
     for (std::size_t open = 1; open > 0;) {
-      const Token token = lexer_.next();
+      const VrmlToken token = lexer_.next();
       if (token.kind == Kind::end) fail(token, "the file ends within a node; it is truncated: export or copy it again");
       if (token.kind == Kind::open || token.kind == Kind::open_list) ++open;
       if (token.kind == Kind::close || token.kind == Kind::close_list) --open;
@@ -330,7 +330,7 @@ class VrmlParser {
   }
 
   double number() {
-    const Token token = lexer_.next();
+    const VrmlToken token = lexer_.next();
     double value = 0;
     if (token.kind != Kind::word) {
       fail(token, fmt::format("expected a number, found {}; export the mesh again", shown(token)));
@@ -351,7 +351,7 @@ class VrmlParser {
     std::array<double, 3> translation{}, center{}, scale{1, 1, 1};
     NodeFrame turn, scale_turn, scale_turn_back;
     const bool moves = group.type == "Transform";
-    fields([&](const Token& field) {
+    fields([&](const VrmlToken& field) {
       if (field.word == "children") return read_children(group, depth);
       if (!moves) return false;
       if (field.word == "translation") {
@@ -379,7 +379,7 @@ class VrmlParser {
   }
 
   // A turn, and back.
-  std::pair<NodeFrame, NodeFrame> read_turn(const Token& field) {
+  std::pair<NodeFrame, NodeFrame> read_turn(const VrmlToken& field) {
     const std::array<double, 3> axis = triple();
     const double angle = number();
     if (angle == 0) return {};
@@ -403,7 +403,7 @@ class VrmlParser {
   bool read_corners(Node& node) {
     const bool list = lexer_.peek().kind == Kind::open_list;
     if (list) lexer_.next();
-    Token token;
+    VrmlToken token;
     const auto end_polygon = [&] {
       const std::size_t count = node.corners.size() - node.polygon_begin.back();
       if (count == 0) return;
@@ -491,7 +491,7 @@ class VrmlParser {
     }
   }
 
-  Lexer lexer_;
+  VrmlLexer lexer_;
   MeshBuilder builder_;
   std::string_view place_;
   InstanceBudget budget_;

@@ -13,10 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = tests::cases_folder();
+using tests::cases;
 
 template <class Action>
-std::string error_of(Action action) {
+std::string package_error(Action action) {
   try {
     action();
   } catch (const Error& error) {
@@ -61,17 +61,18 @@ TEST_F(PackagesOnDisk, AreFoundByTheNameInPackageXml) {
 }
 
 TEST_F(PackagesOnDisk, AWrongNameIsNotAnsweredFromAnotherPackage) {
-  const std::string text = error_of([&] { resolve_mesh("package://wrong/meshes/a.stl", urdf_); });
+  const std::string text = package_error([&] { resolve_mesh("package://wrong/meshes/a.stl", urdf_); });
   EXPECT_EQ(text, "package://wrong/meshes/a.stl: there is no package 'wrong'; the robot's file is of 'right', by " +
                       (root_ / "src/right/package.xml").string() +
                       "; name the package's folder: --package wrong=FOLDER");
-  EXPECT_NE(error_of([&] { resolve_mesh("package://right/meshes/none.stl", urdf_); }).find("no such mesh; tried: "),
-            std::string::npos);
+  EXPECT_NE(
+      package_error([&] { resolve_mesh("package://right/meshes/none.stl", urdf_); }).find("no such mesh; tried: "),
+      std::string::npos);
 }
 
 TEST_F(PackagesOnDisk, NamedAndSearched) {
   const std::string other = "package://other/meshes/b.stl";
-  EXPECT_NE(error_of([&] { resolve_mesh(other, urdf_); }).find("there is no package 'other'"), std::string::npos);
+  EXPECT_NE(package_error([&] { resolve_mesh(other, urdf_); }).find("there is no package 'other'"), std::string::npos);
   const std::string src = (root_ / "src").string();
   const Packages searched = parse_packages({}, ":/nowhere::" + src);
   EXPECT_EQ(searched.search.size(), 2u);
@@ -81,9 +82,10 @@ TEST_F(PackagesOnDisk, NamedAndSearched) {
   const Packages named = parse_packages(words, "");
   EXPECT_EQ(resolve_mesh(other, urdf_, named), root_ / "src/other_folder/meshes/b.stl");
   EXPECT_EQ(resolve_mesh("package://right/c.stl", urdf_, named), root_ / "src/plain/c.stl");
-  EXPECT_NE(
-      error_of([&] { resolve_mesh("package://right/meshes/a.stl", urdf_, named); }).find("correct --package right"),
-      std::string::npos)
+  EXPECT_NE(package_error([&] {
+              resolve_mesh("package://right/meshes/a.stl", urdf_, named);
+            }).find("correct --package right"),
+            std::string::npos)
       << "a named package is nowhere else";
 }
 
@@ -106,14 +108,14 @@ TEST(Packages, FindsMeshesWithoutAPackage) {
 }
 
 TEST(Packages, ListWhatWasTried) {
-  EXPECT_EQ(error_of([] { resolve_mesh("package://p/q/m.stl", "/two"); }),
+  EXPECT_EQ(package_error([] { resolve_mesh("package://p/q/m.stl", "/two"); }),
             "package://p/q/m.stl: no such mesh; tried: /two/q/m.stl, /two/m.stl; name the package's folder: --package "
             "p=FOLDER");
-  EXPECT_EQ(error_of([] { resolve_mesh("m.stl", "/two"); }),
+  EXPECT_EQ(package_error([] { resolve_mesh("m.stl", "/two"); }),
             "m.stl: no such mesh; tried: /two/m.stl; correct the name, or put the file there");
-  EXPECT_NE(error_of([] { resolve_mesh("https://x/m.stl", ""); }).find("not fetched"), std::string::npos);
-  EXPECT_NE(error_of([] { resolve_mesh("package://", ""); }).find("tried: nothing"), std::string::npos);
-  EXPECT_NE(error_of([] { resolve_mesh("package://p/none.stl", ""); }).find("no such mesh"), std::string::npos);
+  EXPECT_NE(package_error([] { resolve_mesh("https://x/m.stl", ""); }).find("not fetched"), std::string::npos);
+  EXPECT_NE(package_error([] { resolve_mesh("package://", ""); }).find("tried: nothing"), std::string::npos);
+  EXPECT_NE(package_error([] { resolve_mesh("package://p/none.stl", ""); }).find("no such mesh"), std::string::npos);
 }
 
 TEST(Packages, RefusesCallsWithoutSense) {
@@ -122,7 +124,7 @@ TEST(Packages, RefusesCallsWithoutSense) {
            {{"=/tmp"}, "is not of the form NAME=FOLDER"},
            {{"a=/no/such/folder"}, "'/no/such/folder' is no folder"},
            {{"a=/", "a=/"}, "the package 'a' comes twice"}}) {
-    const std::string text = error_of([&] { static_cast<void>(parse_packages(words, "")); });
+    const std::string text = package_error([&] { static_cast<void>(parse_packages(words, "")); });
     EXPECT_NE(text.find(part), std::string::npos) << text;
     EXPECT_TRUE(text.starts_with("--package: ")) << text;
   }

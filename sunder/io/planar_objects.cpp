@@ -17,13 +17,14 @@ namespace sunder::io {
 
 namespace {
 
-using Kind = PlanarObject::Kind;
+using PlanarKind = PlanarObject::Kind;
 
 // The kinds that a word names; a polygon has no word in CSV, and those of WKT are read in lines.h.
-std::optional<Kind> kind_of(std::string_view word) {
+std::optional<PlanarKind> kind_of(std::string_view word) {
   const std::string small = in_small_letters(word.substr(0, 20));
-  if (small == "halfplane") return Kind::half_plane;
-  for (const Kind kind : {Kind::point, Kind::segment, Kind::line, Kind::ray, Kind::half_plane}) {
+  if (small == "halfplane") return PlanarKind::half_plane;
+  for (const PlanarKind kind :
+       {PlanarKind::point, PlanarKind::segment, PlanarKind::line, PlanarKind::ray, PlanarKind::half_plane}) {
     if (small == name_of(kind)) return kind;
   }
   return std::nullopt;
@@ -99,11 +100,11 @@ class Csv {
 
   void add_object() {
     const CsvReader::Fields& fields = reader_.fields();
-    const std::optional<Kind> kind = kind_of(fields[0]);
+    const std::optional<PlanarKind> kind = kind_of(fields[0]);
     if (!kind) {
       reader_.fail(fmt::format("{} is no kind; give point, segment, line, ray or half-plane", quote(fields[0])));
     }
-    const std::size_t points = *kind == Kind::point ? 1 : 2, needed = 1 + 2 * points;
+    const std::size_t points = *kind == PlanarKind::point ? 1 : 2, needed = 1 + 2 * points;
     if (fields.size() < needed || fields.size() > needed + 1) {
       reader_.fail(fmt::format("has {} fields; give {},{} and, if you like, a name", fields.size(), name_of(*kind),
                                points == 1 ? "x,y" : "x1,y1,x2,y2"));
@@ -112,8 +113,8 @@ class Csv {
     for (std::size_t k = 0; k < points; ++k) object.vertices.push_back({number(1 + 2 * k), number(2 + 2 * k)});
     require_two_points(object, place_);
     if (object.name.empty()) object.name = std::to_string(file_.objects.size() + 1);
-    if (object.kind == Kind::segment && object.vertices[0] == object.vertices[1]) {
-      object.kind = Kind::point;
+    if (object.kind == PlanarKind::segment && object.vertices[0] == object.vertices[1]) {
+      object.kind = PlanarKind::point;
       object.vertices.pop_back();
     }
     file_.objects.push_back(std::move(object));
@@ -124,7 +125,7 @@ class Csv {
     const std::string no_name;
     CsvTable table(columns, no_name, no_name);
     const bool names = table.begin(reader_, place_, drop_z_);
-    PlanarObject object{Kind::polygon, "1", 0, {}};
+    PlanarObject object{PlanarKind::polygon, "1", 0, {}};
     for (bool more = !names || reader_.next(); more; more = reader_.next()) {
       if (!names && reader_.fields().size() != 2) {
         reader_.fail(fmt::format("has {} fields; give two, x and y, as in the lines before", reader_.fields().size()));
@@ -135,9 +136,9 @@ class Csv {
     }
     if (object.vertices.empty()) fail_file(place_, "has a line of names only; give vertices behind it");
     if (object.vertices.size() > 1 && object.vertices.front() == object.vertices.back()) object.vertices.pop_back();
-    object.kind = object.vertices.size() == 1   ? Kind::point
-                  : object.vertices.size() == 2 ? Kind::segment
-                                                : Kind::polygon;
+    object.kind = object.vertices.size() == 1   ? PlanarKind::point
+                  : object.vertices.size() == 2 ? PlanarKind::segment
+                                                : PlanarKind::polygon;
     file_.objects.push_back(std::move(object));
   }
 
@@ -180,8 +181,8 @@ std::string take_unbounded(std::string_view text, std::string_view place, bool d
   for_each_line(text, [&](std::string_view words, std::uint32_t number) {
     const auto is_letter = [](char c) { return ('A' <= c && c <= 'Z') || ('a' <= c && c <= 'z') || c == '-'; };
     const auto end = static_cast<std::size_t>(std::find_if_not(words.begin(), words.end(), is_letter) - words.begin());
-    const std::optional<Kind> kind = kind_of(words.substr(0, end));
-    if (!kind || *kind == Kind::point || *kind == Kind::segment) return;
+    const std::optional<PlanarKind> kind = kind_of(words.substr(0, end));
+    if (!kind || *kind == PlanarKind::point || *kind == PlanarKind::segment) return;
     PlanarObject object{*kind, {}, number, points_of(words.substr(end), place, number, drop_z)};
     if (object.vertices.size() != 2) {
       fail_line(place, number,
@@ -211,25 +212,25 @@ void parse_bounded(std::string_view text, std::string_view place, bool drop_z, P
     while (ring < lines.rings.size() && lines.rings[ring].first < segment) ++ring;
     while (broken < lines.broken.size() && lines.broken[broken].feature == feature) ++broken;
     if (segment == first && broken == first_broken) continue;  // it holds nothing
-    PlanarObject object{Kind::segment, lines.features[feature], 0, {}};
+    PlanarObject object{PlanarKind::segment, lines.features[feature], 0, {}};
     object.line = segment > first ? lines.source[first].line : lines.broken[first_broken].line;
     if (!lines.system.empty()) object.system = lines.systems[lines.system[feature]].system;  // of a board there is none
     if (broken > first_broken) {
-      object.kind = Kind::polygon;
+      object.kind = PlanarKind::polygon;
       object.problem = fmt::format("{}; {}", lines.broken[first_broken].what, lines.broken[first_broken].remedy);
     } else if (ring > first_ring) {
-      object.kind = Kind::polygon;
+      object.kind = PlanarKind::polygon;
       if (lines.rings[first_ring].count != segment - first) {
         object.problem = "has holes, or several parts; give one polygon without holes";
       }
     } else if (segment - first > 1) {
       object.problem = "has several segments; give a point, a segment or a polygon";
     } else if (segments[first].a == segments[first].b) {
-      object.kind = Kind::point;
+      object.kind = PlanarKind::point;
     }
     if (object.problem.empty()) {
       for (std::size_t k = first; k < segment; ++k) object.vertices.push_back(segments[k].a);
-      if (object.kind == Kind::segment) object.vertices.push_back(segments[first].b);
+      if (object.kind == PlanarKind::segment) object.vertices.push_back(segments[first].b);
     }
     file.objects.push_back(std::move(object));
   }
@@ -247,7 +248,7 @@ PlanarFile checked(PlanarFile file, std::string_view place) {
 }  // namespace
 
 std::string_view name_of(PlanarObject::Kind kind) {
-  return name_in<Kind::half_plane>({"point", "segment", "polygon", "line", "ray", "half-plane"}, kind);
+  return name_in<PlanarKind::half_plane>({"point", "segment", "polygon", "line", "ray", "half-plane"}, kind);
 }
 
 bool is_planar(const std::filesystem::path& path) {

@@ -17,7 +17,7 @@ using planar::Polygon;
 using planar::PolygonDefect;
 using planar::PolygonRings;
 using planar::RingPlace;
-using Kind = planar::PolygonDefectKind;
+using DefectKind = planar::PolygonDefectKind;
 
 bool of_one_ring(const PolygonDefect& d) { return d.a.part == d.b.part && d.a.ring == d.b.ring; }
 
@@ -169,21 +169,22 @@ std::string text_of(const PolygonDefect& d, bool has_parts) {
     return fmt::format("{} {} at about {}: {}", both, of_one_ring(d) ? itself : other, at, edges_text(d));
   };
   switch (d.kind) {
-    case Kind::too_few_points: return fmt::format("{} has fewer than three different vertices, at {}", a, at);
-    case Kind::crossing: return meet("crosses itself", "cross");
-    case Kind::overlap:
+    case DefectKind::too_few_points: return fmt::format("{} has fewer than three different vertices, at {}", a, at);
+    case DefectKind::crossing: return meet("crosses itself", "cross");
+    case DefectKind::overlap:
       return fmt::format("{} {} from about {} to {}: {}", both,
                          of_one_ring(d) ? "runs along itself" : "have a piece in common", at, place_text(d.place.b),
                          edges_text(d));
-    case Kind::repeated_vertex:
+    case DefectKind::repeated_vertex:
       return fmt::format("{}: vertices {} and {} are the same, {}", a, d.a.edge, d.b.edge, at);
-    case Kind::self_touch: return meet("touches itself", "touch");
-    case Kind::rings_touch: return meet("touches itself", "touch");
-    case Kind::hole_outside: return fmt::format("{} is a hole outside of its shell, at {}: edge {}", a, at, d.a.edge);
-    case Kind::nested_holes: return fmt::format("{} is a hole inside of a hole, ring {}, at {}", a, d.b.ring, at);
-    case Kind::disconnected:
+    case DefectKind::self_touch: return meet("touches itself", "touch");
+    case DefectKind::rings_touch: return meet("touches itself", "touch");
+    case DefectKind::hole_outside:
+      return fmt::format("{} is a hole outside of its shell, at {}: edge {}", a, at, d.a.edge);
+    case DefectKind::nested_holes: return fmt::format("{} is a hole inside of a hole, ring {}, at {}", a, d.b.ring, at);
+    case DefectKind::disconnected:
       return fmt::format("{} part{} the interior in two at {}", both, of_one_ring(d) ? "s" : "", at);
-    case Kind::nested_parts: return fmt::format("part {} is inside of part {}, at {}", d.a.part, d.b.part, at);
+    case DefectKind::nested_parts: return fmt::format("part {} is inside of part {}, at {}", d.a.part, d.b.part, at);
   }
   return "";
 }

@@ -28,11 +28,11 @@ class Polygons : public testing::Test {
   std::string file_ = testing::TempDir() + "polygons_test.wkt";
 };
 
-constexpr const char *triangle = "POLYGON ((0 0, 1 0, 1 1, 0 0))\n", *open = "POLYGON ((0 0, 1 0, 1 1))\n",
-                     *hourglass = "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n",
-                     *two_parts = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((5 0, 6 0, 6 1, 5 0)))\n";
+constexpr const char *triangle_wkt = "POLYGON ((0 0, 1 0, 1 1, 0 0))\n", *open_wkt = "POLYGON ((0 0, 1 0, 1 1))\n",
+                     *hourglass_wkt = "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n",
+                     *two_parts_wkt = "MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), ((5 0, 6 0, 6 1, 5 0)))\n";
 
-std::string refusal(const PolygonsRequest& request) {
+std::string polygons_refusal(const PolygonsRequest& request) {
   try {
     static_cast<void>(read_polygons(request));
   } catch (const Error& error) {
@@ -42,7 +42,7 @@ std::string refusal(const PolygonsRequest& request) {
 }
 
 TEST_F(Polygons, AFeatureIsOneOrEachPartIs) {
-  PolygonsRequest asked = request({triangle, two_parts});
+  PolygonsRequest asked = request({triangle_wkt, two_parts_wkt});
   const PolygonsInput input = read_polygons(asked);
   ASSERT_EQ(input.polygons.size(), 2u);
   EXPECT_EQ(input.source[1].feature, 1u);
@@ -54,10 +54,11 @@ TEST_F(Polygons, AFeatureIsOneOrEachPartIs) {
 }
 
 TEST_F(Polygons, WhatIsNotValidIsRefusedOrSkipped) {
-  PolygonsRequest asked = request({hourglass, triangle});
-  EXPECT_NE(refusal(asked).find("feature 1: is not valid: ring 0 crosses itself at about (2, 2): edges 0 and 2; mend"),
+  PolygonsRequest asked = request({hourglass_wkt, triangle_wkt});
+  EXPECT_NE(polygons_refusal(asked).find(
+                "feature 1: is not valid: ring 0 crosses itself at about (2, 2): edges 0 and 2; mend"),
             std::string::npos)
-      << refusal(asked);
+      << polygons_refusal(asked);
   asked.skip_invalid = true;
   const PolygonsInput input = read_polygons(asked);
   EXPECT_EQ(input.polygons.size(), 1u);
@@ -65,13 +66,13 @@ TEST_F(Polygons, WhatIsNotValidIsRefusedOrSkipped) {
   EXPECT_EQ(input.skipped[0].line, 1u);
   EXPECT_EQ(input.left_out_words(), "skipped: 1 invalid feature");
   EXPECT_EQ(input.origin().left_out, std::vector<std::string>{"skipped: 1 invalid feature"});
-  asked.files = {request({hourglass}).files[0]};
-  EXPECT_NE(refusal(asked).find("no polygon is valid"), std::string::npos) << refusal(asked);
+  asked.files = {request({hourglass_wkt}).files[0]};
+  EXPECT_NE(polygons_refusal(asked).find("no polygon is valid"), std::string::npos) << polygons_refusal(asked);
 }
 
 TEST_F(Polygons, WhatIsMendedIsTold) {
-  PolygonsRequest asked = request({triangle, open});
-  EXPECT_NE(refusal(asked).find("feature 2: is not valid"), std::string::npos) << refusal(asked);
+  PolygonsRequest asked = request({triangle_wkt, open_wkt});
+  EXPECT_NE(polygons_refusal(asked).find("feature 2: is not valid"), std::string::npos) << polygons_refusal(asked);
   asked.mend = true;
   const PolygonsInput input = read_polygons(asked);
   EXPECT_EQ(input.polygons.size(), 2u);

@@ -7,7 +7,7 @@
 namespace sunder::io {
 namespace {
 
-std::string error_of(std::string_view text) {
+std::string polytope_error(std::string_view text) {
   try {
     static_cast<void>(parse_polytope(text, "f.csv"));
   } catch (const Error& error) {
@@ -68,14 +68,14 @@ TEST(Polytopes, OfNpy) {
 }
 
 TEST(Polytopes, RefusesOtherNpy) {
-  EXPECT_EQ(error_of(npy("|i1", "False", "(1, 7)", "1234567")),
+  EXPECT_EQ(polytope_error(npy("|i1", "False", "(1, 7)", "1234567")),
             "f.csv: a row is a point of dimension 7; give points of dimension 2 to 6");
-  EXPECT_EQ(error_of(npy("|i1", "False", "(2, 1)", "12")),
+  EXPECT_EQ(polytope_error(npy("|i1", "False", "(2, 1)", "12")),
             "f.csv: a row is a point of dimension 1; give points of dimension 2 to 6");
-  EXPECT_NE(error_of(npy("|b1", "False", "(1, 2)", "12")).find("its numbers are of kind"), std::string::npos);
-  EXPECT_EQ(error_of(npy("<f4", "False", "(1, 2)", {"\0\0\0\0\0\0\xc0\x7f", 8})),
+  EXPECT_NE(polytope_error(npy("|b1", "False", "(1, 2)", "12")).find("its numbers are of kind"), std::string::npos);
+  EXPECT_EQ(polytope_error(npy("<f4", "False", "(1, 2)", {"\0\0\0\0\0\0\xc0\x7f", 8})),
             "f.csv: row 0: column 1 is not finite; give a finite number");
-  EXPECT_EQ(error_of(npy("<i8", "False", "(1, 2)", {"\1\0\0\0\0\0\x20\0\0\0\0\0\0\0\x20\0", 16})),
+  EXPECT_EQ(polytope_error(npy("<i8", "False", "(1, 2)", {"\1\0\0\0\0\0\x20\0\0\0\0\0\0\0\x20\0", 16})),
             "f.csv: row 0: column 0 is no double; give float64");
 }
 
@@ -87,15 +87,15 @@ TEST(Polytopes, UnnamedHalfSpaces) {
 }
 
 TEST(Polytopes, RefusesWhatIsNone) {
-  EXPECT_EQ(error_of("1,2,3,4\n1,2,3\n"), "f.csv:2: has 3 numbers, others have 4; give rows of one dimension");
-  EXPECT_EQ(error_of("1\n"), "f.csv:1: is a point of dimension 1; give points of dimension 2 to 6");
-  EXPECT_EQ(error_of("1,2,3,4,5,6,7\n"), "f.csv:1: is a point of dimension 7; give points of dimension 2 to 6");
-  EXPECT_EQ(error_of("x1,x3\n1,2\n"),
+  EXPECT_EQ(polytope_error("1,2,3,4\n1,2,3\n"), "f.csv:2: has 3 numbers, others have 4; give rows of one dimension");
+  EXPECT_EQ(polytope_error("1\n"), "f.csv:1: is a point of dimension 1; give points of dimension 2 to 6");
+  EXPECT_EQ(polytope_error("1,2,3,4,5,6,7\n"), "f.csv:1: is a point of dimension 7; give points of dimension 2 to 6");
+  EXPECT_EQ(polytope_error("x1,x3\n1,2\n"),
             "f.csv:1: has names that are neither x1,..,xd nor a1,..,ad,b; name the columns so, for a d from 2 to 6");
-  EXPECT_EQ(error_of("x1,x2\n"),
+  EXPECT_EQ(polytope_error("x1,x2\n"),
             "f.csv: has no points; give lines x1,..,xd, or name the columns of half-spaces a1,..,ad,b");
-  EXPECT_NE(error_of("1,2\n1,nan\n").find("f.csv:2: 'nan' is NaN"), std::string::npos);
-  EXPECT_NE(error_of("1,2\n1,\n").find("f.csv:2: "), std::string::npos);
+  EXPECT_NE(polytope_error("1,2\n1,nan\n").find("f.csv:2: 'nan' is NaN"), std::string::npos);
+  EXPECT_NE(polytope_error("1,2\n1,\n").find("f.csv:2: "), std::string::npos);
 }
 
 }  // namespace

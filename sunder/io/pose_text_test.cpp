@@ -6,7 +6,7 @@
 namespace sunder::io {
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string pose_refusal(const std::string& text) {
   try {
     static_cast<void>(parse_pose(text, "--pose"));
   } catch (const Error& error) {
@@ -30,9 +30,9 @@ TEST(PoseText, AllFormsSayTheSame) {
 }
 
 TEST(PoseText, WhatIsNoPoseIsNamed) {
-  EXPECT_NE(refusal("1,2").find("a pose of 2 numbers; give tx,ty,tz"), std::string::npos) << refusal("1,2");
-  EXPECT_NE(refusal("1,2,x").find("'x'"), std::string::npos) << refusal("1,2,x");
-  EXPECT_NE(refusal("0,0,0,0,1,2,3"), "");  // no rotation
+  EXPECT_NE(pose_refusal("1,2").find("a pose of 2 numbers; give tx,ty,tz"), std::string::npos) << pose_refusal("1,2");
+  EXPECT_NE(pose_refusal("1,2,x").find("'x'"), std::string::npos) << pose_refusal("1,2,x");
+  EXPECT_NE(pose_refusal("0,0,0,0,1,2,3"), "");  // no rotation
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string scene_of(const std::string& part, const std::string& more = "") {
   return R"({"bodies": [{"name": "a", "parts": [{)" + part + "}]}]" + more + "}";
 }
 
-std::string refusal(const std::string& text) {
+std::string scene_refusal(const std::string& text) {
   try {
     (void)parse_scene_file(text, "s.json");
   } catch (const Error& error) {
@@ -160,7 +160,7 @@ TEST(SceneFile, RefusesInOneLineWithThePlace) {
        "bodies[0].parts[1].name: two parts of the body are named 'p'"},
   };
   for (const Row& row : rows) {
-    EXPECT_NE(refusal(row.text).find(row.said), std::string::npos) << row.text << "\n" << refusal(row.text);
+    EXPECT_NE(scene_refusal(row.text).find(row.said), std::string::npos) << row.text << "\n" << scene_refusal(row.text);
   }
   EXPECT_EQ(parse_scene_file(two + R"(, "allowed": [["b", "a"], ["a", "b"]]})", "s.json").allowed.size(), 1u);  // C3
 }

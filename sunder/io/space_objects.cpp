@@ -18,10 +18,11 @@ namespace sunder::io {
 namespace {
 
 using nlohmann::json;
-using Kind = SpaceObject::Kind;
+using SpaceKind = SpaceObject::Kind;
 
-constexpr std::array kinds{Kind::point, Kind::segment, Kind::polygon,  Kind::line, Kind::ray,      Kind::plane,
-                           Kind::ball,  Kind::capsule, Kind::cylinder, Kind::cone, Kind::ellipsoid};
+constexpr std::array kinds{SpaceKind::point,    SpaceKind::segment, SpaceKind::polygon,  SpaceKind::line,
+                           SpaceKind::ray,      SpaceKind::plane,   SpaceKind::ball,     SpaceKind::capsule,
+                           SpaceKind::cylinder, SpaceKind::cone,    SpaceKind::ellipsoid};
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
@@ -54,16 +55,16 @@ void project_on(const solid::Frame& frame, SpaceObject& polygon) {
 
 // What is read, and where: fail(what) throws Error bad_file with that place.
 template <class Fail>
-SpaceObject checked(Kind kind, std::vector<Point3> points, const solid::Frame* project, const Fail& fail) {
+SpaceObject checked(SpaceKind kind, std::vector<Point3> points, const solid::Frame* project, const Fail& fail) {
   SpaceObject object{kind, {}, std::move(points), {}, {}, {}, {}};
-  if ((kind == Kind::line || kind == Kind::ray) && object.points[0] == object.points[1]) {
+  if ((kind == SpaceKind::line || kind == SpaceKind::ray) && object.points[0] == object.points[1]) {
     fail(fmt::format("the two points of this {} are equal; give two different ones", name_of(kind)));
   }
-  if (kind == Kind::segment && object.points[0] == object.points[1]) {
-    object.kind = Kind::point;
+  if (kind == SpaceKind::segment && object.points[0] == object.points[1]) {
+    object.kind = SpaceKind::point;
     object.points.pop_back();
   }
-  if (kind != Kind::polygon) return object;
+  if (kind != SpaceKind::polygon) return object;
   if (object.points.size() > 1 && object.points.front() == object.points.back()) object.points.pop_back();
   if (object.points.size() < 3) {
     fail(fmt::format("a polygon has three vertices or more; this one has {}; give a point or a segment",
@@ -110,7 +111,7 @@ class JsonObject : JsonShapes {
                 fmt::format("has {} keys; {}", top.size(), top.empty() ? expected() : "give one object a file"));
     }
     const auto [key, value] = *top.items().begin();
-    for (const Kind kind : kinds) {
+    for (const SpaceKind kind : kinds) {
       if (key != name_of(kind)) continue;
       SpaceObject object = read(kind, value);
       object.format = "JSON";
@@ -125,14 +126,14 @@ class JsonObject : JsonShapes {
            "ellipsoid (GeoJSON has a \"type\")";
   }
 
-  SpaceObject read(Kind kind, const json& value) const {
+  SpaceObject read(SpaceKind kind, const json& value) const {
     const std::string where(name_of(kind));
-    if (kind == Kind::plane) return plane(value);
-    if (kind > Kind::plane) return round(kind, value);
-    if (kind == Kind::polygon && value.is_object()) return framed(value);
-    const std::size_t least = kind == Kind::point ? 1 : kind == Kind::polygon ? 0 : 2;
+    if (kind == SpaceKind::plane) return plane(value);
+    if (kind > SpaceKind::plane) return round(kind, value);
+    if (kind == SpaceKind::polygon && value.is_object()) return framed(value);
+    const std::size_t least = kind == SpaceKind::point ? 1 : kind == SpaceKind::polygon ? 0 : 2;
     std::vector<Point3> found;
-    if (kind == Kind::point) {
+    if (kind == SpaceKind::point) {
       found.push_back(point(value, where));
     } else {
       if (least > 0 && value.is_array() && value.size() != least) {
@@ -150,7 +151,7 @@ class JsonObject : JsonShapes {
       fail("plane", has_point ? "has both \"point\" and \"offset\"; leave one out"
                               : "has neither \"point\", one of its points, nor \"offset\"; give one");
     }
-    SpaceObject object{Kind::plane, {}, {}, {}, {}, {}, {}};
+    SpaceObject object{SpaceKind::plane, {}, {}, {}, {}, {}, {}};
     const Point3 across = point(normal, "plane.normal");
     if (across == Point3{}) fail("plane.normal", "is zero; give a direction across the plane");
     object.plane = has_point ? solid::Plane::through(point(value["point"], "plane.point"), across)
@@ -158,7 +159,7 @@ class JsonObject : JsonShapes {
     return object;
   }
 
-  SpaceObject round(Kind kind, const json& value) const {
+  SpaceObject round(SpaceKind kind, const json& value) const {
     SpaceObject object{kind, {}, {}, {}, {}, {}, {}};
     object.round = round_body(name_of(kind), value, std::string(name_of(kind)));
     return object;
@@ -179,7 +180,7 @@ class JsonObject : JsonShapes {
       const std::array<double, 2> st = numbers<2>(p, where, "[s, t]");
       vertices.push_back(point_of(st[0], st[1], 0));
     }
-    SpaceObject object = checked(Kind::polygon, std::move(vertices), nullptr,
+    SpaceObject object = checked(SpaceKind::polygon, std::move(vertices), nullptr,
                                  [&](const std::string& what) { fail("polygon.vertices", what); });
     try {
       object.frame = solid::Frame::of(frame[0], frame[1], frame[2]);
@@ -265,7 +266,7 @@ class Wkt {
     if (const std::string_view more = text_.next(); !more.empty()) {
       fail(fmt::format("{} stands behind the first object; give one a file", quote(more)));
     }
-    const Kind kind = is_point ? Kind::point : is_polygon ? Kind::polygon : Kind::segment;
+    const SpaceKind kind = is_point ? SpaceKind::point : is_polygon ? SpaceKind::polygon : SpaceKind::segment;
     SpaceObject object =
         checked(kind, std::move(points), project_, [&](const std::string& what) { fail_line(place_, line, what); });
     object.format = "WKT";
@@ -317,7 +318,7 @@ bool is_json(std::string_view text) {
 }  // namespace
 
 std::string_view name_of(SpaceObject::Kind kind) {
-  return name_in<Kind::ellipsoid>(
+  return name_in<SpaceKind::ellipsoid>(
       {"point", "segment", "polygon", "line", "ray", "plane", "ball", "capsule", "cylinder", "cone", "ellipsoid"},
       kind);
 }
@@ -346,7 +347,7 @@ Mesh mesh_of(const SpaceObject& object) {
   mesh.vertices = object.points;
   mesh.format = object.format;
   mesh.parts.push_back({});
-  if (object.kind != Kind::polygon) return mesh;
+  if (object.kind != SpaceKind::polygon) return mesh;
   for (std::uint32_t k = 0; k < object.points.size(); ++k) mesh.polygon_vertices.push_back(k);
   mesh.polygon_begin.push_back(static_cast<std::uint32_t>(object.points.size()));
   return mesh;

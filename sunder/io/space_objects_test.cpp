@@ -14,10 +14,11 @@
 namespace sunder::io {
 namespace {
 
-using Kind = SpaceObject::Kind;
-using Points = std::vector<Point3>;
+using tests::cases;
+using SpaceKind = SpaceObject::Kind;
+using SpacePoints = std::vector<Point3>;
 
-std::string refusal(const std::string& text, const std::string& place) {
+std::string space_refusal(const std::string& text, const std::string& place) {
   try {
     (void)parse_space_object(text, place);
   } catch (const Error& error) {
@@ -29,16 +30,16 @@ std::string refusal(const std::string& text, const std::string& place) {
 
 TEST(SpaceObjects, Json) {
   const SpaceObject point = parse_space_object("\xef\xbb\xbf {\"point\": [1, -0.0, 1e-320]}", "p.json");
-  EXPECT_EQ(point.kind, Kind::point);
-  EXPECT_EQ(point.points, (Points{{1, 0, 1e-320}}));
+  EXPECT_EQ(point.kind, SpaceKind::point);
+  EXPECT_EQ(point.points, (SpacePoints{{1, 0, 1e-320}}));
   EXPECT_FALSE(std::signbit(point.points[0].y));
   EXPECT_EQ(point.format, "JSON");
-  EXPECT_EQ(parse_space_object(R"({"segment": [[0,0,0],[1,2,3]]})", "s").points, (Points{{0, 0, 0}, {1, 2, 3}}));
-  EXPECT_EQ(parse_space_object(R"({"segment": [[1,2,3],[1,2,3]]})", "s").kind, Kind::point);
+  EXPECT_EQ(parse_space_object(R"({"segment": [[0,0,0],[1,2,3]]})", "s").points, (SpacePoints{{0, 0, 0}, {1, 2, 3}}));
+  EXPECT_EQ(parse_space_object(R"({"segment": [[1,2,3],[1,2,3]]})", "s").kind, SpaceKind::point);
   const SpaceObject ray = parse_space_object(R"({"ray": [[0,0,0],[1,2,3]]})", "s");
-  EXPECT_EQ(ray.kind, Kind::ray);
+  EXPECT_EQ(ray.kind, SpaceKind::ray);
   EXPECT_TRUE(ray.unbounded());
-  EXPECT_EQ(parse_space_object(R"({"line": [[0,0,0],[5e-324,0,0]]})", "s").kind, Kind::line);
+  EXPECT_EQ(parse_space_object(R"({"line": [[0,0,0],[5e-324,0,0]]})", "s").kind, SpaceKind::line);
   const SpaceObject plane = parse_space_object(R"({"plane": {"offset": 4, "normal": [1,2,3]}})", "s");
   EXPECT_EQ(plane.plane, solid::Plane::at({1, 2, 3}, 4));
   EXPECT_EQ(parse_space_object(R"({"plane": {"point": [7,8,9], "normal": [1,2,3]}})", "s").plane,
@@ -48,7 +49,7 @@ TEST(SpaceObjects, Json) {
   EXPECT_FALSE(polygon.frame);
   const SpaceObject framed = parse_space_object(
       R"({"polygon": {"origin": [1,2,3], "u": [0.1,0.2,0.3], "v": [0,1,0], "vertices": [[0,0],[1,0.5],[0,1]]}})", "s");
-  EXPECT_EQ(framed.points, (Points{{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}}));
+  EXPECT_EQ(framed.points, (SpacePoints{{0, 0, 0}, {1, 0.5, 0}, {0, 1, 0}}));
   EXPECT_EQ(framed.frame->u, (Point3{0.1, 0.2, 0.3}));
 }
 
@@ -67,11 +68,11 @@ TEST(SpaceObjects, AllBitsOfNumbers) {
 }
 
 TEST(SpaceObjects, Wkt) {
-  EXPECT_EQ(parse_space_object("point z(1 2 3)", "p.wkt").points, (Points{{1, 2, 3}}));
+  EXPECT_EQ(parse_space_object("point z(1 2 3)", "p.wkt").points, (SpacePoints{{1, 2, 3}}));
   EXPECT_EQ(parse_space_object("POINTZ (1 2 3)\n", "p.wkt").format, "WKT");
   const SpaceObject segment = parse_space_object("LINESTRING\nZ (0 0\t0,\r\n1 2 +3.5)", "p.wkt");
-  EXPECT_EQ(segment.kind, Kind::segment);
-  EXPECT_EQ(segment.points, (Points{{0, 0, 0}, {1, 2, 3.5}}));
+  EXPECT_EQ(segment.kind, SpaceKind::segment);
+  EXPECT_EQ(segment.points, (SpacePoints{{0, 0, 0}, {1, 2, 3.5}}));
   EXPECT_EQ(parse_space_object("POLYGON Z ((0 0 0, 1 0 1, 0 1 0, 0 0 0))", "p.wkt").points.size(), 3u);
 }
 
@@ -79,7 +80,7 @@ TEST(SpaceObjects, Projected) {
   const solid::Frame frame = solid::Frame::of({0, 0, 1}, {2, 0, 0}, {0, 1, 0});
   const std::string bent = R"({"polygon": [[0,0,0],[1,0,1],[1,1,1.5],[0,1,1]]})";
   const SpaceObject polygon = parse_space_object(bent, "p.json", &frame);
-  EXPECT_EQ(polygon.points, (Points{{0, 0, 0}, {0.5, 0, 0}, {0.5, 1, 0}, {0, 1, 0}}));
+  EXPECT_EQ(polygon.points, (SpacePoints{{0, 0, 0}, {0.5, 0, 0}, {0.5, 1, 0}, {0, 1, 0}}));
   EXPECT_EQ(polygon.frame, frame);
   EXPECT_EQ(polygon.moved, 1);
   const solid::Frame skew = solid::Frame::of({1, 1, 0}, {1, 0, 0}, {1, 1, 0});
@@ -102,7 +103,6 @@ TEST(SpaceObjects, WhatTheyAre) {
   EXPECT_FALSE(is_space_text("LINE (0 0, 1 1)"));
   EXPECT_FALSE(is_space_text(""));
   EXPECT_FALSE(is_space_text("v 0 0 0\n"));
-  const std::filesystem::path cases = tests::cases_folder();
   EXPECT_TRUE(is_space_file(cases / "space" / "plane.json"));
   EXPECT_FALSE(is_space_file(cases / "mesh" / "cube.obj"));
   EXPECT_FALSE(is_space_file(cases / "planar-pair" / "plate.wkt"));
@@ -140,7 +140,7 @@ TEST(SpaceObjects, Files) {
     const std::string name = row.substr(0, tab), part = row.substr(tab + 1);
     SCOPED_TRACE(name);
     EXPECT_TRUE(seen.insert(name).second) << "twice in the table";
-    const std::string path = (folder / name).string(), text = read_file(path), message = refusal(text, path);
+    const std::string path = (folder / name).string(), text = read_file(path), message = space_refusal(text, path);
     EXPECT_TRUE(is_space_text(text));
     EXPECT_TRUE(message.starts_with(path + part)) << "expected: " << part << "\nmessage: " << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;

@@ -13,9 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = tests::cases_folder();
+using tests::cases;
+using Names = std::vector<std::string>;
 
-std::string message(const std::string& inner) {
+std::string srdf_error(const std::string& inner) {
   try {
     parse_srdf("<robot name=\"r\">\n" + inner + "\n</robot>", "test");
   } catch (const Error& error) {
@@ -85,24 +86,26 @@ TEST_F(States, ThatAreNotThereOrNotClearAreRefused) {
 }
 
 TEST(Srdf, RefusesBrokenFiles) {
-  EXPECT_EQ(message("<disable_collisions link1=\"a\"/>"), "test:2: <disable_collisions> has no link2=\"...\"; add it");
-  EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"a\"/>"), "test:2: both links are 'a'; name two");
-  EXPECT_EQ(message("<disable_collisions link1=\"a\" link2=\"\"/>"),
+  EXPECT_EQ(srdf_error("<disable_collisions link1=\"a\"/>"),
+            "test:2: <disable_collisions> has no link2=\"...\"; add it");
+  EXPECT_EQ(srdf_error("<disable_collisions link1=\"a\" link2=\"a\"/>"), "test:2: both links are 'a'; name two");
+  EXPECT_EQ(srdf_error("<disable_collisions link1=\"a\" link2=\"\"/>"),
             "test:2: link2=\"\" of <disable_collisions> is empty; name one");
-  EXPECT_EQ(message("<group_state group=\"g\"/>"), "test:2: <group_state> has no name=\"...\"; add it");
-  EXPECT_EQ(message("<group_state name=\"s\"/>"), "no error") << "a group is not needed";
+  EXPECT_EQ(srdf_error("<group_state group=\"g\"/>"), "test:2: <group_state> has no name=\"...\"; add it");
+  EXPECT_EQ(srdf_error("<group_state name=\"s\"/>"), "no error") << "a group is not needed";
   EXPECT_NE(
-      message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"nan\"/></group_state>").find("is NaN"),
+      srdf_error("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"nan\"/></group_state>").find("is NaN"),
       std::string::npos);
-  EXPECT_NE(message("<group_state name=\"s\" group=\"g\"/>\n<group_state name=\"s\" group=\"g\"/>")
+  EXPECT_NE(srdf_error("<group_state name=\"s\" group=\"g\"/>\n<group_state name=\"s\" group=\"g\"/>")
                 .find(":3: the state 's' of group 'g' comes twice"),
             std::string::npos);
-  EXPECT_NE(message("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"1\"/><joint name=\"j\" value=\"1\"/>"
-                    "</group_state>")
-                .find("the joint 'j' comes twice"),
-            std::string::npos);
-  EXPECT_NE(message("<link name=\"a\"><collision/></link>").find("this is a URDF"), std::string::npos);
-  EXPECT_NE(message("<group>").find("not well-formed XML"), std::string::npos);
+  EXPECT_NE(
+      srdf_error("<group_state name=\"s\" group=\"g\"><joint name=\"j\" value=\"1\"/><joint name=\"j\" value=\"1\"/>"
+                 "</group_state>")
+          .find("the joint 'j' comes twice"),
+      std::string::npos);
+  EXPECT_NE(srdf_error("<link name=\"a\"><collision/></link>").find("this is a URDF"), std::string::npos);
+  EXPECT_NE(srdf_error("<group>").find("not well-formed XML"), std::string::npos);
 }
 
 // Links by name, joint, chain and subgroup; of what is not there, what is said.
@@ -129,7 +132,6 @@ TEST(Groups, HaveLinks) {
     }
     return "no error";
   };
-  using Names = std::vector<std::string>;
   EXPECT_EQ(links("<group name='g'><link name='base'/><link name='lower'/></group>", "g"), (Names{"base", "lower"}));
   const auto slide =
       std::find_if(robot.joints.begin(), robot.joints.end(), [](const Joint& j) { return j.name == "slide"; });
@@ -152,8 +154,8 @@ TEST(Groups, HaveLinks) {
             std::string::npos);
   EXPECT_NE(error("<group name='g'><chain base_link='lower' tip_link='base'/></group>", "g").find("does not hang on"),
             std::string::npos);
-  EXPECT_NE(message("<group name='g'/><group name='g'/>").find("the group 'g' comes twice"), std::string::npos);
-  EXPECT_NE(message("<group name='g'><chain base_link='a'/></group>").find("tip_link"), std::string::npos);
+  EXPECT_NE(srdf_error("<group name='g'/><group name='g'/>").find("the group 'g' comes twice"), std::string::npos);
+  EXPECT_NE(srdf_error("<group name='g'><chain base_link='a'/></group>").find("tip_link"), std::string::npos);
 }
 
 }  // namespace

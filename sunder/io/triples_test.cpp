@@ -8,7 +8,7 @@
 namespace sunder::io {
 namespace {
 
-std::string refusal(std::string_view text, const TripleKind& kind = circle_rows) {
+std::string triples_refusal(std::string_view text, const TripleKind& kind = circle_rows) {
   try {
     parse_triples(text, "f.csv", kind);
   } catch (const Error& error) {
@@ -89,24 +89,26 @@ TEST(TriplesTest, ColumnsByName) {
   EXPECT_EQ(file.name[0], "a, b");
   EXPECT_EQ(parse_triples("x,y,r,net,of\n1,2,3,GND,b\n", "f.csv", circle_rows, {.name = "of"}).name[0], "b");
   EXPECT_EQ(
-      refusal("x,y,r,name\n1,2,3,a\n", half_plane_rows),
+      triples_refusal("x,y,r,name\n1,2,3,a\n", half_plane_rows),
       "f.csv:1: the columns are named x,y,r,name, but half-planes have a,b,c; name them so, or give the file to the "
       "verb for what it holds");
-  EXPECT_NE(refusal("a,b,c\n1,2,3\n").find("but circles have x,y,r"), std::string::npos);
-  EXPECT_NE(refusal("x,y,z,r\n1,2,3,4\n").find("but circles have x,y,r"), std::string::npos);
-  EXPECT_NE(refusal("a,b,c,d\n1,2,3,4\n", half_plane_rows).find("but half-planes have a,b,c"), std::string::npos);
+  EXPECT_NE(triples_refusal("a,b,c\n1,2,3\n").find("but circles have x,y,r"), std::string::npos);
+  EXPECT_NE(triples_refusal("x,y,z,r\n1,2,3,4\n").find("but circles have x,y,r"), std::string::npos);
+  EXPECT_NE(triples_refusal("a,b,c,d\n1,2,3,4\n", half_plane_rows).find("but half-planes have a,b,c"),
+            std::string::npos);
 }
 
 TEST(TriplesTest, Refusals) {
-  EXPECT_EQ(refusal(""), "f.csv: has no circles; give lines x,y,r");
-  EXPECT_EQ(refusal("a,b,c\n", half_plane_rows), "f.csv: has no half-planes; give lines a,b,c");
-  EXPECT_NE(refusal("1,2\n").find("f.csv:1: has 2 fields; give x,y,r and, if you like, a name"), std::string::npos);
-  EXPECT_NE(refusal("1,2,3\n1,2,3,4,5\n").find("f.csv:2: has 5 fields; give x,y,r and, if you like, a name"),
+  EXPECT_EQ(triples_refusal(""), "f.csv: has no circles; give lines x,y,r");
+  EXPECT_EQ(triples_refusal("a,b,c\n", half_plane_rows), "f.csv: has no half-planes; give lines a,b,c");
+  EXPECT_NE(triples_refusal("1,2\n").find("f.csv:1: has 2 fields; give x,y,r and, if you like, a name"),
             std::string::npos);
-  EXPECT_NE(refusal("1,2,nan\n").find("f.csv:1: 'nan' is NaN"), std::string::npos);
-  EXPECT_NE(refusal("1,2,1e999\n").find("f.csv:1: '1e999' is too large"), std::string::npos);
-  EXPECT_NE(refusal("1,2,3\nx,y,r\n").find("f.csv:2: 'x' is not a number"), std::string::npos);
-  EXPECT_NE(refusal("1,2,3,a\"b\n").find("has a quote within"), std::string::npos);
+  EXPECT_NE(triples_refusal("1,2,3\n1,2,3,4,5\n").find("f.csv:2: has 5 fields; give x,y,r and, if you like, a name"),
+            std::string::npos);
+  EXPECT_NE(triples_refusal("1,2,nan\n").find("f.csv:1: 'nan' is NaN"), std::string::npos);
+  EXPECT_NE(triples_refusal("1,2,1e999\n").find("f.csv:1: '1e999' is too large"), std::string::npos);
+  EXPECT_NE(triples_refusal("1,2,3\nx,y,r\n").find("f.csv:2: 'x' is not a number"), std::string::npos);
+  EXPECT_NE(triples_refusal("1,2,3,a\"b\n").find("has a quote within"), std::string::npos);
 }
 
 }  // namespace

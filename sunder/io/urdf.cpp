@@ -66,7 +66,7 @@ class UrdfParser {
 
   [[noreturn]] void fail(const XMLElement& element, const std::string& text) const { xml_.fail(element, text); }
 
-  Origin origin(const XMLElement& owner) const {
+  UrdfOrigin origin(const XMLElement& owner) const {
     const XMLElement* element = owner.FirstChildElement("origin");
     if (element == nullptr) return {};
     return {xml_.triple_or(*element, "xyz", {0, 0, 0}), xml_.triple_or(*element, "rpy", {0, 0, 0})};

@@ -20,7 +20,7 @@ namespace sunder::io {
 
 // A frame within a parent's frame: turned by roll, pitch and yaw (radians, about the fixed axes x, y, z in this order),
 // then moved by xyz (metres).
-struct Origin {
+struct UrdfOrigin {
   std::array<double, 3> xyz{0, 0, 0};
   std::array<double, 3> rpy{0, 0, 0};
 };
@@ -43,7 +43,7 @@ struct CollisionShape {
   std::array<double, 3> size{0, 0, 0};   // of a box: its edges, centred at the origin; no entry is negative
   double radius = 0;                     // of a sphere, a cylinder, a capsule; not negative
   double length = 0;                     // of a cylinder, above 0; of a capsule that of the segment, not negative
-  Origin origin;                         // within the link
+  UrdfOrigin origin;                     // within the link
 };
 
 struct Link {
@@ -62,7 +62,7 @@ struct Joint {
   std::string name;
   JointType type = JointType::fixed;
   std::uint32_t parent = 0, child = 0;  // numbers of links
-  Origin origin;                        // of the child's frame within the parent's, at value 0
+  UrdfOrigin origin;                    // of the child's frame within the parent's, at value 0
   std::array<double, 3> axis{1, 0, 0};  // in the child's frame, of length 1 up to rounding; meaningless when fixed
   double lower = -std::numeric_limits<double>::infinity();  // radians or metres; finite for revolute and prismatic
   double upper = std::numeric_limits<double>::infinity();

@@ -115,7 +115,7 @@ std::vector<Pose> link_poses(const Robot& robot, const std::map<std::string, dou
   return poses;
 }
 
-Pose origin_pose(const Origin& origin) {
+Pose origin_pose(const UrdfOrigin& origin) {
   const double cr = std::cos(origin.rpy[0]), sr = std::sin(origin.rpy[0]);
   const double cp = std::cos(origin.rpy[1]), sp = std::sin(origin.rpy[1]);
   const double cy = std::cos(origin.rpy[2]), sy = std::sin(origin.rpy[2]);

@@ -38,7 +38,7 @@ std::vector<std::string> beyond_limits(const Robot& robot, const std::map<std::s
 std::vector<solid::Pose> link_poses(const Robot& robot, const std::map<std::string, double>& values);
 
 // The pose of a frame within its parent.
-solid::Pose origin_pose(const Origin& origin);
+solid::Pose origin_pose(const UrdfOrigin& origin);
 
 // The pose of a shape within its link: from the coordinates of the mesh file or of box_corners, scale and origin in
 // one.

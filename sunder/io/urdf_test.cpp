@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path cases = tests::cases_folder();
+using tests::cases;
 
 template <class Action>
-std::string error_of(Action action) {
+std::string urdf_error(Action action) {
   try {
     action();
   } catch (const Error& error) {
@@ -116,7 +116,7 @@ TEST(Urdf, SaysWhatPlanarAndFloatingJointsAre) {
   for (const std::string type : {"planar", "floating"}) {
     const std::string text = R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type=")" + type +
                              R"("><parent link="a"/><child link="b"/></joint></robot>)";
-    EXPECT_EQ(error_of([&] { (void)parse_urdf(text, "r.urdf"); }),
+    EXPECT_EQ(urdf_error([&] { (void)parse_urdf(text, "r.urdf"); }),
               "r.urdf:1: this joint is " + type + ", which takes " + (type == "planar" ? "3" : "6") +
                   " numbers and is not read yet; to ask about one place of its child make it fixed, with that place as "
                   "its <origin>");
@@ -126,7 +126,7 @@ TEST(Urdf, SaysWhatPlanarAndFloatingJointsAre) {
 TEST(UrdfKinematics, RefusesWrongValues) {
   const Robot robot = read_urdf(cases / "panda" / "panda.urdf");
   const auto error = [&](const std::string& name, double value) {
-    return error_of([&] { link_poses(robot, {{name, value}}); });
+    return urdf_error([&] { link_poses(robot, {{name, value}}); });
   };
   EXPECT_TRUE(
       error("elbow", 0)
@@ -140,7 +140,7 @@ TEST(UrdfKinematics, RefusesWrongValues) {
   EXPECT_NE(error("panda_joint8", 0).find("is fixed"), std::string::npos);
   EXPECT_NE(error("panda_finger_joint2", 0).find("follows joint 'panda_finger_joint1'"), std::string::npos);
   EXPECT_NE(error("panda_joint1", std::numeric_limits<double>::quiet_NaN()).find("not finite"), std::string::npos);
-  EXPECT_EQ(error_of([&] { joint_values(robot, {{"a\nb", 1}}); }).find('\n'), std::string::npos);
+  EXPECT_EQ(urdf_error([&] { joint_values(robot, {{"a\nb", 1}}); }).find('\n'), std::string::npos);
 }
 
 TEST(UrdfKinematics, TellsValuesBeyondTheLimits) {
@@ -248,7 +248,7 @@ TEST(UrdfKinematics, NamesTheJointThatOverflows) {
       "<joint name='k' type='fixed'><parent link='b'/><child link='c'/>"
       "<origin xyz='1e308 0 0'/></joint></robot>",
       "test");
-  const std::string text = error_of([&] { link_poses(robot, {}); });
+  const std::string text = urdf_error([&] { link_poses(robot, {}); });
   EXPECT_TRUE(text.starts_with("joint 'k': ")) << text;
 }
 

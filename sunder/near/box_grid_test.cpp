@@ -13,10 +13,10 @@
 namespace sunder {
 namespace {
 
-using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+using PairList = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-Pairs by_scan(const std::vector<Box2>& boxes) {
-  Pairs pairs;
+PairList by_scan(const std::vector<Box2>& boxes) {
+  PairList pairs;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
       if (meet(boxes[i], boxes[j])) pairs.emplace_back(i, j);
@@ -26,7 +26,7 @@ Pairs by_scan(const std::vector<Box2>& boxes) {
 }
 
 // Adds pairs, and stops after `most`.
-auto adding_to(Pairs& pairs, std::size_t most = ~std::size_t{0}) {
+auto adding_to(PairList& pairs, std::size_t most = ~std::size_t{0}) {
   return [&pairs, most](std::uint32_t i, std::uint32_t j) {
     EXPECT_LT(i, j);
     pairs.emplace_back(i, j);
@@ -34,12 +34,12 @@ auto adding_to(Pairs& pairs, std::size_t most = ~std::size_t{0}) {
   };
 }
 
-Pairs sorted_pairs(Pairs pairs) {
+PairList sorted_pairs(PairList pairs) {
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-std::vector<Box2> some_boxes(Random& random, std::size_t count, int family) {
+std::vector<Box2> some_flat_boxes(Random& random, std::size_t count, int family) {
   std::vector<Box2> boxes;
   const auto ordered = [](double x, double y, double z, double w) {
     return Box2{{std::min(x, y), std::min(z, w)}, {std::max(x, y), std::max(z, w)}};
@@ -73,11 +73,11 @@ TEST(BoxPairs, AreThoseOfTheScan) {
   Random random(20261124);
   std::size_t grids = 0, pairs_found = 0, pairs_across = 0;
   for (int k = 0; k < 1500; ++k) {
-    const std::vector<Box2> boxes = some_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
+    const std::vector<Box2> boxes = some_flat_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
     const std::span<const Box2> all(boxes);
-    const Pairs expected = by_scan(boxes);
+    const PairList expected = by_scan(boxes);
     pairs_found += expected.size();
-    Pairs found;
+    PairList found;
     const auto add = adding_to(found);
     EXPECT_TRUE((BoxPairsByHalving<decltype(add)>(boxes, add).run()));
     ASSERT_EQ(sorted_pairs(found), expected) << k;
@@ -87,7 +87,7 @@ TEST(BoxPairs, AreThoseOfTheScan) {
     std::vector<std::uint32_t> groups;
     const std::uint64_t count = 1 + random.below(5);
     for (std::size_t i = 0; i < boxes.size(); ++i) groups.push_back(static_cast<std::uint32_t>(random.below(count)));
-    Pairs across = expected;
+    PairList across = expected;
     std::erase_if(across, [&](const auto& pair) { return groups[pair.first] == groups[pair.second]; });
     pairs_across += across.size();
     found.clear();
@@ -103,7 +103,7 @@ TEST(BoxPairs, AreThoseOfTheScan) {
     EXPECT_TRUE(for_each_near_pair<400>(all, *grid, add));
     ASSERT_EQ(sorted_pairs(found), expected) << k;
     // With crowds: what the grid leaves out is among their members.
-    Pairs some;
+    PairList some;
     for_each_near_pair<3>(all, *grid, adding_to(some));
     const std::vector<std::uint32_t> members = members_of_crowds(*grid, 3, boxes.size());
     EXPECT_EQ(members.empty(), crowded(*grid, 3) == 0);
@@ -144,7 +144,7 @@ TEST(BoxPairs, ByHalvingTakesNearLinearTimeForLongOnes) {
     const double at = k;
     boxes.push_back({{-at, at}, {at, at}});
   }
-  Pairs found;
+  PairList found;
   const auto add = adding_to(found);
   EXPECT_TRUE((BoxPairsByHalving<decltype(add)>(boxes, add).run()));
   EXPECT_TRUE(found.empty());

@@ -1,6 +1,7 @@
 #include <sunder/base/random.h>
 #include <sunder/near/box_tree.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -8,14 +9,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace sunder {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using tests::infinity;
 
 // The square of how far apart boxes are.
 double gap(const Box3& a, const Box3& b) {

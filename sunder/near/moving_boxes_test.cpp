@@ -1,6 +1,7 @@
 #include <sunder/base/random.h>
 #include <sunder/near/moving_boxes.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -18,7 +19,7 @@
 namespace sunder {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using tests::infinity;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 

@@ -20,7 +20,7 @@ void expect_near(const Dyadic& found, const Dyadic& expected, const Dyadic& scal
   EXPECT_NE((allowed - off).sign(), Sign::negative);
 }
 
-DoubleDouble any(Random& random) {
+DoubleDouble some_double_double(Random& random) {
   const double high = std::ldexp(random.uniform(-1, 1), static_cast<int>(random.between(-40, 40)));
   return exact_sum(high, high * random.uniform(-1, 1) * 0x1p-54);
 }
@@ -40,7 +40,7 @@ TEST(DoubleDoubleTest, SumsAndProductsOfDoublesAreExact) {
 TEST(DoubleDoubleTest, ArithmeticIsGoodToAHundredBits) {
   Random random(5);
   for (int i = 0; i < 20000; ++i) {
-    const DoubleDouble a = any(random), b = any(random);
+    const DoubleDouble a = some_double_double(random), b = some_double_double(random);
     const Dyadic x = exact(a), y = exact(b);
     expect_near(exact(a + b), x + y, size_of(x) + size_of(y), -103);
     expect_near(exact(a - b), x - y, size_of(x) + size_of(y), -103);

@@ -1,47 +1,32 @@
 #include <sunder/base/random.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/number/integer_internal.h>
+#include <sunder/number/rational_test.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
 #include <regex>
 #include <set>
+#include <string>
 
 namespace sunder {
 namespace {
 
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using tests::infinity, tests::largest, tests::least;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
+constexpr std::array special_doubles{0.0,    -0.0,  1.0,     least,   2 * least,   0x1p-1022,   0x1.fffffffffffffp-1023,
+                                     1e-300, 1e300, 0x1p511, largest, 1 + 0x1p-52, 1 - 0x1p-53, 0x1p53};
 
-// n 2^e
-Rational rational(const Whole& n, std::int64_t e) {
-  const Whole one = 1;
-  return Rational(e > 0 ? n << static_cast<unsigned>(e) : n, e < 0 ? one << static_cast<unsigned>(-e) : one);
-}
-Rational rational(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  return rational(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
-}
-Rational rational(const Dyadic& x) { return rational(Whole(mantissa_of(x).str()), x.exponent()); }
-
-constexpr std::array special{0.0,    -0.0,  1.0,     least,   2 * least,   0x1p-1022,   0x1.fffffffffffffp-1023,
-                             1e-300, 1e300, 0x1p511, largest, 1 + 0x1p-52, 1 - 0x1p-53, 0x1p53};
-
-double nasty(Random& random) {
+double nasty_double(Random& random) {
   const double sign = random.below(2) ? 1 : -1;
   switch (random.below(4)) {
-    case 0: return sign * special[random.below(special.size())];
+    case 0: return sign * special_doubles[random.below(special_doubles.size())];
     case 1: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-1080, 1023)));
     case 2: return sign * static_cast<double>(random.below(100));
     default: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-60, 60)));
@@ -49,12 +34,12 @@ double nasty(Random& random) {
 }
 
 // A number that is seldom a double: a sum, a product, halfway between two doubles, or nearly so.
-Dyadic any(Random& random) {
-  const double x = nasty(random), y = nasty(random);
+Dyadic some_dyadic(Random& random) {
+  const double x = nasty_double(random), y = nasty_double(random);
   switch (random.below(5)) {
     case 0: return Dyadic(x) + Dyadic(y);
     case 1: return Dyadic(x) * Dyadic(y);
-    case 2: return Dyadic(x) * Dyadic(y) - Dyadic(y) * Dyadic(nasty(random));
+    case 2: return Dyadic(x) * Dyadic(y) - Dyadic(y) * Dyadic(nasty_double(random));
     default: break;
   }
   const double next = std::nextafter(x, infinity);
@@ -89,7 +74,8 @@ TEST(DyadicTest, DoublesAreExact) {
   Random random(tests::chosen_seed(1));
   const int n = tests::scaled_count(20000, 1000);
   for (int i = 0; i < n; ++i) {
-    const double x = i < static_cast<int>(special.size()) ? special[static_cast<std::size_t>(i)] : nasty(random);
+    const double x = i < static_cast<int>(special_doubles.size()) ? special_doubles[static_cast<std::size_t>(i)]
+                                                                  : nasty_double(random);
     const Dyadic d(x);
     ASSERT_EQ(rational(d), rational(x)) << x;
     ASSERT_TRUE(mantissa_of(d) == 0 || (mantissa_of(d) & 1) == 1);
@@ -107,7 +93,7 @@ TEST(DyadicTest, ArithmeticIsExact) {
   const int n = tests::scaled_count(1500, 1000);
   int zeros = 0;
   for (int i = 0; i < n; ++i) {
-    const Dyadic a = any(random), b = random.below(8) == 0 ? a : any(random);
+    const Dyadic a = some_dyadic(random), b = random.below(8) == 0 ? a : some_dyadic(random);
     const Rational x = rational(a), y = rational(b);
     ASSERT_EQ(rational(a + b), x + y) << i;
     ASSERT_EQ(rational(a - b), x - y) << i;
@@ -127,7 +113,7 @@ TEST(DyadicTest, NearestAndEnclosure) {
   const int n = tests::scaled_count(3000, 1000);
   int points = 0, infinite = 0, subnormal = 0, ties = 0;
   for (int i = 0; i < n; ++i) {
-    const Dyadic d = any(random);
+    const Dyadic d = some_dyadic(random);
     const Rational r = rational(d);
     const double x = d.nearest();
     expect_nearest(r, x);
@@ -193,11 +179,11 @@ TEST(DyadicTest, NearestRatio) {
   const int n = tests::scaled_count(1000, 1000);
   int infinite = 0, subnormal = 0, zero = 0, ties = 0;
   for (int i = 0; i < n; ++i) {
-    Dyadic b = any(random);
+    Dyadic b = some_dyadic(random);
     if (b.sign() == Sign::zero) b = Dyadic(-7.0);
     // Any quotient; or one that is given: a double, halfway between two, or nearly so.
     const bool given = random.below(2) == 0;
-    const Dyadic quotient = any(random);
+    const Dyadic quotient = some_dyadic(random);
     const Dyadic a = given ? quotient * b : quotient;
     const double x = nearest_ratio(a, b);
     const Rational r = rational(a) / rational(b);
@@ -261,7 +247,7 @@ TEST(DyadicTest, HexadecimalReadsBack) {
   const int n = tests::scaled_count(2000, 1000);
   std::set<std::size_t> lengths;
   for (int i = 0; i < n; ++i) {
-    const Dyadic d = any(random);
+    const Dyadic d = some_dyadic(random);
     const std::string text = d.hexadecimal();
     std::smatch parts;
     ASSERT_TRUE(std::regex_match(text, parts, form)) << text;
@@ -273,6 +259,13 @@ TEST(DyadicTest, HexadecimalReadsBack) {
     lengths.insert(text.size());
   }
   EXPECT_GT(lengths.size(), 20u);
+}
+
+boost::multiprecision::cpp_rational lowest_terms(const Dyadic& x) {
+  const boost::multiprecision::cpp_int n(mantissa_of(x).str()), power = 1;
+  const auto e = static_cast<unsigned>(std::abs(x.exponent()));
+  return x.exponent() < 0 ? boost::multiprecision::cpp_rational(n, power << e)
+                          : boost::multiprecision::cpp_rational(n << e);
 }
 
 TEST(DyadicTest, FractionText) {
@@ -291,10 +284,10 @@ TEST(DyadicTest, FractionText) {
   int wholes = 0;
   for (int i = 0; i < n; ++i) {
     const bool small = random.below(2) == 0;
-    const Dyadic a = small ? dyadic_of(Integer(random.between(-50, 50)), random.between(-3, 3)) : any(random);
-    Dyadic b = small ? dyadic_of(Integer(random.between(-9, 9)), random.between(-3, 3)) : any(random);
+    const Dyadic a = small ? dyadic_of(Integer(random.between(-50, 50)), random.between(-3, 3)) : some_dyadic(random);
+    Dyadic b = small ? dyadic_of(Integer(random.between(-9, 9)), random.between(-3, 3)) : some_dyadic(random);
     if (b.sign() == Sign::zero) b = Dyadic(-7.0);
-    const Rational r = rational(a) / rational(b);
+    const auto r = lowest_terms(a) / lowest_terms(b);
     const std::string expected =
         denominator(r) == 1 ? numerator(r).str() : numerator(r).str() + "/" + denominator(r).str();
     ASSERT_EQ(fraction_text(a, b), expected) << i;

@@ -2,13 +2,16 @@
 #include <sunder/number/dyadic.h>
 #include <sunder/number/estimate.h>
 
+#include <tests/support/doubles.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace sunder {
 namespace {
+
+using tests::largest;
 
 // E1: |exact - value| <= error.
 bool holds(const Estimate& x, const Dyadic& exact) {
@@ -59,7 +62,6 @@ TEST(EstimateTest, TellsOnlyWhatIsSure) {
   EXPECT_EQ(sign(Estimate()), Guess::zero);
   EXPECT_EQ(sign(Estimate(5e-324)), Guess::positive);
   EXPECT_EQ(sign(Estimate(5e-324) * Estimate(0.25)), Guess::unsure);
-  const double largest = std::numeric_limits<double>::max();
   EXPECT_EQ(sign(Estimate(largest) + Estimate(largest)), Guess::unsure);
   EXPECT_EQ(sign(Estimate(largest) * Estimate(0.5) - Estimate(1)), Guess::unsure);
   // A difference in the last of 100 bits, and one beyond.

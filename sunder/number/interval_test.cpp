@@ -19,14 +19,15 @@ bool encloses(const Interval& i, const Exact& x) {
   return (i.low == -infinity || Exact(i.low) <= x) && (i.high == infinity || x <= Exact(i.high));
 }
 
-constexpr std::array special{0.0,     -0.0,     1.0,         least,       2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
-                             1e-300,  0x1p-537, 0x1.8p-538,  1e300,       0x1p511,   0x1p512,   0x1.fffffffffffffp511,
-                             largest, 0x1p1023, 1 + 0x1p-52, 1 - 0x1p-53, 3.0,       0x1p-970};
+constexpr std::array special_ends{
+    0.0,     -0.0,     1.0,         least,       2 * least, 0x1p-1022, 0x1.fffffffffffffp-1023,
+    1e-300,  0x1p-537, 0x1.8p-538,  1e300,       0x1p511,   0x1p512,   0x1.fffffffffffffp511,
+    largest, 0x1p1023, 1 + 0x1p-52, 1 - 0x1p-53, 3.0,       0x1p-970};
 
-double nasty(Random& random) {
+double nasty_end(Random& random) {
   const double sign = random.below(2) ? 1 : -1;
   switch (random.below(4)) {
-    case 0: return sign * special[random.below(special.size())];
+    case 0: return sign * special_ends[random.below(special_ends.size())];
     case 1: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-1080, 1023)));
     case 2: return sign * static_cast<double>(random.below(5));
     default: return sign * std::ldexp(1 + random.unit(), static_cast<int>(random.between(-4, 4)));
@@ -40,7 +41,7 @@ struct Member {
 };
 
 Member member(Random& random) {
-  double low = nasty(random), high = random.below(3) == 0 ? low : nasty(random);
+  double low = nasty_end(random), high = random.below(3) == 0 ? low : nasty_end(random);
   if (random.below(4) == 0) high = std::nextafter(low, infinity);
   if (low > high) std::swap(low, high);
   if (!std::isfinite(high)) high = largest;
@@ -109,7 +110,7 @@ TEST(IntervalTest, PointsWidenByAFewUnits) {
   Random random(tests::chosen_seed(3));
   const int n = tests::scaled_count(20000, 1000);
   for (int i = 0; i < n; ++i) {
-    const double x = nasty(random), y = nasty(random);
+    const double x = nasty_end(random), y = nasty_end(random);
     for (const auto& [r, exact] : {std::pair{Interval(x) + Interval(y), Exact(x) + Exact(y)},
                                    std::pair{Interval(x) - Interval(y), Exact(x) - Exact(y)},
                                    std::pair{Interval(x) * Interval(y), Exact(x) * Exact(y)}}) {
@@ -125,7 +126,8 @@ TEST(IntervalTest, WidenedByOneUnitOrMore) {
   Random random(tests::chosen_seed(4));
   const int n = tests::scaled_count(50000, 1000);
   for (int i = 0; i < n; ++i) {
-    const double x = i < static_cast<int>(special.size()) ? special[static_cast<std::size_t>(i)] : nasty(random);
+    const double x =
+        i < static_cast<int>(special_ends.size()) ? special_ends[static_cast<std::size_t>(i)] : nasty_end(random);
     const Interval w = interval_detail::widened(x, x);
     ASSERT_LE(w.low, std::nextafter(x, -infinity)) << x;
     ASSERT_GE(w.high, std::nextafter(x, infinity)) << x;

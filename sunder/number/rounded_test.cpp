@@ -1,11 +1,12 @@
 // The claims R1 to R3 of rounded.h, against rational arithmetic.
 #include <sunder/base/random.h>
+#include <sunder/number/rational_test.h>
 #include <sunder/number/rounded.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
@@ -15,21 +16,9 @@
 namespace sunder {
 namespace {
 
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using tests::infinity, tests::largest;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
 constexpr double u = 0x1p-53;
-
-Rational rational(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  const Whole n = static_cast<std::int64_t>(std::ldexp(m, 53)), one = 1;
-  e -= 53;
-  return Rational(e > 0 ? n << static_cast<unsigned>(e) : n, e < 0 ? one << static_cast<unsigned>(-e) : one);
-}
 
 // The exact value, X of R1 (a sum or product of two leaves counts as one term), and whether it is a leaf.
 struct Terms {
@@ -78,7 +67,7 @@ struct Record {
       ++sure;
     }
     if (exact.value == 0) ++zero;
-    if (rounded.magnitude != 0) worst = std::max(worst, static_cast<double>(error / rational(u * rounded.magnitude)));
+    if (rounded.magnitude != 0) worst = std::max(worst, (error / rational(u * rounded.magnitude)).about());
   }
 };
 
@@ -215,8 +204,8 @@ TEST(RoundedTest, TameLimits) {
 
 TEST(RoundedTest, TameNumbersDoNotUnderflow) {
   // Differences of neighbours at the lower end, the least that there are: their product of three is exact and normal.
-  const double least = 0x1p-280;
-  const auto tiny = leaf(std::nextafter(least, 1)) - leaf(least);
+  const double lowest = 0x1p-280;
+  const auto tiny = leaf(std::nextafter(lowest, 1)) - leaf(lowest);
   EXPECT_EQ(tiny.value, 0x1p-332);
   const auto product = tiny * tiny * tiny;
   EXPECT_EQ(product.value, 0x1p-996);

@@ -1,12 +1,15 @@
 #include <sunder/number/sign.h>
 
+#include <tests/support/doubles.h>
+
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <type_traits>
 
 namespace sunder {
 namespace {
+
+using tests::largest, tests::least;
 
 // A sign does not turn into anything else by itself, nor a guess into a sign.
 static_assert(!std::is_convertible_v<Sign, bool> && !std::is_convertible_v<Sign, int>);
@@ -40,8 +43,6 @@ TEST(SignTest, NegationAndProduct) {
 }
 
 TEST(SignTest, SignOfDouble) {
-  constexpr double least = std::numeric_limits<double>::denorm_min();
-  constexpr double largest = std::numeric_limits<double>::max();
   EXPECT_EQ(sign_of(0.0), Sign::zero);
   EXPECT_EQ(sign_of(-0.0), Sign::zero);
   EXPECT_EQ(sign_of(least), Sign::positive);

@@ -18,7 +18,7 @@ constexpr double padding = 28, least_height = 72, tick_distance = 110, tick_lett
 constexpr double most_away = 1e5;                     // what is further away is drawn no further
 constexpr double longest_side = 20, fitted_side = 4;  // against the other: beyond the first, fitted to the second
 constexpr double least_width_part = 0.25, least_height_part = 0.1;  // of the other side, to one scale
-constexpr double letter_width = 7.4, text_height = 15;              // of names
+constexpr double name_letter_width = 7.4, text_height = 15;         // of names
 constexpr double small = 6;  // most_small circles and polygons are drawn as such, if they are no larger than this
 constexpr std::size_t many_shapes = 2000, many_corners = 50, most_small = 5000;
 
@@ -241,7 +241,7 @@ bool PlanePicture::takes(const Point2& at, double width) {
 }
 
 void PlanePicture::label(const Point2& where, std::string_view text) {
-  const double width = letter_width * static_cast<double>(text.size());
+  const double width = name_letter_width * static_cast<double>(text.size());
   Point2 p = at(where);
   p.x += p.x + 8 + width > width_ ? -8 - width : 8;
   for (p.y -= 7; !takes(p, width);) p.y += text_height;
@@ -255,7 +255,7 @@ void PlanePicture::named(std::string_view name, const std::function<void()>& dra
   title_.clear();
   if (!widest_ || name.empty()) return;
   const auto& [low, high] = *widest_;
-  const double width = letter_width * static_cast<double>(name.size());
+  const double width = name_letter_width * static_cast<double>(name.size());
   if (high.x - low.x < width + 8 || high.y - low.y < text_height + 4) return;
   captions_.push_back({{(low.x + high.x) / 2, (low.y + high.y) / 2}, width, std::string(name)});
 }

@@ -16,11 +16,11 @@ namespace sunder::picture {
 
 namespace {
 
-constexpr double radius = 9, label_height = 16, letter_width = 7.3, gap = 3;  // pixels
+constexpr double radius = 9, label_height = 16, label_letter_width = 7.3, gap = 3;  // pixels
 constexpr double row_height = 2 * radius + gap;
 constexpr std::size_t most_letters = 9, most_told = 5, most_ringed = 10'000;
 constexpr double widest =
-    2 * radius + 2 * gap + letter_width * (most_letters + 1);  // a ring with its label is no wider
+    2 * radius + 2 * gap + label_letter_width * (most_letters + 1);  // a ring with its label is no wider
 
 struct Numbered {
   std::uint32_t number;
@@ -45,7 +45,9 @@ struct Ring {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Numbered& c) { return c.kind != contacts[0].kind; });
   }
 
-  double label_width() const { return letter_width * static_cast<double>(label().size() - (is_counted() ? 1 : 0)); }
+  double label_width() const {
+    return label_letter_width * static_cast<double>(label().size() - (is_counted() ? 1 : 0));
+  }
   // On the right of the ring, or on the left if it would leave the picture.
   double label_left() const {
     const double beside = radius + gap, width = label_width();

@@ -159,9 +159,9 @@ std::string outline_edges(const Piece& piece) {
   return path.text();
 }
 
-class Drawing {
+class SceneDrawing {
  public:
-  explicit Drawing(std::span<const ScenePanel> panels)
+  explicit SceneDrawing(std::span<const ScenePanel> panels)
       : panels_(panels), canvas_(panel_width * static_cast<double>(panels.size())) {
     for (const ScenePanel& panel : panels) parts_.push_back(placed_parts(panel));
     each_vertex([&](const Point3& p) { floor_ = std::min(floor_, p.z); });
@@ -349,7 +349,7 @@ std::string ScenePanel::told(const scene::PartPair& pair) const {
 }
 
 std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title) {
-  return Drawing(panels).text(title.empty() ? "Which of these bodies meet?" : title);
+  return SceneDrawing(panels).text(title.empty() ? "Which of these bodies meet?" : title);
 }
 
 }  // namespace sunder::picture

@@ -37,7 +37,7 @@ struct Shown {
 };
 
 // Of classes of thin lines, in turns.
-constexpr std::array<const char*, 6> calm{"#66758c", "#b8965a", "#86a65c", "#a48fc0", "#5fa3ad", "#ad7564"};
+constexpr std::array<const char*, 6> calm_inks{"#66758c", "#b8965a", "#86a65c", "#a48fc0", "#5fa3ad", "#ad7564"};
 
 // Path data of segments. Those that share an end with the one before become one line.
 class SegmentsPath {
@@ -76,9 +76,9 @@ std::vector<Point2> ends_of(const planar::Segments& segments) {
   return ends;
 }
 
-class Drawing {
+class SegmentsDrawing {
  public:
-  explicit Drawing(const SegmentsPicture& given)
+  explicit SegmentsDrawing(const SegmentsPicture& given)
       : given_(given),
         file_(given.file),
         segments_(given.segments),
@@ -131,8 +131,9 @@ class Drawing {
     }
     const auto [names, of_segment] = classes();
     for (std::size_t k = 0; k < std::min(names.size(), most_classes); ++k) {
-      picture_.legend(fmt::format("<path d='M0 0h20' stroke-width='3' stroke='{}'/>", calm.at(k % calm.size())),
-                      shortened(names[k], 24));
+      picture_.legend(
+          fmt::format("<path d='M0 0h20' stroke-width='3' stroke='{}'/>", calm_inks.at(k % calm_inks.size())),
+          shortened(names[k], 24));
     }
     if (names.size() > most_classes) picture_.legend("", fmt::format("and {} more", names.size() - most_classes));
   }
@@ -160,7 +161,7 @@ class Drawing {
     picture_.add("<g transform='scale(.1)' fill='none' stroke-linejoin='round' stroke-linecap='round'>\n");
     const int thin = segments_.size() <= 200 ? 16 : segments_.size() <= 5000 ? 11 : 8;
     for (std::size_t k = 0; k < members.size() && size <= most_data; ++k) {
-      path(fmt::format("stroke='{}' stroke-width='{}'", calm.at(k % calm.size()), thin), data[k]);
+      path(fmt::format("stroke='{}' stroke-width='{}'", calm_inks.at(k % calm_inks.size()), thin), data[k]);
     }
     std::vector<std::set<std::uint32_t>> bold(kinds_.size());
     SegmentsPath bands(picture_);
@@ -182,7 +183,7 @@ class Drawing {
     for (std::size_t k = 0; k < members.size(); ++k) {
       Density crowd = picture_.density();
       for (const std::uint32_t i : members[k]) crowd.add(picture_.at(segments_[i].a), picture_.at(segments_[i].b));
-      picture_.add(crowd.xml(fmt::format("stroke='{}'", calm.at(k % calm.size()))));
+      picture_.add(crowd.xml(fmt::format("stroke='{}'", calm_inks.at(k % calm_inks.size()))));
     }
     picture_.note("Too many segments for lines: squares are the darker the more of them pass there.");
   }
@@ -243,6 +244,6 @@ class Drawing {
 
 }  // namespace
 
-std::string segments_svg(const SegmentsPicture& picture) { return Drawing(picture).text(); }
+std::string segments_svg(const SegmentsPicture& picture) { return SegmentsDrawing(picture).text(); }
 
 }  // namespace sunder::picture

@@ -1,7 +1,7 @@
 // Comparisons along directions against integer arithmetic, by the public functions and by the stages' own formula.
 #include <sunder/base/random.h>
-#include <sunder/number/integer_internal.h>
 #include <sunder/predicate/along.h>
+#include <sunder/predicate/exact_image_test.h>
 
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
@@ -18,29 +18,16 @@ using tests::in_cube, tests::on_grid;
 
 using tests::Exact, tests::largest, tests::least;
 
-Sign sign_of(const Exact& x) { return static_cast<Sign>(x.sign()); }
-
-using ExactPoint = std::array<Exact, 3>;
-
-ExactPoint image(const Point3& p) { return {p.x, p.y, p.z}; }
-ExactPoint image(const Posed3& p) {
-  const auto& [m, t] = *p.pose;
-  const ExactPoint x = image(p.point);
-  return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
-          x[0] * m[6] + x[1] * m[7] + x[2] * m[8] + t[2]};
-}
-ExactPoint exact(const WorldDirection& d) {
+ExactVector exact_direction(const WorldDirection& d) {
   const Vector3<Dyadic> v = d.exact();
   return {Exact(v.x), Exact(v.y), Exact(v.z)};
 }
-Sign further(const ExactPoint& d, const ExactPoint& a, const ExactPoint& b) {
+Sign further(const ExactVector& d, const ExactVector& a, const ExactVector& b) {
   return sign_of(d[0] * b[0] + d[1] * b[1] + d[2] * b[2] - (d[0] * a[0] + d[1] * a[1] + d[2] * a[2]));
 }
 
-double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }
-
 // What the stages said over many instances.
-struct Record {
+struct AlongRecord {
   int count = 0, zero = 0, rounded = 0, interval = 0, exact = 0;
 
   void check(Sign answer, Sign expected, const StageTally& tally) {
@@ -79,13 +66,13 @@ void make_near_tie(Random& random, Question& q) {
   if (std::isfinite(z)) q.to.z = z;
 }
 
-enum Kind { generic, grid, near_tie, kinds };
+enum QuestionKind { generic_question, grid_question, near_tied_question, question_kinds };
 
-Question question(Random& random, Kind kind) {
+Question question(Random& random, QuestionKind kind) {
   Question q{in_cube(random), {}, in_cube(random), in_cube(random)};
   for (double& m : q.pose.linear) m = random.uniform(-1, 1);
   for (double& t : q.pose.translation) t = random.uniform(-1, 1) * power_of_two(random.between(-30, 70));
-  if (kind == grid) {
+  if (kind == grid_question) {
     q.direction = on_grid(random, 3);
     q.from = on_grid(random, 3);
     q.to = on_grid(random, 3);
@@ -96,7 +83,7 @@ Question question(Random& random, Kind kind) {
     const auto spread = [&] { return random.below(3) ? 1 : power_of_two(random.between(-64, 0)); };
     q.direction = {q.direction.x * spread(), q.direction.y * spread(), q.direction.z * spread()};
   }
-  if (kind == near_tie) make_near_tie(random, q);
+  if (kind == near_tied_question) make_near_tie(random, q);
   return q;
 }
 
@@ -115,7 +102,7 @@ TEST(AlongTest, DirectionOfDoublesIsExact) {
   const WorldDirection d(Point3{1e300, -5e-324, 0});
   EXPECT_TRUE(d.is_doubles());
   EXPECT_EQ(d.doubles(), (Point3{1e300, -5e-324, 0}));
-  EXPECT_EQ(exact(d), image(Point3{1e300, -5e-324, 0}));
+  EXPECT_EQ(exact_direction(d), image(Point3{1e300, -5e-324, 0}));
   const Vector3<Interval> e = d.enclosure();
   EXPECT_TRUE(e.x.low == 1e300 && e.x.high == 1e300 && e.y.low == -5e-324 && e.y.high == -5e-324);
   EXPECT_TRUE(e.z.low == 0 && e.z.high == 0);
@@ -124,7 +111,7 @@ TEST(AlongTest, DirectionOfDoublesIsExact) {
 // The enclosure encloses the exact numbers divided by one power of two, and the largest of them lies in [1, 2].
 void expect_enclosed(const WorldDirection& d) {
   ASSERT_FALSE(d.is_doubles());
-  const ExactPoint x = exact(d);
+  const ExactVector x = exact_direction(d);
   const Vector3<Interval> v = d.enclosure();
   const std::array<Interval, 3> e{v.x, v.y, v.z};
   int top = -100000;
@@ -163,19 +150,20 @@ TEST(AlongTest, DirectionsOfFeatures) {
       y = {y.x * scale, y.y * scale, y.z * scale};
     }
     const Posed3 a = posed(x[0], p), b = posed(x[1], p), c = posed(x[2], q), d = posed(x[3], q);
-    const ExactPoint ia = image(a), ib = image(b), ic = image(c), id = image(d);
+    const ExactVector ia = image(a), ib = image(b), ic = image(c), id = image(d);
     const WorldDirection normal = cross_direction(a, b, c, d), difference = difference_direction(a, c);
-    ExactPoint u = ia, v = ic;
+    ExactVector u = ia, v = ic;
     for (std::size_t j = 0; j < 3; ++j) {
       u[j] = ib[j] - ia[j];
       v[j] = id[j] - ic[j];
-      ASSERT_EQ(exact(difference)[j], ic[j] - ia[j]) << i;
+      ASSERT_EQ(exact_direction(difference)[j], ic[j] - ia[j]) << i;
     }
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
-      ASSERT_EQ(exact(normal)[j], u[k] * v[l] - u[l] * v[k]) << i;
+      ASSERT_EQ(exact_direction(normal)[j], u[k] * v[l] - u[l] * v[k]) << i;
     }
-    if (exact(normal)[0].n == 0 && exact(normal)[1].n == 0 && exact(normal)[2].n == 0) ++zero;
+    if (exact_direction(normal)[0].n == 0 && exact_direction(normal)[1].n == 0 && exact_direction(normal)[2].n == 0)
+      ++zero;
     expect_enclosed(normal);
     expect_enclosed(difference);
     if (HasFatalFailure()) FAIL() << "instance " << i;
@@ -186,12 +174,12 @@ TEST(AlongTest, DirectionsOfFeatures) {
 TEST(AlongTest, ComparesPointsOfOneBody) {
   Random random(tests::chosen_seed(2));
   const int n = tests::scaled_count(60000, 1000);
-  std::array<Record, kinds> plain, scaled;
+  std::array<AlongRecord, question_kinds> plain, scaled;
   int tame = 0;
   for (int i = 0; i < n; ++i) {
-    const Kind kind = static_cast<Kind>(i % kinds);
+    const QuestionKind kind = static_cast<QuestionKind>(i % question_kinds);
     Question q = question(random, kind);
-    const bool is_plain = i / kinds % 2 == 0;
+    const bool is_plain = i / question_kinds % 2 == 0;
     if (!is_plain) {  // the inverse scale in the pose, so that only the way to the result underflows or overflows
       const int e = static_cast<int>(random.between(-970, 970));
       for (Point3* p : {&q.from, &q.to}) *p = {std::ldexp(p->x, e), std::ldexp(p->y, e), std::ldexp(p->z, e)};
@@ -201,7 +189,7 @@ TEST(AlongTest, ComparesPointsOfOneBody) {
     if (q.tame()) ++tame;
     const WorldDirection direction(q.direction);
     Along along(direction, q.pose, q.tame());
-    Record& record = (is_plain ? plain : scaled)[kind];
+    AlongRecord& record = (is_plain ? plain : scaled)[kind];
     const Posed3 from = posed(q.from, q.pose), to = posed(q.to, q.pose);
     const Sign expected = further(image(q.direction), image(from), image(to));
     StageTally tally, there, back, other, slow;
@@ -219,14 +207,14 @@ TEST(AlongTest, ComparesPointsOfOneBody) {
     if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind;
   }
   EXPECT_GT(tame, n / 2);
-  EXPECT_GE(plain[generic].rounded, plain[generic].count * 4 / 5);  // directions are not all tame
-  EXPECT_EQ(plain[generic].exact, 0);
-  EXPECT_GT(plain[grid].zero, plain[grid].count / 200);
-  EXPECT_GE(plain[grid].exact, plain[grid].count / 400);
-  EXPECT_GT(plain[near_tie].exact, plain[near_tie].count / 4);
-  EXPECT_GT(plain[near_tie].interval, 0);
-  EXPECT_GT(scaled[generic].rounded, scaled[generic].count / 2);
-  EXPECT_GT(scaled[near_tie].exact, scaled[near_tie].count / 4);
+  EXPECT_GE(plain[generic_question].rounded, plain[generic_question].count * 4 / 5);  // directions are not all tame
+  EXPECT_EQ(plain[generic_question].exact, 0);
+  EXPECT_GT(plain[grid_question].zero, plain[grid_question].count / 200);
+  EXPECT_GE(plain[grid_question].exact, plain[grid_question].count / 400);
+  EXPECT_GT(plain[near_tied_question].exact, plain[near_tied_question].count / 4);
+  EXPECT_GT(plain[near_tied_question].interval, 0);
+  EXPECT_GT(scaled[generic_question].rounded, scaled[generic_question].count / 2);
+  EXPECT_GT(scaled[near_tied_question].exact, scaled[near_tied_question].count / 4);
 }
 
 // Matrix times direction underflows although images are of ordinary size.
@@ -235,7 +223,7 @@ TEST(AlongTest, TinyMatrixOfHugeBody) {
   const int n = tests::scaled_count(20000, 1000);
   int sure = 0;
   for (int i = 0; i < n; ++i) {
-    Question q = question(random, near_tie);
+    Question q = question(random, near_tied_question);
     for (double* d : {&q.direction.x, &q.direction.y, &q.direction.z}) {
       *d = std::copysign(power_of_two(random.between(-59, -50)) * random.uniform(0.5, 1), *d);
     }
@@ -310,7 +298,7 @@ TEST(AlongTest, ManyPointsAtOnce) {
   int all_less = 0, sure = 0, near = 0;
   for (int i = 0; i < n; ++i) {
     const bool is_near = i % 2 == 1;
-    Question q = question(random, generic);
+    Question q = question(random, generic_question);
     q.direction = {q.direction.x + 1, q.direction.y / 2, q.direction.z / 2};
     const int e = i % 3 == 0 ? static_cast<int>(random.between(-900, 900)) : 0;
     for (double& m : q.pose.linear) m = std::ldexp(m, -e);
@@ -339,7 +327,7 @@ TEST(AlongTest, ManyPointsAtOnce) {
     for (std::size_t j = 0; j < count; ++j) {
       const Posed3 p = posed({x[j], y[j], z[j]}, q.pose), r = posed(at, q.pose);
       tame = tame && p.tame && r.tame;
-      less = less && further(exact(direction), image(r), image(p)) == Sign::negative;
+      less = less && further(exact_direction(direction), image(r), image(p)) == Sign::negative;
     }
     const Along along(direction, q.pose, tame), along_opposite(opposite, q.pose, tame);
     const bool answer = along.surely_less_far(x.data(), y.data(), z.data(), even, at, reach);
@@ -367,17 +355,17 @@ Point3 rough_image(const Point3& p, const Affine3& pose) {
 TEST(AlongTest, ComparesPointsOfTwoBodies) {
   Random random(tests::chosen_seed(4));
   const int n = tests::scaled_count(30000, 1000);
-  std::array<Record, kinds> records;
+  std::array<AlongRecord, question_kinds> records;
   int untame = 0;
   for (int i = 0; i < n; ++i) {
-    const Kind kind = static_cast<Kind>(i % kinds);
+    const QuestionKind kind = static_cast<QuestionKind>(i % question_kinds);
     const Question q = question(random, kind), r = question(random, kind);
     Affine3 first = q.pose, second = r.pose;
-    if (kind == grid) {
+    if (kind == grid_question) {
       first.translation = {1, 2, -1};
       second.translation = {-1, 0, 3};
     }
-    if (kind == near_tie) {
+    if (kind == near_tied_question) {
       // The second translation takes one point to the other, but for rounding and an offset.
       const Point3 s = rough_image(q.from, first), t = rough_image(r.from, second);
       const double size = std::max(std::fabs(s.x), std::max(std::fabs(s.y), std::fabs(s.z)));
@@ -401,9 +389,9 @@ TEST(AlongTest, ComparesPointsOfTwoBodies) {
     if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind;
   }
   EXPECT_GT(untame, n / 20);
-  EXPECT_GT(records[generic].rounded, records[generic].count / 2);
-  EXPECT_GE(records[grid].zero, records[grid].count / 300);
-  EXPECT_GT(records[near_tie].exact, records[near_tie].count / 100);
+  EXPECT_GT(records[generic_question].rounded, records[generic_question].count / 2);
+  EXPECT_GE(records[grid_question].zero, records[grid_question].count / 300);
+  EXPECT_GT(records[near_tied_question].exact, records[near_tied_question].count / 100);
 }
 
 TEST(AlongTest, ExtremeNumbers) {

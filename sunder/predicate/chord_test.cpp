@@ -1,48 +1,40 @@
 // The order of multiples against integer arithmetic, and which stage decides.
 #include <sunder/base/random.h>
 #include <sunder/predicate/chord.h>
+#include <sunder/predicate/multiples_test.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-using Exact = std::array<Whole, 2>;
+using tests::largest, tests::least, tests::Whole;
+using MultiplePoint = std::array<Whole, 2>;
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-// A number as a multiple of 2^-1126. The images of points are multiples of its square.
-constexpr unsigned bits = 1126;
-Whole whole(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  const Whole n = static_cast<std::int64_t>(std::ldexp(m, 53));
-  const int shift = e - 53 + static_cast<int>(bits);  // at least -1073 - 53 + 1126
-  return n << static_cast<unsigned>(shift);
+// The images of points are multiples of the square of 2^-1126.
+MultiplePoint image_multiples(const Point2& p) {
+  return {multiple(p.x) << multiple_bits, multiple(p.y) << multiple_bits};
 }
-Exact exact(const Point2& p) { return {whole(p.x) << bits, whole(p.y) << bits}; }
-Exact exact(const Posed2& p) {
+MultiplePoint image_multiples(const Posed2& p) {
   const auto& [m, t] = *p.pose;
-  const Whole x = whole(p.point.x), y = whole(p.point.y);
-  return {whole(m[0]) * x + whole(m[1]) * y + (whole(t[0]) << bits),
-          whole(m[2]) * x + whole(m[3]) * y + (whole(t[1]) << bits)};
+  const Whole x = multiple(p.point.x), y = multiple(p.point.y);
+  return {multiple(m[0]) * x + multiple(m[1]) * y + (multiple(t[0]) << multiple_bits),
+          multiple(m[2]) * x + multiple(m[3]) * y + (multiple(t[1]) << multiple_bits)};
 }
 
 // The oracle: (q - p) x (s - r) and (q - p) x (u - t), each times its number.
 template <class P>
 Sign by_integers(const std::array<P, 6>& p, std::uint32_t m, std::uint32_t n) {
   const auto reach = [&](const P& from, const P& to) -> Whole {
-    const Exact a = exact(p[0]), b = exact(p[1]), c = exact(from), d = exact(to);
+    const MultiplePoint a = image_multiples(p[0]), b = image_multiples(p[1]), c = image_multiples(from),
+                        d = image_multiples(to);
     return (b[0] - a[0]) * (d[1] - c[1]) - (b[1] - a[1]) * (d[0] - c[0]);
   };
   const Whole left = m * reach(p[2], p[3]), right = n * reach(p[4], p[5]);

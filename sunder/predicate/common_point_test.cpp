@@ -3,6 +3,7 @@
 #include <sunder/base/random.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/common_point.h>
+#include <sunder/predicate/exact_image_test.h>
 
 #include <tests/support/exact.h>
 #include <tests/support/scale.h>
@@ -19,15 +20,6 @@ namespace sunder {
 namespace {
 
 using tests::Exact;
-
-using ExactPoint = std::array<Exact, 3>;
-
-ExactPoint image(const Posed3& p) {
-  const auto& [m, t] = *p.pose;
-  const ExactPoint x{p.point.x, p.point.y, p.point.z};
-  return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
-          x[0] * m[6] + x[1] * m[7] + x[2] * m[8] + t[2]};
-}
 
 using WholePoint = std::array<std::int64_t, 3>;
 
@@ -69,11 +61,11 @@ bool has_unique_positive_weights(const std::vector<WholePoint>& points, std::siz
 // The weights are positive, sum up to the denominator on both sides, and give the point on both sides.
 void expect_valid(const CommonPointWeights& w, std::span<const Posed3> a, std::span<const Posed3> b) {
   std::array<Exact, 2> sums{0, 0};
-  std::array<ExactPoint, 2> points{ExactPoint{0, 0, 0}, ExactPoint{0, 0, 0}};
+  std::array<ExactVector, 2> points{ExactVector{0, 0, 0}, ExactVector{0, 0, 0}};
   const std::size_t k = a.size() + b.size();
   for (std::size_t i = 0; i < k; ++i) {
     const std::size_t side = i < a.size() ? 0 : 1;
-    const ExactPoint x = image(side == 0 ? a[i] : b[i - a.size()]);
+    const ExactVector x = image(side == 0 ? a[i] : b[i - a.size()]);
     const Exact weight(w.numerators[i]);
     ASSERT_GT(weight.sign(), 0) << i;
     sums[side] = sums[side] + weight;
@@ -87,7 +79,7 @@ void expect_valid(const CommonPointWeights& w, std::span<const Posed3> a, std::s
 }
 
 // Small whole numbers, times powers of two that cancel between a body and its pose, and one for both bodies.
-struct Body {
+struct WholeBody {
   std::array<std::int64_t, 9> linear{1, 0, 0, 0, 1, 0, 0, 0, 1};
   WholePoint translation{0, 0, 0};
   Affine3 pose;
@@ -115,12 +107,12 @@ struct Counts {
 };
 
 // Compares the answer and its weights with the oracle's.
-void check(const Body& first, const Body& second, const std::vector<WholePoint>& x, std::size_t count_a,
-           Counts& counts) {
+void check_weights(const WholeBody& first, const WholeBody& second, const std::vector<WholePoint>& x,
+                   std::size_t count_a, Counts& counts) {
   std::vector<WholePoint> images;
   std::vector<Posed3> placed;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Body& body = i < count_a ? first : second;
+    const WholeBody& body = i < count_a ? first : second;
     images.push_back(body.image_of(x[i]));
     placed.push_back(body.place(x[i]));
   }
@@ -196,14 +188,14 @@ TEST(CommonPointTest, OneBodyUnderflows) {
 
 // All placements of up to four points on the corners of a cube.
 TEST(CommonPointTest, AllOfUpToFourCorners) {
-  Body first, second;
+  WholeBody first, second;
   for (std::size_t k = 2; k <= 4; ++k) {
     Counts counts;
     for (std::size_t code = 0; code < std::size_t{1} << (3 * k); ++code) {
       std::vector<WholePoint> x(k);
       for (std::size_t i = 0; i < 3 * k; ++i) x[i / 3][i % 3] = code >> i & 1;
       for (std::size_t count_a = 1; count_a < k; ++count_a) {
-        check(first, second, x, count_a, counts);
+        check_weights(first, second, x, count_a, counts);
         if (HasFatalFailure()) FAIL() << k << " points, code " << code << ", " << count_a << " of A";
       }
     }
@@ -222,9 +214,9 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
     const std::size_t k = 2 + static_cast<std::size_t>(i) % 4, count_a = 1 + random.below(k - 1);
     const std::int64_t side = random.between(2, k == 5 ? 6 : 4);
     const bool flat = k < 5 && random.below(3) != 0;  // on a line or plane, where fewer than five points meet oftener
-    Body first, second;
+    WholeBody first, second;
     if (i % 3 != 0) {  // small changes of the axes, reflections and singular ones among them
-      for (Body* body : {&first, &second}) {
+      for (WholeBody* body : {&first, &second}) {
         for (std::int64_t& m : body->linear) m += random.below(4) ? 0 : random.between(-1, 1);
         for (std::int64_t& t : body->translation) t = random.between(-1, 1);
       }
@@ -232,7 +224,7 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
     if (flat) second = first;
     const bool scaled = i % 3 == 2;
     const int outer = scaled ? static_cast<int>(random.between(-500, 500)) : 0;
-    for (Body* body : {&first, &second})
+    for (WholeBody* body : {&first, &second})
       body->make_pose(scaled ? static_cast<int>(random.between(-500, 500)) : 0, outer);
     std::vector<WholePoint> x(k);
     const auto fill = [&](WholePoint& p, std::int64_t low, std::int64_t high) {
@@ -248,7 +240,7 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
     }
     if (k == 5 && random.below(2)) x[random.below(2) * 4] = {side / 2, side / 2, side / 2};
     if (!first.place(x[0]).tame) ++untame;
-    check(first, second, x, count_a, counts[{count_a, k - count_a}]);
+    check_weights(first, second, x, count_a, counts[{count_a, k - count_a}]);
     if (HasFatalFailure()) FAIL() << "instance " << i << ": " << count_a << " and " << k - count_a << " points";
   }
   EXPECT_EQ(counts.size(), 10u);
@@ -261,7 +253,7 @@ TEST(CommonPointTest, RandomPointsOfGrids) {
 }
 
 // det(1 x y z) of four points, by expansion.
-int orientation(const std::array<ExactPoint, 4>& p) {
+int orientation(const std::array<ExactVector, 4>& p) {
   std::array<std::array<Exact, 3>, 3> r{p[1], p[2], p[3]};
   for (auto& row : r) {
     for (std::size_t i = 0; i < 3; ++i) row[i] = row[i] - p[0][i];
@@ -280,7 +272,8 @@ Minors minors(std::span<const Posed3> points, std::size_t count_a) {
   Minors result;
   std::array<int, 5> c{};
   for (std::size_t i = 0; i < 5; ++i) {
-    std::array<ExactPoint, 4> rest{ExactPoint{0, 0, 0}, ExactPoint{0, 0, 0}, ExactPoint{0, 0, 0}, ExactPoint{0, 0, 0}};
+    std::array<ExactVector, 4> rest{ExactVector{0, 0, 0}, ExactVector{0, 0, 0}, ExactVector{0, 0, 0},
+                                    ExactVector{0, 0, 0}};
     for (std::size_t j = 0; j < 4; ++j) rest[j] = image(points[j < i ? j : j + 1]);
     c[i] = orientation(rest) * (i % 2 ? -1 : 1) * (i < count_a ? 1 : -1);
     if (c[i] == 0) result.vanish = true;
@@ -289,27 +282,27 @@ Minors minors(std::span<const Posed3> points, std::size_t count_a) {
   return result;
 }
 
-enum Kind { generic, near_tie, far, extreme, kinds };
+enum PointsKind { generic_points, near_tied_points, far_points, extreme_points, points_kinds };
 
 TEST(CommonPointTest, FivePointsOfAnySize) {
   Random random(tests::chosen_seed(2));
   const int n = tests::scaled_count(20000, 1000);
-  std::array<Counts, kinds> counts{};
-  std::array<StageTally, kinds> tallies{};
+  std::array<Counts, points_kinds> counts{};
+  std::array<StageTally, points_kinds> tallies{};
   int vanishing = 0;
   const auto in_cube = [&] { return tests::in_cube(random); };
   for (int i = 0; i < n; ++i) {
-    const Kind kind = static_cast<Kind>(i % kinds);
+    const PointsKind kind = static_cast<PointsKind>(i % points_kinds);
     std::size_t count_a = 1 + random.below(4);
     std::array<Affine3, 2> pose;
     for (double& m : pose[0].linear) m = random.uniform(-1, 1);
-    if (kind == far) {
+    if (kind == far_points) {
       const double size = random.log_uniform(1, 0x1p70);
       for (double& t : pose[0].translation) t = random.uniform(-size, size);
     }
     pose[1] = pose[0];
     std::array<Point3, 5> x{in_cube(), in_cube(), in_cube(), in_cube(), in_cube()};
-    if (kind == near_tie) {
+    if (kind == near_tied_points) {
       // One point nearly on the plane, the line, or the place of three others; mostly between them, and then whether
       // the bodies meet hangs on that.
       const bool between = random.below(4) != 0;
@@ -322,7 +315,7 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
     } else {
       std::swap(x[4], x[random.below(5)]);
     }
-    if (kind == extreme) {
+    if (kind == extreme_points) {
       const int e = static_cast<int>(random.between(-1074, 1020));
       const auto one = [&] { return std::ldexp(static_cast<double>(random.between(-3, 3)), e); };
       for (Point3& p : x) p = {one(), one(), one()};
@@ -346,13 +339,13 @@ TEST(CommonPointTest, FivePointsOfAnySize) {
     tallies[kind].interval += tally.interval;
     tallies[kind].exact += tally.exact;
   }
-  const auto each = static_cast<unsigned>(n / kinds);
-  EXPECT_GE(tallies[generic].rounded, each - each / 1000 - 1);
-  EXPECT_GT(tallies[near_tie].exact, each / 50);
-  EXPECT_GT(tallies[near_tie].rounded, each / 4);
-  EXPECT_GT(tallies[far].exact, each / 10);
-  EXPECT_GT(tallies[extreme].interval, each / 20);
-  EXPECT_GT(tallies[extreme].exact, each / 20);
+  const auto each = static_cast<unsigned>(n / points_kinds);
+  EXPECT_GE(tallies[generic_points].rounded, each - each / 1000 - 1);
+  EXPECT_GT(tallies[near_tied_points].exact, each / 50);
+  EXPECT_GT(tallies[near_tied_points].rounded, each / 4);
+  EXPECT_GT(tallies[far_points].exact, each / 10);
+  EXPECT_GT(tallies[extreme_points].interval, each / 20);
+  EXPECT_GT(tallies[extreme_points].exact, each / 20);
   for (const Counts& c : counts) EXPECT_GT(c.met, c.asked / 100);
   EXPECT_GT(vanishing, n / 100);
 }

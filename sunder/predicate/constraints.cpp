@@ -85,10 +85,10 @@ Guess corner_side_by_differences(const LeftOf&, const LeftOf&, const LeftOf&) { 
 
 // Numbers with which products of four, or of sums of them, neither overflow nor underflow in pairs of doubles: they are
 // multiples of 2^-202, so products are multiples of 2^-808.
-bool is_moderate(double x) { return x == 0 || (std::fabs(x) >= 0x1p-150 && std::fabs(x) <= 0x1p200); }
-bool is_moderate(const Constraint& i) { return is_moderate(i.a) && is_moderate(i.b) && is_moderate(i.c); }
-bool is_moderate(const LeftOf& i) {
-  return is_moderate(i.from.x) && is_moderate(i.from.y) && is_moderate(i.to.x) && is_moderate(i.to.y);
+bool is_middling(double x) { return x == 0 || (std::fabs(x) >= 0x1p-150 && std::fabs(x) <= 0x1p200); }
+bool is_middling(const Constraint& i) { return is_middling(i.a) && is_middling(i.b) && is_middling(i.c); }
+bool is_middling(const LeftOf& i) {
+  return is_middling(i.from.x) && is_middling(i.from.y) && is_middling(i.to.x) && is_middling(i.to.y);
 }
 
 // A pair of doubles and the size of the terms it is the sum of. An operation is off by at most 2^-102 of its result
@@ -124,7 +124,7 @@ Sign corner_side_by_stages(const Half& i, const Half& j, const Half& k, StageTal
     const Whole whole = corner_formula<Whole>(i, j, k);
     if (whole.size <= 0x1p53) return counted(&StageTally::exact, tally, sign_of(whole.value));
   }
-  if (is_moderate(i) && is_moderate(j) && is_moderate(k)) {
+  if (is_middling(i) && is_middling(j) && is_middling(k)) {
     const Precise precise = corner_formula<Precise>(i, j, k);
     const double error = precise_bound * precise.size;
     if (precise.value.high > error) return counted(&StageTally::interval, tally, Sign::positive);

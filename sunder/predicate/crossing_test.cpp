@@ -2,6 +2,7 @@
 #include <sunder/base/random.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/crossing.h>
+#include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ Sign order(const Triple& p, const Triple& q) {
   const Whole by_x = p[0] * q[2] - q[0] * p[2], by_y = p[1] * q[2] - q[1] * p[2];
   return static_cast<Sign>((by_x != 0 ? by_x : by_y).sign());
 }
-Sign turn(const Point2& s, const Point2& t, const Triple& p) {
+Sign turn_to_crossing(const Point2& s, const Point2& t, const Triple& p) {
   return static_cast<Sign>(dot(cross(triple(s), triple(t)), p).sign());
 }
 
@@ -58,22 +59,22 @@ bool equal(const Dyadic& x, const Dyadic& denominator, const Whole& n, const Who
   return left == right;
 }
 
-enum Kind { small_grid, generic, any_size, nearly_parallel, one_place, kinds };
+enum CrossingKind { small_grid, generic_crossing, any_size, nearly_parallel, one_place, crossing_kinds };
 
-class Source {
+class CrossingSource {
  public:
-  explicit Source(std::uint64_t seed) : random(seed) {}
+  explicit CrossingSource(std::uint64_t seed) : random(seed) {}
 
-  double number(Kind kind) {
+  double number(CrossingKind kind) {
     switch (kind) {
       case small_grid: return static_cast<double>(random.between(-3, 3));
       case any_size: return std::ldexp(random.uniform(-1, 1), static_cast<int>(random.between(-1074, 1023)));
       default: return random.uniform(-1, 1);
     }
   }
-  Point2 point(Kind kind) { return {number(kind), number(kind)}; }
+  Point2 point(CrossingKind kind) { return {number(kind), number(kind)}; }
 
-  Crossing crossing(Kind kind) {
+  Crossing crossing(CrossingKind kind) {
     Crossing c{point(kind), point(kind), point(kind), point(kind)};
     const auto near = [&](double x) { return x + static_cast<double>(random.between(-2, 2)) * 0x1p-52; };
     if (kind == nearly_parallel) {
@@ -91,7 +92,7 @@ class Source {
   Random random;
 };
 
-struct Count {
+struct CrossingCount {
   int all = 0, interval = 0, exact = 0, zero = 0;
   void add(const StageTally& tally, Sign sign) {
     EXPECT_EQ(tally.rounded, 0u);
@@ -104,10 +105,11 @@ struct Count {
 };
 
 TEST(CrossingTest, AgainstWholeNumbers) {
-  Source source(41);
-  std::map<Kind, Count> with_crossing, with_point, side;
-  for (int i = 0; i < 6000; ++i) {
-    const Kind kind = static_cast<Kind>(i % kinds);
+  CrossingSource source(41);
+  std::map<CrossingKind, CrossingCount> with_crossing, with_point, side;
+  const int count = tests::scaled_count(6000, 1000);
+  for (int i = 0; i < count; ++i) {
+    const CrossingKind kind = static_cast<CrossingKind>(i % crossing_kinds);
     const Crossing c = source.crossing(kind), d = source.crossing(kind);
     const auto p = common(c), q = common(d);
     if (!p || !q) continue;
@@ -136,21 +138,23 @@ TEST(CrossingTest, AgainstWholeNumbers) {
 
     const Point2 s = i % 3 == 0 ? d.a : r, t = source.point(kind);
     tally = {};
-    const Sign by_side = turn(s, t, *p);
+    const Sign by_side = turn_to_crossing(s, t, *p);
     ASSERT_EQ(orient_2d(s, t, c, in, &tally), by_side) << i;
     ASSERT_EQ(orient_2d(t, s, c, in), -by_side) << i;
     side[kind].add(tally, by_side);
   }
+  if (count < 6000) return;  // rates of a small run say little
   for (auto* counts : {&with_crossing, &with_point, &side}) {
-    for (const Kind kind : {small_grid, generic, any_size, nearly_parallel, one_place}) {
+    for (const CrossingKind kind : {small_grid, generic_crossing, any_size, nearly_parallel, one_place}) {
       EXPECT_GT((*counts)[kind].all, 300) << kind;
     }
     EXPECT_GT((*counts)[small_grid].zero, counts == &with_crossing ? 0 : 20);
     EXPECT_GT((*counts)[one_place].zero, 50);
     EXPECT_GT((*counts)[any_size].exact, 50);
   }
-  EXPECT_GE(with_crossing[generic].interval, with_crossing[generic].all - 5);
-  EXPECT_GT(side[generic].interval, side[generic].all * 3 / 4);  // the nearest double is on the line but for rounding
+  EXPECT_GE(with_crossing[generic_crossing].interval, with_crossing[generic_crossing].all - 5);
+  EXPECT_GT(side[generic_crossing].interval,
+            side[generic_crossing].all * 3 / 4);  // the nearest double is on the line but for rounding
   EXPECT_GT(with_crossing[one_place].exact, 200);
 }
 

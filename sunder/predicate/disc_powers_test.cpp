@@ -19,9 +19,9 @@ Dyadic power(const ExactPoint2& p, const Disc& d) {
   return x * x + y * y - r * r;
 }
 
-class Source {
+class PowerDiscSource {
  public:
-  explicit Source(std::uint64_t seed) : random(seed) {}
+  explicit PowerDiscSource(std::uint64_t seed) : random(seed) {}
 
   Disc disc(int kind) {
     const auto whole = [&](std::int64_t low, std::int64_t high) {
@@ -46,7 +46,7 @@ class Source {
 };
 
 TEST(DiscPowersTest, AgainstExactPoints) {
-  Source source(9);
+  PowerDiscSource source(9);
   std::array<StageTally, 4> tallies;
   std::array<int, 3> signs{};
   for (int i = 0; i < 16000; ++i) {

@@ -16,14 +16,14 @@ struct Pair {
 };
 
 // By one formula in exact numbers; the second radius with its sign in the sum.
-Sign exact(const Pair& d, bool sum) {
+Sign exact_sign(const Pair& d, bool sum) {
   const Dyadic x = Dyadic(d.q.x) - Dyadic(d.p.x), y = Dyadic(d.q.y) - Dyadic(d.p.y);
   const Dyadic reach = sum ? Dyadic(d.r) + Dyadic(d.s) : Dyadic(d.r) - Dyadic(d.s);
   return (x * x + y * y - reach * reach).sign();
 }
 
 void expect_exact(const Pair& d, StageTally* tally) {
-  const Sign sum = exact(d, true), difference = exact(d, false);
+  const Sign sum = exact_sign(d, true), difference = exact_sign(d, false);
   ASSERT_EQ(distance_against_sum(d.p, d.r, d.q, d.s, tally), sum);
   ASSERT_EQ(distance_against_sum(d.q, d.s, d.p, d.r), sum);
   ASSERT_EQ(distance_against_difference(d.p, d.r, d.q, d.s, tally), difference);
@@ -73,13 +73,13 @@ TEST(DiscsTest, IntegersAtAnyScale) {
     const Pair scaled{{scale * d.p.x, scale * d.p.y}, {scale * d.q.x, scale * d.q.y}, scale * d.r, scale * d.s};
     StageTally tally;
     ASSERT_NO_FATAL_FAILURE(expect_exact(scaled, &tally)) << turn;
-    ASSERT_EQ(exact(scaled, true), exact(d, true));
+    ASSERT_EQ(exact_sign(scaled, true), exact_sign(d, true));
     if (turn % 3 == 0) {  // what floating point does not decide, exact differences do
       ASSERT_EQ(tally.interval, 0u);
     }
     ASSERT_EQ(tally.rounded + tally.interval + tally.exact, 2u);
-    outside += exact(d, true) == Sign::zero;
-    within += exact(d, false) == Sign::zero;
+    outside += exact_sign(d, true) == Sign::zero;
+    within += exact_sign(d, false) == Sign::zero;
   }
   EXPECT_GT(outside, 200);
   EXPECT_GT(within, 200);
@@ -103,7 +103,7 @@ TEST(DiscsTest, NearTouching) {
     all.rounded += tally.rounded;
     all.interval += tally.interval;
     all.exact += tally.exact;
-    zeros += exact(d, true) == Sign::zero || exact(d, false) == Sign::zero;
+    zeros += exact_sign(d, true) == Sign::zero || exact_sign(d, false) == Sign::zero;
   }
   EXPECT_GT(all.rounded, 30000u);
   EXPECT_GT(all.exact, 500u);

@@ -2,12 +2,13 @@
 
 #include <sunder/base/random.h>
 
+#include <tests/support/doubles.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace sunder {
 namespace {
@@ -29,7 +30,7 @@ struct Tally {
 };
 
 // Whatever the filter is sure of is so, and the side is orient_3d's.
-void check(const std::array<Point3, 4>& points, const Point3& extent, Tally& tally) {
+void check_side(const std::array<Point3, 4>& points, const Point3& extent, Tally& tally) {
   const auto& [a, b, c, q] = points;
   const FacetPlane plane(a, b, c, extent);
   const Sign side = orient_3d(a, b, c, q);
@@ -60,7 +61,7 @@ TEST(FacetPlane, FarFromThePlaneTheFilterIsSure) {
   for (int i = 0; i < 10000; ++i) {
     const std::array<Point3, 4> points{random_point(random, 1), random_point(random, 1), random_point(random, 1),
                                        random_point(random, 1)};
-    check(points, extent_of(points), tally);
+    check_side(points, extent_of(points), tally);
   }
   EXPECT_GT(tally.sure, tally.asked - 5);
 }
@@ -71,7 +72,7 @@ TEST(FacetPlane, NearThePlaneTheFilterIsRight) {
   for (int i = 0; i < 40000; ++i) {
     const double height = (i % 2 == 0 ? 1 : -1) * random.log_uniform(0x1p-60, 0x1p-40);
     const std::array<Point3, 4> points = near_plane(random, 1, height);
-    check(points, extent_of(points), tally);
+    check_side(points, extent_of(points), tally);
   }
   EXPECT_GT(tally.sure, tally.asked / 4);
   EXPECT_LT(tally.sure, tally.asked * 3 / 4);
@@ -87,7 +88,7 @@ TEST(FacetPlane, OnThePlaneTheFilterIsUnsure) {
       p = {whole(), whole(), 0};
       p.z = 3 * p.x - 7 * p.y;
     }
-    check(points, extent_of(points), tally);
+    check_side(points, extent_of(points), tally);
     EXPECT_EQ(orient_3d(points[0], points[1], points[2], points[3]), Sign::zero);
   }
   EXPECT_EQ(tally.sure, 0);
@@ -101,7 +102,7 @@ TEST(FacetPlane, UnderflowIsInTheBound) {
     for (int i = 0; i < 2000; ++i) {
       const double height = i % 2 == 0 ? random.log_uniform(0x1p-60, 1) : -random.log_uniform(0x1p-60, 1);
       const std::array<Point3, 4> points = near_plane(random, std::ldexp(1.0, exponent), height);
-      check(points, extent_of(points), some);
+      check_side(points, extent_of(points), some);
     }
   }
   EXPECT_GT(some.sure, some.asked / 4);
@@ -109,7 +110,7 @@ TEST(FacetPlane, UnderflowIsInTheBound) {
   for (const int exponent : {-1000, -600, -400}) {
     for (int i = 0; i < 200; ++i) {
       const std::array<Point3, 4> points = near_plane(random, std::ldexp(1.0, exponent), 0.5);
-      check(points, extent_of(points), none);
+      check_side(points, extent_of(points), none);
     }
   }
   EXPECT_EQ(none.sure, 0);
@@ -128,7 +129,7 @@ TEST(FacetPlane, UnderflowOfOnePartIsInTheBound) {
       const auto pick = [&](double x) { return random.below(2) == 0 ? x : value(); };
       p = {pick(common[0]), pick(common[1]), pick(common[2])};
     }
-    check(points, extent_of(points), tally);
+    check_side(points, extent_of(points), tally);
   }
   EXPECT_GT(tally.sure, tally.asked / 20);
   EXPECT_LT(tally.sure, tally.asked);
@@ -143,7 +144,7 @@ TEST(FacetPlane, UnderflowOfTheNormalIsInTheBound) {
     const double far = std::ldexp(1.0, static_cast<int>(random.between(-20, 300)));
     const std::array<Point3, 4> points{random_point(random, size), random_point(random, size),
                                        random_point(random, size), random_point(random, far)};
-    check(points, extent_of(points), tally);
+    check_side(points, extent_of(points), tally);
   }
   EXPECT_GT(tally.sure, tally.asked / 3);
   EXPECT_LT(tally.sure, tally.asked * 9 / 10);
@@ -157,12 +158,11 @@ TEST(FacetPlane, OverflowMakesTheFilterUnsure) {
       const std::array<Point3, 4> points{
           random_point(random, std::ldexp(1.0, exponent)), random_point(random, std::ldexp(1.0, exponent)),
           random_point(random, std::ldexp(1.0, exponent)), random_point(random, std::ldexp(1.0, exponent))};
-      check(points, extent_of(points), tally);
+      check_side(points, extent_of(points), tally);
     }
   }
   EXPECT_EQ(tally.sure, 0);
-  const double infinity = std::numeric_limits<double>::infinity();
-  const FacetPlane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, infinity});
+  const FacetPlane plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, tests::infinity});
   EXPECT_EQ(plane.guess_side({0, 0, 0}, {0, 0, 1}), Guess::unsure);
 }
 
@@ -173,8 +173,8 @@ TEST(FacetPlane, ALargerExtentOnlyMakesItLessSure) {
     const double height = (i % 2 == 0 ? 1 : -1) * random.log_uniform(0x1p-50, 0x1p-10);
     const std::array<Point3, 4> points = near_plane(random, 1, height);
     const Point3 extent = extent_of(points);
-    check(points, extent, tight);
-    check(points, {0x1p20 * extent.x, 0x1p20 * extent.y, 0x1p20 * extent.z}, wide);
+    check_side(points, extent, tight);
+    check_side(points, {0x1p20 * extent.x, 0x1p20 * extent.y, 0x1p20 * extent.z}, wide);
   }
   EXPECT_GT(wide.sure, wide.asked / 4);
   EXPECT_GT(tight.sure, wide.sure + tight.asked / 4);

@@ -1,37 +1,28 @@
 // The order of heights against integer arithmetic, and which stage decides.
 #include <sunder/base/random.h>
 #include <sunder/predicate/height_order.h>
+#include <sunder/predicate/multiples_test.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
-#include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sunder {
 namespace {
 
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using tests::largest, tests::least, tests::Whole;
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-// The oracle: all numbers as multiples of the least double, each height as a fraction.
-Whole whole(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  const Whole n = static_cast<std::int64_t>(std::ldexp(m, 53));
-  const int shift = e - 53 + 1126;  // at least -1073 - 53 + 1126
-  return n << static_cast<unsigned>(shift);
-}
+// The oracle: all numbers as multiples of 2^-1126, each height as a fraction.
 Sign order_by_integers(const Point2& a, const Point2& b, const Point2& c, const Point2& d, double x) {
   const auto numerator = [&](const Point2& p, const Point2& q) -> Whole {
-    return whole(p.y) * (whole(q.x) - whole(x)) + whole(q.y) * (whole(x) - whole(p.x));
+    return multiple(p.y) * (multiple(q.x) - multiple(x)) + multiple(q.y) * (multiple(x) - multiple(p.x));
   };
-  const Whole left = numerator(a, b) * (whole(d.x) - whole(c.x)), right = numerator(c, d) * (whole(b.x) - whole(a.x));
+  const Whole left = numerator(a, b) * (multiple(d.x) - multiple(c.x)),
+              right = numerator(c, d) * (multiple(b.x) - multiple(a.x));
   return left > right ? Sign::positive : left < right ? Sign::negative : Sign::zero;
 }
 

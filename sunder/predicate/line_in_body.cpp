@@ -51,10 +51,6 @@ const auto& choose(const Vector3<Interval>& in, const Exact& exact) {
 
 }  // namespace
 
-Point3 nearest(const ExactPoint3& p) {
-  return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator), nearest_ratio(p.z, p.denominator)};
-}
-
 LineInBody::LineInBody(const Point3& a, const Point3& b, const Affine3& pose) {
   const auto& m = pose.linear;
   const auto row = [&](std::size_t i) { return Exact{m[i], m[i + 1], m[i + 2]}; };

@@ -7,26 +7,13 @@
 #include <sunder/number/interval.h>
 #include <sunder/number/sign.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/exact_point.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 
 #include <array>
 
 namespace sunder {
-
-// numerator / denominator, not in lowest terms; the denominator is positive.
-struct ExactFraction {
-  Dyadic numerator, denominator{1.0};
-  double nearest() const { return nearest_ratio(numerator, denominator); }  // ties to even
-};
-
-// Coordinates x / denominator, y / denominator and z / denominator; the denominator is positive.
-struct ExactPoint3 {
-  Dyadic x, y, z, denominator{1.0};
-};
-
-// The nearest doubles; infinite beyond the range.
-Point3 nearest(const ExactPoint3& p);
 
 // A point of a line, in the body's frame; or, where there is no such point, the direction in which it comes from afar.
 struct PlaceOnLine {

@@ -27,12 +27,12 @@ constexpr auto facing_formula = [](const auto& a, const auto& b, const auto& u, 
 // Products of up to seven numbers: each is a coordinate of the line or of an image, or a difference of two, at most
 // 2^62 in size. A product that underflows is off by at most 2^-1075, times at most 2^372 for what it is multiplied by:
 // all of them together by less than 2^-600. Nothing overflows.
-constexpr double most = 0x1p60, underflow = 0x1p-600;
+constexpr double most_coordinate = 0x1p60, underflow = 0x1p-600;
 
-bool is_small(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) <= most; }
+bool is_small(const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) <= most_coordinate; }
 bool are_small(const PosedTriangle& t) {
   // The reach bounds products and the translation, of which an image is a sum of four.
-  return std::max({t[0].reach, t[1].reach, t[2].reach}) <= most / 4;
+  return std::max({t[0].reach, t[1].reach, t[2].reach}) <= most_coordinate / 4;
 }
 
 template <int K>

@@ -1,4 +1,5 @@
 #include <sunder/base/random.h>
+#include <sunder/predicate/exact_image_test.h>
 #include <sunder/predicate/line_planes.h>
 #include <sunder/predicate/orient.h>
 
@@ -13,14 +14,12 @@ namespace sunder {
 namespace {
 
 using tests::Exact;
-using ExactVector = std::array<Exact, 3>;
 
-ExactVector minus(const ExactVector& a, const ExactVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-ExactVector cross(const ExactVector& a, const ExactVector& b) {
+ExactVector difference(const ExactVector& a, const ExactVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+ExactVector cross_product(const ExactVector& a, const ExactVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-Exact dot(const ExactVector& a, const ExactVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-ExactVector exact(const Point3& p) { return {p.x, p.y, p.z}; }
+Exact dot_product(const ExactVector& a, const ExactVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 ExactVector image(const Affine3& pose, const Point3& p) {
   const auto row = [&](std::size_t i) {
     const auto& m = pose.linear;
@@ -29,8 +28,6 @@ ExactVector image(const Affine3& pose, const Point3& p) {
   };
   return {row(0), row(1), row(2)};
 }
-Sign sign_of(const Exact& x) { return static_cast<Sign>(x.sign()); }
-
 // Whole numbers, near-ties, and sizes from 1e-300 to 1e300.
 TEST(LinePlanes, AgreeWithExactNumbers) {
   const int count = tests::scaled_count(3000);
@@ -57,18 +54,20 @@ TEST(LinePlanes, AgreeWithExactNumbers) {
     const PosedTriangle f{of(0), of(1), of(2)}, g{of(3), of(4), of(5)};
     std::array<ExactVector, 6> v{image(pose, p[0]), image(pose, p[1]), image(pose, p[2]),
                                  image(pose, p[3]), image(pose, p[4]), image(pose, p[5])};
-    const ExactVector from = exact(a), d = minus(exact(b), from);
+    const ExactVector from = image(a), d = difference(image(b), from);
     const auto turns = turns_about_line(a, b, f, &tally);
     for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_EQ(turns[k], sign_of(dot(cross(d, minus(v[k], from)), minus(v[(k + 1) % 3], from))));
+      EXPECT_EQ(turns[k],
+                sign_of(dot_product(cross_product(d, difference(v[k], from)), difference(v[(k + 1) % 3], from))));
     }
-    const ExactVector n_f = cross(minus(v[1], v[0]), minus(v[2], v[0])),
-                      n_g = cross(minus(v[4], v[3]), minus(v[5], v[3]));
+    const ExactVector n_f = cross_product(difference(v[1], v[0]), difference(v[2], v[0])),
+                      n_g = cross_product(difference(v[4], v[3]), difference(v[5], v[3]));
     const auto [of_f, of_g, beyond] = line_and_planes(a, b, f, g, &tally);
-    EXPECT_EQ(of_f, sign_of(dot(n_f, d)));
-    EXPECT_EQ(of_g, sign_of(dot(n_g, d)));
+    EXPECT_EQ(of_f, sign_of(dot_product(n_f, d)));
+    EXPECT_EQ(of_g, sign_of(dot_product(n_g, d)));
     EXPECT_EQ(facing(a, b, f), of_f);
-    const Exact left = dot(n_f, minus(from, v[0])) * dot(n_g, d), right = dot(n_g, minus(from, v[3])) * dot(n_f, d);
+    const Exact left = dot_product(n_f, difference(from, v[0])) * dot_product(n_g, d),
+                right = dot_product(n_g, difference(from, v[3])) * dot_product(n_f, d);
     EXPECT_EQ(beyond, sign_of(left - right));
     zeros += beyond == Sign::zero;
   }

@@ -11,10 +11,10 @@ bool is_same(const Crossing& p, const Crossing& q) { return p.a == q.a && p.b ==
 // A degree more than of the crossings: of points as x / denominator, the determinant of three.
 Dyadic minor(const Dyadic& a, const Dyadic& b, const Dyadic& c, const Dyadic& d) { return a * d - b * c; }
 
-struct Exact {
+struct ExactEdge {
   Vector2<Dyadic> at, arrow;
 };
-Exact exact(const LeftOfMoved& h) {
+ExactEdge exact(const LeftOfMoved& h) {
   return {lift<ExactStage>(h.at), lift<ExactStage>(h.to) - lift<ExactStage>(h.from)};
 }
 
@@ -23,12 +23,12 @@ Exact exact(const LeftOfMoved& h) {
 // With arrow d, the half-plane is d x p >= d x at. Multiples m with sum m d = 0 and sum m (d x at) > 0 contradict.
 bool have_no_common_point(std::span<const LeftOfMoved> half_planes) {
   if (half_planes.size() == 2) {
-    const Exact a = exact(half_planes[0]), b = exact(half_planes[1]);
+    const ExactEdge a = exact(half_planes[0]), b = exact(half_planes[1]);
     if (cross(a.arrow, b.arrow).sign() != Sign::zero || dot(a.arrow, b.arrow).sign() != Sign::negative) return false;
     return cross(a.arrow, b.at - a.at).sign() == Sign::negative;
   }
   if (half_planes.size() != 3) return false;
-  const Exact a = exact(half_planes[0]), b = exact(half_planes[1]), c = exact(half_planes[2]);
+  const ExactEdge a = exact(half_planes[0]), b = exact(half_planes[1]), c = exact(half_planes[2]);
   const Dyadic of_a = cross(b.arrow, c.arrow), of_b = cross(c.arrow, a.arrow), of_c = cross(a.arrow, b.arrow);
   if (of_a.sign() != of_b.sign() || of_b.sign() != of_c.sign() || of_a.sign() == Sign::zero) return false;
   const Dyadic sum = of_a * cross(a.arrow, a.at) + of_b * cross(b.arrow, b.at) + of_c * cross(c.arrow, c.at);

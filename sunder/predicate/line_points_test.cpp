@@ -11,9 +11,9 @@
 namespace sunder {
 namespace {
 
-class Source {
+class LinePointSource {
  public:
-  explicit Source(std::uint64_t seed) : random(seed) {}
+  explicit LinePointSource(std::uint64_t seed) : random(seed) {}
 
   double number(int kind) {
     switch (kind) {
@@ -36,7 +36,7 @@ class Source {
 };
 
 TEST(LinePointsTest, AgainstFractions) {
-  Source source(11);
+  LinePointSource source(11);
   std::array<std::array<int, 3>, 3> signs{};
   StageTally tally;
   for (int i = 0; i < 9000; ++i) {

@@ -1,5 +1,6 @@
 // The orientation predicates against integer arithmetic: the sign of each stage that is sure, and which stage decides.
 #include <sunder/base/random.h>
+#include <sunder/predicate/exact_image_test.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
 
@@ -17,25 +18,13 @@ namespace {
 
 using tests::in_cube, tests::on_grid;
 
-using tests::Exact, tests::infinity, tests::largest, tests::least;
-
-Sign sign_of(const Exact& x) { return static_cast<Sign>(x.sign()); }
-
-using ExactPoint = std::array<Exact, 3>;
-
-ExactPoint image(const Point3& p) { return {p.x, p.y, p.z}; }
-ExactPoint image(const Posed3& p) {
-  const auto& [m, t] = *p.pose;
-  const ExactPoint x = image(p.point);
-  return {x[0] * m[0] + x[1] * m[1] + x[2] * m[2] + t[0], x[0] * m[3] + x[1] * m[4] + x[2] * m[5] + t[1],
-          x[0] * m[6] + x[1] * m[7] + x[2] * m[8] + t[2]};
-}
+using tests::Exact;
 
 // det(a - c, b - c) of the coordinates i, j; det(b - d, a - d, c - d): other forms than those of the library.
-Sign turn(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j) {
+Sign true_turn(const ExactVector& a, const ExactVector& b, const ExactVector& c, std::size_t i, std::size_t j) {
   return sign_of((a[i] - c[i]) * (b[j] - c[j]) - (a[j] - c[j]) * (b[i] - c[i]));
 }
-Sign side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d) {
+Sign true_side(const ExactVector& a, const ExactVector& b, const ExactVector& c, const ExactVector& d) {
   std::array<std::array<Exact, 3>, 3> r{b, a, c};
   for (auto& row : r) {
     for (std::size_t i = 0; i < 3; ++i) row[i] = row[i] - d[i];
@@ -45,7 +34,7 @@ Sign side(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const E
 }
 
 // What the stages said over many instances.
-struct Record {
+struct OrientRecord {
   int count = 0, zero = 0, rounded = 0, interval = 0, exact = 0;
 
   template <class Formula, class Predicate, class... Points>
@@ -75,29 +64,27 @@ struct Record {
   void check_side(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     check(
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
-        side(image(a), image(b), image(c), image(d)), a, b, c, d);
+        true_side(image(a), image(b), image(c), image(d)), a, b, c, d);
   }
   void check_side(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d) {
     check(
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
-        side(image(a), image(b), image(c), image(d)), a, b, c, d);
+        true_side(image(a), image(b), image(c), image(d)), a, b, c, d);
   }
   template <class P>
   void check_turn(int axis, const P& a, const P& b, const P& c) {
     const auto predicate = [axis](const auto&... p) { return orient_2d_along(axis, p...); };
     const std::size_t i = static_cast<std::size_t>(axis + 1) % 3, j = static_cast<std::size_t>(axis + 2) % 3;
-    const Sign expected = turn(image(a), image(b), image(c), i, j);
+    const Sign expected = true_turn(image(a), image(b), image(c), i, j);
     if (axis == 0) check(orient_2d_formula<0>, predicate, expected, a, b, c);
     if (axis == 1) check(orient_2d_formula<1>, predicate, expected, a, b, c);
     if (axis == 2) check(orient_2d_formula<2>, predicate, expected, a, b, c);
   }
 };
 
-double power_of_two(std::int64_t e) { return std::ldexp(1.0, static_cast<int>(e)); }
-
 double nasty(Random& random) {
-  constexpr std::array special{0.0,   1.0,     least,   2 * least, 0x1p-1022,   1e-300,  0x1p-332,
-                               1e300, 0x1p511, largest, 0x1p1023,  1 + 0x1p-52, 0x1p280, 0x1p-280};
+  constexpr std::array special{0.0,   1.0,     tests::least,   2 * tests::least, 0x1p-1022,   1e-300,  0x1p-332,
+                               1e300, 0x1p511, tests::largest, 0x1p1023,         1 + 0x1p-52, 0x1p280, 0x1p-280};
   const double sign = random.below(2) ? 1 : -1;
   switch (random.below(3)) {
     case 0: return sign * special[random.below(special.size())];
@@ -107,11 +94,6 @@ double nasty(Random& random) {
 }
 
 Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-double nudged(double x, std::int64_t units) {
-  for (; units > 0; --units) x = std::nextafter(x, infinity);
-  for (; units < 0; ++units) x = std::nextafter(x, -infinity);
-  return x;
-}
 
 enum Kind { generic, grid, near_tie, near_tie_by_units, extreme, kinds };
 
@@ -137,7 +119,7 @@ std::array<Point3, 4> four_points(Random& random, Kind kind) {
     const double offset = kind == near_tie ? random.log_uniform(0x1p-70, 1) * (random.below(2) ? 1 : -1) : 0;
     p[3] = {a.x + s * (b.x - a.x) + t * (c.x - a.x) + offset, a.y + s * (b.y - a.y) + t * (c.y - a.y),
             a.z + s * (b.z - a.z) + t * (c.z - a.z)};
-    if (kind == near_tie_by_units) p[3].z = nudged(p[3].z, random.between(-3, 3));
+    if (kind == near_tie_by_units) p[3].z = tests::moved_by_bits(p[3].z, random.between(-3, 3));
     std::swap(p[3], p[random.below(4)]);
   }
   return p;
@@ -170,9 +152,9 @@ Affine3 any_pose(Random& random) {
 
 TEST(OrientTest, KnownSigns) {
   const Point3 o, x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  EXPECT_EQ(orient_2d({0, 0}, {1, 0}, {0, 1}), Sign::positive);
-  EXPECT_EQ(orient_2d({0, 0}, {0, 1}, {1, 0}), Sign::negative);
-  EXPECT_EQ(orient_2d({0, 0}, {1, 1}, {3, 3}), Sign::zero);
+  EXPECT_EQ(orient_2d(Point2{0, 0}, {1, 0}, Point2{0, 1}), Sign::positive);
+  EXPECT_EQ(orient_2d(Point2{0, 0}, {0, 1}, Point2{1, 0}), Sign::negative);
+  EXPECT_EQ(orient_2d(Point2{0, 0}, {1, 1}, Point2{3, 3}), Sign::zero);
   EXPECT_EQ(orient_3d(o, x, y, z), Sign::positive);  // o, x, y counter-clockwise as seen from z
   EXPECT_EQ(orient_3d(o, y, x, z), Sign::negative);
   EXPECT_EQ(orient_3d(o, x, y, Point3{3, -4, 0}), Sign::zero);
@@ -212,7 +194,7 @@ TEST(OrientTest, SmallIntegersInThePlane) {
     };
     const Point2 p = at(0, 0), q = at(s, 0), r = at(t, off);
     const auto image_of = [](const Point2& point) { return image(Point3{point.x, point.y, 0}); };
-    const Sign expected = turn(image_of(p), image_of(q), image_of(r), 0, 1);
+    const Sign expected = true_turn(image_of(p), image_of(q), image_of(r), 0, 1);
     StageTally tally;
     ASSERT_EQ(orient_2d(p, q, r, &tally), expected) << i;
     ASSERT_EQ(tally.rounded, 1u) << i;
@@ -232,13 +214,14 @@ TEST(OrientTest, FurtherStagesInThePlane) {
   EXPECT_EQ(decided({0x1p-60, 0}, {1, 1}, {3, 3}), (std::pair{Sign::negative, true}));
   EXPECT_EQ(decided({0, 0}, {0x1p-300, 0x1p-300}, {3 * 0x1p-300, 3 * 0x1p-300}), (std::pair{Sign::zero, true}));
   EXPECT_EQ(decided({0, 0}, {0x1p600, 0x1p600}, {0x1p601, 0x1p601}), (std::pair{Sign::zero, true}));
-  EXPECT_EQ(decided({-largest, -largest}, {largest, largest}, {0, 0}), (std::pair{Sign::zero, true}));
+  EXPECT_EQ(decided({-tests::largest, -tests::largest}, {tests::largest, tests::largest}, {0, 0}),
+            (std::pair{Sign::zero, true}));
 }
 
 TEST(OrientTest, EachStageOfPoints) {
   Random random(tests::chosen_seed(1));
   const int n = tests::scaled_count(60000, 1000);
-  std::array<Record, kinds> side_of, turn_of;
+  std::array<OrientRecord, kinds> side_of, turn_of;
   int untame = 0;
   for (int i = 0; i < n; ++i) {
     const Kind kind = static_cast<Kind>(i % kinds);
@@ -249,7 +232,7 @@ TEST(OrientTest, EachStageOfPoints) {
     side_of[kind].check_side(p[0], p[1], p[2], p[3]);
     turn_of[kind].check_turn(static_cast<int>(random.below(3)), p[1], p[2], p[3]);
     const Point2 a{p[0].x, p[0].y}, b{p[1].x, p[1].y}, c{p[3].x, p[3].y};
-    ASSERT_EQ(orient_2d(a, b, c), turn(image(p[0]), image(p[1]), image(p[3]), 0, 1)) << i;
+    ASSERT_EQ(orient_2d(a, b, c), true_turn(image(p[0]), image(p[1]), image(p[3]), 0, 1)) << i;
     if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind << ", scale " << scale;
   }
   EXPECT_GT(untame, n / 4);
@@ -267,8 +250,8 @@ TEST(OrientTest, EachStageOfPoints) {
 TEST(OrientTest, EachStageOfPosedPoints) {
   Random random(tests::chosen_seed(2));
   const int n = tests::scaled_count(30000, 1000);
-  std::array<Record, kinds> side_of, turn_of;
-  Record along_axis;
+  std::array<OrientRecord, kinds> side_of, turn_of;
+  OrientRecord along_axis;
   int untame = 0, reflected = 0, far = 0;
   for (int i = 0; i < n; ++i) {
     const Kind kind = static_cast<Kind>(i % kinds);
@@ -315,7 +298,7 @@ TEST(OrientTest, EachStageOfPosedPoints) {
 TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
   Random random(tests::chosen_seed(3));
   const int n = tests::scaled_count(50000, 1000);
-  Record sides, turns, posed_sides;
+  OrientRecord sides, turns, posed_sides;
   const Affine3 pose{{0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}, {3, -20, 0.125}};
   for (int i = 0; i < n; ++i) {
     const double scale = power_of_two(random.between(-90, 90));
@@ -329,7 +312,7 @@ TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
     }
     if (HasFatalFailure()) FAIL() << "instance " << i;
   }
-  for (const Record* r : {&sides, &turns, &posed_sides}) EXPECT_GE(r->rounded, r->count - r->count / 1000);
+  for (const OrientRecord* r : {&sides, &turns, &posed_sides}) EXPECT_GE(r->rounded, r->count - r->count / 1000);
 }
 
 // The filters are as good as their bounds: a distance of 2^-47 is seen in floating point, one of 2^-51 is not
@@ -337,7 +320,7 @@ TEST(OrientTest, GenericPointsAreDecidedInFloatingPoint) {
 TEST(OrientTest, DistanceThatFloatingPointSees) {
   Random random(tests::chosen_seed(4));
   const int n = tests::scaled_count(3000, 1000);
-  Record near, nearer;
+  OrientRecord near, nearer;
   for (int i = 0; i < n; ++i) {
     const Point3 a{1, 0, 0}, b{0, 1, 0}, c{0, 0, 1};
     const double s = random.uniform(0.25, 0.5), t = random.uniform(0.125, 0.25);
@@ -351,43 +334,45 @@ TEST(OrientTest, DistanceThatFloatingPointSees) {
   EXPECT_EQ(nearer.zero, 0);
 }
 
-enum class Stage { rounded, interval, exact };
+enum class DecidingStage { rounded, interval, exact };
 
 TEST(OrientTest, StageThatDecides) {
   const auto decided = [](const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     StageTally t;
     const Sign sign = orient_3d(a, b, c, d, &t);
-    return std::pair{sign, t.rounded ? Stage::rounded : t.interval ? Stage::interval : Stage::exact};
+    return std::pair{sign, t.rounded    ? DecidingStage::rounded
+                           : t.interval ? DecidingStage::interval
+                                        : DecidingStage::exact};
   };
   using enum Sign;
   // Coplanar: exact, but where every term is zero.
-  EXPECT_EQ(decided({1, 2, 3}, {4, 5, 7}, {7, 8, 12}, {2, 9, 4}), (std::pair{negative, Stage::rounded}));
-  EXPECT_EQ(decided({0, 0, 6}, {6, 0, 0}, {0, 6, 0}, {2, 2, 2}), (std::pair{zero, Stage::exact}));
-  EXPECT_EQ(decided({0, 0, 5}, {6, 0, 5}, {0, 6, 5}, {2, 2, 5}), (std::pair{zero, Stage::rounded}));
-  EXPECT_EQ(decided({1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {2, 9, 4}), (std::pair{zero, Stage::rounded}));
+  EXPECT_EQ(decided({1, 2, 3}, {4, 5, 7}, {7, 8, 12}, {2, 9, 4}), (std::pair{negative, DecidingStage::rounded}));
+  EXPECT_EQ(decided({0, 0, 6}, {6, 0, 0}, {0, 6, 0}, {2, 2, 2}), (std::pair{zero, DecidingStage::exact}));
+  EXPECT_EQ(decided({0, 0, 5}, {6, 0, 5}, {0, 6, 5}, {2, 2, 5}), (std::pair{zero, DecidingStage::rounded}));
+  EXPECT_EQ(decided({1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {2, 9, 4}), (std::pair{zero, DecidingStage::rounded}));
   // Not tame: intervals, also for a zero without rounding. Products that overflow or underflow: exact.
   for (const double s : {0x1p-290, 0x1p290}) {
-    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, Stage::interval}));
-    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {s, s, 0}), (std::pair{zero, Stage::interval}));
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, DecidingStage::interval}));
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {s, s, 0}), (std::pair{zero, DecidingStage::interval}));
   }
-  for (const double s : {1e-300, least}) {
-    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, Stage::exact}));
-    EXPECT_EQ(decided({s, s, s}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{negative, Stage::exact}));
+  for (const double s : {1e-300, tests::least}) {
+    EXPECT_EQ(decided({0, 0, 0}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{positive, DecidingStage::exact}));
+    EXPECT_EQ(decided({s, s, s}, {s, 0, 0}, {0, s, 0}, {0, 0, s}), (std::pair{negative, DecidingStage::exact}));
   }
-  for (const double s : {1e300, largest}) {
-    EXPECT_EQ(decided({-s, s, s}, {s, -s, s}, {s, s, -s}, {s, s, s}), (std::pair{positive, Stage::exact}));
+  for (const double s : {1e300, tests::largest}) {
+    EXPECT_EQ(decided({-s, s, s}, {s, -s, s}, {s, s, -s}, {s, s, s}), (std::pair{positive, DecidingStage::exact}));
     EXPECT_EQ(decided({-s, -s, -s}, {s, -s, -s}, {-s, s, -s}, {-s, -s, s}).first, positive);
     EXPECT_EQ(decided({-s, s, 0}, {s, -s, 0}, {s, s, 0}, {-s, -s, 0}).first, zero);
   }
-  EXPECT_EQ(decided({0, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, least}).first, positive);
-  EXPECT_EQ(decided({0, 0, least}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 0}).first, negative);
+  EXPECT_EQ(decided({0, 0, 0}, {1e300, 0, 0}, {0, 1e-300, 0}, {0, 0, tests::least}).first, positive);
+  EXPECT_EQ(decided({0, 0, tests::least}, {1e300, 0, 0}, {0, 1e300, 0}, {0, 0, 0}).first, negative);
 }
 
 // Images that are translations alone, down to where their products vanish.
 TEST(OrientTest, ImagesThatAreTranslations) {
   Random random(tests::chosen_seed(8));
   const int n = tests::scaled_count(3000, 1000);
-  Record sides;
+  OrientRecord sides;
   for (int i = 0; i < n; ++i) {
     const double scale = power_of_two(random.between(-1074, 1020));
     std::array<Affine3, 4> poses;
@@ -501,7 +486,7 @@ TEST(OrientTest, SurelyCross) {
     }
     const auto of = [&](std::size_t a, std::size_t b, std::size_t c) {
       const auto in_space = [](const Point2& q) { return image(Point3{q.x, q.y, 0}); };
-      return turn(in_space(p[a]), in_space(p[b]), in_space(p[c]), 0, 1);
+      return true_turn(in_space(p[a]), in_space(p[b]), in_space(p[c]), 0, 1);
     };
     const Sign c = of(0, 1, 2), d = of(0, 1, 3), a = of(2, 3, 0), b = of(2, 3, 1);
     const bool none_zero = c != Sign::zero && d != Sign::zero && a != Sign::zero && b != Sign::zero;
@@ -538,15 +523,15 @@ TEST(OrientTest, SurelyCrossAtTheEndsOfTheRange) {
     EXPECT_EQ(side_by_side(s), Guess::negative) << s;
   }
   // Products that vanish, differences and products that overflow.
-  for (const double s : {least, 0x1p-1022, 0x1p-540, 0x1p-531, 0x1p512, 0x1p1023, largest}) {
+  for (const double s : {tests::least, 0x1p-1022, 0x1p-540, 0x1p-531, 0x1p512, 0x1p1023, tests::largest}) {
     EXPECT_EQ(plus(s), Guess::unsure) << s;
     EXPECT_EQ(side_by_side(s), Guess::unsure) << s;
     EXPECT_FALSE(surely_on_one_side({-s, 0}, {s, 0}, {-s, s}, {s, s})) << s;
   }
   EXPECT_EQ(surely_cross_2d({0, 0}, {0, 0}, {1, 1}, {2, 0}), Guess::unsure);
   // A product that vanishes next to one that does not.
-  EXPECT_EQ(surely_cross_2d({0, 0}, {1, least}, {0.5, 0}, {0.5, 1}), Guess::unsure);
-  EXPECT_EQ(surely_cross_2d({0, 0}, {1, least}, {0.5, -1}, {0.5, 1}), Guess::positive);
+  EXPECT_EQ(surely_cross_2d({0, 0}, {1, tests::least}, {0.5, 0}, {0.5, 1}), Guess::unsure);
+  EXPECT_EQ(surely_cross_2d({0, 0}, {1, tests::least}, {0.5, -1}, {0.5, 1}), Guess::positive);
 }
 
 TEST(OrientTest, Determinant) {
@@ -555,7 +540,7 @@ TEST(OrientTest, Determinant) {
   EXPECT_EQ(determinant_sign({{0, 1, 0, 0, 0, 1, 1, 0, 0}, {}}), Sign::positive);
   EXPECT_EQ(determinant_sign({{1, 2, 3, 4, 5, 6, 7, 8, 9}, {}}), Sign::zero);
   EXPECT_EQ(determinant_sign({{1, 2, 3, 4, 5, 6, 7, 8, 9 + 0x1p-49}, {}}), Sign::negative);
-  EXPECT_EQ(determinant_sign({{least, 0, 0, 0, least, 0, 0, 0, -least}, {}}), Sign::negative);
+  EXPECT_EQ(determinant_sign({{tests::least, 0, 0, 0, tests::least, 0, 0, 0, -tests::least}, {}}), Sign::negative);
   EXPECT_EQ(determinant_sign({{1e300, 0, 0, 0, 1e300, 0, 0, 0, 1e300}, {}}), Sign::positive);
   EXPECT_EQ(determinant_sign({{1e300, 1e300, 0, 1e300, 1e300, 0, 0, 0, 1e300}, {}}), Sign::zero);
 }

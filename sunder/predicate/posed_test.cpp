@@ -1,5 +1,7 @@
 #include <sunder/predicate/posed.h>
 
+#include <tests/support/doubles.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,13 +10,10 @@
 namespace sunder {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
 SizeRange sizes(const std::vector<double>& numbers) { return size_range(std::span<const double>(numbers)); }
 
 TEST(PosedTest, SizeRange) {
+  using tests::infinity, tests::largest, tests::least;
   const SizeRange none;
   EXPECT_EQ(none.least, infinity);
   EXPECT_EQ(none.greatest, 0);
@@ -35,6 +34,7 @@ TEST(PosedTest, SizeRange) {
 }
 
 TEST(PosedTest, TameLimits) {
+  using tests::infinity, tests::largest, tests::least;
   const SizeRange one = sizes({1}), none;
   const auto below = [](double x) { return std::nextafter(x, 0); };
   const auto above = [](double x) { return std::nextafter(x, infinity); };
@@ -67,6 +67,7 @@ TEST(PosedTest, TameLimits) {
 }
 
 TEST(PosedTest, FindsOutByItself) {
+  using tests::least;
   const Affine3 identity;
   EXPECT_TRUE(posed({1, 2, 3}, identity).tame);
   EXPECT_TRUE(posed({0, 0, 0}, identity).tame);

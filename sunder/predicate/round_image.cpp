@@ -10,15 +10,15 @@ namespace {
 
 using V = Vector3<double>;
 
-constexpr double most = 0x1p60, least = 0x1p-300, least_length = 0x1p-100, least_entry = 0x1p-500;
+constexpr double most_size = 0x1p60, least_size = 0x1p-300, least_length = 0x1p-100, least_entry = 0x1p-500;
 
-double length(const V& v) { return std::sqrt(dot(v, v)); }
+double image_length(const V& v) { return std::sqrt(dot(v, v)); }
 
 V turned(const Affine3& pose, double x, double y, double z) {
   const auto& m = pose.linear;
   return {m[0] * x + m[1] * y + m[2] * z, m[3] * x + m[4] * y + m[5] * z, m[6] * x + m[7] * y + m[8] * z};
 }
-V pulled(const Affine3& pose, const V& d) {
+V pulled_back(const Affine3& pose, const V& d) {
   const auto& m = pose.linear;
   return {m[0] * d.x + m[3] * d.y + m[6] * d.z, m[1] * d.x + m[4] * d.y + m[7] * d.z,
           m[2] * d.x + m[5] * d.y + m[8] * d.z};
@@ -28,7 +28,7 @@ V image_of(const Affine3& pose, const Point3& p) {
   return {v.x + pose.translation[0], v.y + pose.translation[1], v.z + pose.translation[2]};
 }
 
-Guess sure(double value, double error) {
+Guess guess_beyond(double value, double error) {
   return value > error ? Guess::positive : value < -error ? Guess::negative : Guess::unsure;
 }
 
@@ -52,8 +52,8 @@ void set_image(RoundImage& image, RoundKind kind, const Affine3& pose, const Poi
     image.size = size + 3 * greatest * radius;
     image.is_tame = is_moderate_size(image.size) && greatest >= least_length && radius >= least_length;
   } else if (kind != RoundKind::hull) {
-    image.length = length(image.axis);
-    if (!(image.length >= least_length && image.length <= most)) image.is_tame = false;
+    image.length = image_length(image.axis);
+    if (!(image.length >= least_length && image.length <= most_size)) image.is_tame = false;
     const double by = 1 / image.length;
     image.axis = {image.axis.x * by, image.axis.y * by, image.axis.z * by};
   }
@@ -81,10 +81,10 @@ void set_image(RoundImage& image, const Affine3& pose, const Point3* range, doub
 double reach_along(const RoundImage& image, const V& d) {
   switch (image.kind) {
     case RoundKind::hull: {
-      const double round = image.radius > 0 ? image.radius * length(d) : 0;
+      const double round = image.radius > 0 ? image.radius * image_length(d) : 0;
       if (image.ends == 1) return dot(d, image.from) + round;
       if (image.ends == 2) return std::max(dot(d, image.from), dot(d, image.to)) + round;
-      const V e = pulled(*image.pose, d);
+      const V e = pulled_back(*image.pose, d);
       const auto& t = image.pose->translation;
       const double moved = d.x * t[0] + d.y * t[1] + d.z * t[2];
       if (image.range != nullptr) {
@@ -100,17 +100,17 @@ double reach_along(const RoundImage& image, const V& d) {
       }
       return std::max(furthest[0], furthest[1]) + moved + round;
     }
-    case RoundKind::ellipsoid: return dot(d, image.from) + image.radius * length(pulled(*image.pose, d));
+    case RoundKind::ellipsoid: return dot(d, image.from) + image.radius * image_length(pulled_back(*image.pose, d));
     case RoundKind::cylinder:
-      return std::max(dot(d, image.from), dot(d, image.to)) + image.radius * length(cross(d, image.axis));
+      return std::max(dot(d, image.from), dot(d, image.to)) + image.radius * image_length(cross(d, image.axis));
     case RoundKind::cone: break;
   }
-  return std::max(dot(d, image.from) + image.radius * length(cross(d, image.axis)), dot(d, image.to));
+  return std::max(dot(d, image.from) + image.radius * image_length(cross(d, image.axis)), dot(d, image.to));
 }
 
 Guess gap_guess(const V& d, const RoundImage& a, const RoundImage& b) {
   const double gap = -reach_along(b, {-d.x, -d.y, -d.z}) - reach_along(a, d);
-  const Guess guess = sure(gap, round_image_error * (a.size + b.size));
+  const Guess guess = guess_beyond(gap, round_image_error * (a.size + b.size));
   return a.is_tame && b.is_tame ? guess : Guess::unsure;
 }
 
@@ -125,20 +125,21 @@ Guess side_guess(const RoundImage& image, const V& x, double size) {
     const V p{m[0], m[3], m[6]}, q{m[1], m[4], m[7]}, r{m[2], m[5], m[8]};
     const V of_p = cross(q, r);
     const double determinant = std::fabs(dot(p, of_p));
-    const double way = length({dot(of_p, from), dot(cross(r, p), from), dot(cross(p, q), from)});
+    const double way = image_length({dot(of_p, from), dot(cross(r, p), from), dot(cross(p, q), from)});
     const double g = image.greatest;
     const double sizes = std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) + g * image.radius + 5 * size;
-    if (!(sizes <= most)) return Guess::unsure;
-    return sure(image.radius * determinant - way, 0x1p-46 * (g * g * sizes) + least);
+    if (!(sizes <= most_size)) return Guess::unsure;
+    return guess_beyond(image.radius * determinant - way, 0x1p-46 * (g * g * sizes) + least_size);
   }
-  const double far = length(from);
-  if (!(far <= most)) return Guess::unsure;
-  const double along = dot(from, image.axis), across = length(cross(from, image.axis)), rest = image.length - along;
+  const double far = image_length(from);
+  if (!(far <= most_size)) return Guess::unsure;
+  const double along = dot(from, image.axis), across = image_length(cross(from, image.axis)),
+               rest = image.length - along;
   const double error = round_image_error * (image.size + size + far);
   double reach = image.radius, of_reach = error;
   if (image.kind == RoundKind::cone) {
     const double slope = image.radius / image.length;
-    if (!(slope <= most)) return Guess::unsure;
+    if (!(slope <= most_size)) return Guess::unsure;
     reach = slope * rest;
     of_reach = error * (1 + slope);
   }
@@ -147,9 +148,9 @@ Guess side_guess(const RoundImage& image, const V& x, double size) {
 }
 
 Guess nearness_guess(const V& p, const V& q, double reach, double size) {
-  if (!(is_moderate_size(size) && reach <= most)) return Guess::unsure;
-  const double far = length(q - p);
-  return sure(reach - far, round_image_error * (size + far));
+  if (!(is_moderate_size(size) && reach <= most_size)) return Guess::unsure;
+  const double far = image_length(q - p);
+  return guess_beyond(reach - far, round_image_error * (size + far));
 }
 
 }  // namespace sunder

@@ -12,7 +12,7 @@
 namespace sunder {
 namespace {
 
-constexpr RoundKind kinds[] = {RoundKind::hull, RoundKind::cylinder, RoundKind::cone, RoundKind::ellipsoid};
+constexpr RoundKind round_kinds[] = {RoundKind::hull, RoundKind::cylinder, RoundKind::cone, RoundKind::ellipsoid};
 
 // A body of a random kind in a random place.
 struct Body {
@@ -56,7 +56,7 @@ Guess as_guess(Sign sign) {
   return sign == Sign::zero ? Guess::zero : sign == Sign::positive ? Guess::positive : Guess::negative;
 }
 
-struct Count {
+struct GuessCount {
   int sure = 0, unsure = 0;
   void see(Guess guess, Sign exact) {
     ++(is_sure(guess) ? sure : unsure);
@@ -69,16 +69,16 @@ struct Count {
 // Of pairs at random, and of those that are moved to where the sign changes, then by some last bits.
 TEST(RoundImage, NoSureGapIsWrong) {
   Random random(20261201);
-  for (const RoundKind kind_a : kinds) {
-    for (const RoundKind kind_b : kinds) {
-      Count far, near;
+  for (const RoundKind kind_a : round_kinds) {
+    for (const RoundKind kind_b : round_kinds) {
+      GuessCount far, near;
       for (int i = 0; i < 60; ++i) {
         const Body a(random, kind_a);
         Body b(random, kind_b);
         Point3 d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
         ASSERT_TRUE(make_tame(d));
         const Vector3<double> v{d.x, d.y, d.z};
-        const auto see = [&](Count& count) {
+        const auto see = [&](GuessCount& count) {
           count.see(gap_guess(v, a.image(), b.image()), gap_sign(WorldDirection(d), a.shape(), b.shape()));
         };
         see(far);
@@ -126,13 +126,13 @@ TEST(RoundImage, BoxesReachAsFarAsTheirCorners) {
 TEST(RoundImage, NoSureSideIsWrong) {
   Random random(20261202);
   for (const RoundKind kind : {RoundKind::cylinder, RoundKind::cone, RoundKind::ellipsoid}) {
-    Count far, near;
+    GuessCount far, near;
     int held = 0;
     for (int i = 0; i < 200; ++i) {
       const Body body(random, kind);
       const RoundImage image = body.image();
       const Affine3 in_place{};
-      const auto see = [&](Count& count, const Point3& x) {
+      const auto see = [&](GuessCount& count, const Point3& x) {
         const Sign exact = side_of(body.shape(), {1, {Posed3{x, &in_place, false}}, {1}});
         count.see(side_guess(image, {x.x, x.y, x.z}), exact);
         return exact;
@@ -164,7 +164,7 @@ TEST(RoundImage, NoSureSideIsWrong) {
 
 TEST(RoundImage, NoSureNearnessIsWrong) {
   Random random(20261203);
-  Count near;
+  GuessCount near;
   int parted = 0;
   for (int i = 0; i < 2000; ++i) {
     const Body a(random, RoundKind::hull), b(random, RoundKind::hull);
@@ -195,7 +195,7 @@ TEST(RoundImage, NoSureNearnessIsWrong) {
 TEST(RoundImage, ExtremeSizes) {
   Random random(20261204);
   for (const double scale : {0x1p-400, 0x1p400}) {
-    for (const RoundKind kind : kinds) {
+    for (const RoundKind kind : round_kinds) {
       Body body(random, kind);
       body.radius *= scale;
       for (double& t : body.pose.translation) t *= scale;

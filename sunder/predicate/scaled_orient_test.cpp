@@ -2,6 +2,8 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/scaled_orient.h>
 #include <sunder/predicate/stages.h>
+
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -9,10 +11,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 namespace sunder {
 namespace {
+
+using tests::largest, tests::least;
 
 Sign exact_side(const std::array<Point3, 4>& p) {
   return orient_3d_formula(lift<ExactStage>(p[0]), lift<ExactStage>(p[1]), lift<ExactStage>(p[2]),
@@ -20,7 +23,7 @@ Sign exact_side(const std::array<Point3, 4>& p) {
       .sign();
 }
 
-struct Count {
+struct SideCount {
   int all = 0, sure = 0, zero = 0;
 
   void check(const std::array<Point3, 4>& p) {
@@ -37,7 +40,6 @@ struct Count {
 
 // A number of any size, some as small as there are or as large.
 double of_any_size(Random& random) {
-  constexpr double least = 5e-324, largest = std::numeric_limits<double>::max();
   const double sign = random.below(2) != 0 ? 1 : -1;
   switch (random.below(6)) {
     case 0: return 0;
@@ -50,7 +52,7 @@ double of_any_size(Random& random) {
 
 TEST(ScaledOrient, AnyNumbers) {
   Random random(tests::chosen_seed(41));
-  Count count;
+  SideCount count;
   for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     for (Point3& q : p) q = {of_any_size(random), of_any_size(random), of_any_size(random)};
@@ -65,7 +67,7 @@ TEST(ScaledOrient, AnyNumbers) {
 // Three points of a parabola that crowd together at the origin, and one far from them: in any order.
 TEST(ScaledOrient, PointsThatCrowdTogether) {
   Random random(tests::chosen_seed(42));
-  Count count;
+  SideCount count;
   for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p{Point3{0.5, 0.6, 1}};
     const double t = std::exp2(-random.uniform(0, 500));
@@ -83,7 +85,7 @@ TEST(ScaledOrient, PointsThatCrowdTogether) {
 // One axis is scaled by 2^600, or 2^-600.
 TEST(ScaledOrient, AxesThatAreScaledApart) {
   Random random(tests::chosen_seed(43));
-  Count count;
+  SideCount count;
   for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     const double by = random.below(2) != 0 ? 0x1p600 : 0x1p-600;
@@ -97,7 +99,7 @@ TEST(ScaledOrient, AxesThatAreScaledApart) {
 // Nearly in a plane, and in it.
 TEST(ScaledOrient, NearTies) {
   Random random(tests::chosen_seed(44));
-  Count count;
+  SideCount count;
   for (int i = tests::scaled_count(20000, 5000); i > 0; --i) {
     std::array<Point3, 4> p;
     const double by = std::ldexp(1.0, static_cast<int>(random.between(-1000, 900)));

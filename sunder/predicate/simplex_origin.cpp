@@ -10,8 +10,8 @@ namespace sunder {
 
 namespace {
 
-constexpr std::size_t most = 7;
-using Matrix = std::array<std::array<double, most>, most>;
+constexpr std::size_t most_corners = 7;
+using Matrix = std::array<std::array<double, most_corners>, most_corners>;
 
 double middle(const Interval& x) { return x.low + (x.high - x.low) / 2; }
 
@@ -52,10 +52,10 @@ bool invert(Matrix m, std::size_t n, Matrix& inverse) {
 }  // namespace
 
 Guess least_weight_of_origin(std::span<const Interval> points, std::size_t d) {
-  SUNDER_REQUIRE(d >= 2 && d < most && points.size() == d * (d + 1));
+  SUNDER_REQUIRE(d >= 2 && d < most_corners && points.size() == d * (d + 1));
   const std::size_t n = d + 1;
-  Matrix m{}, inverse{};                     // M, but for `width`
-  std::array<double, most> size{}, width{};  // of the rows of M: sums of sizes, and of what m may be off
+  Matrix m{}, inverse{};                             // M, but for `width`
+  std::array<double, most_corners> size{}, width{};  // of the rows of M: sums of sizes, and of what m may be off
   Matrix off{};
   for (std::size_t i = 0; i < n; ++i) {
     double greatest = 1;
@@ -82,7 +82,7 @@ Guess least_weight_of_origin(std::span<const Interval> points, std::size_t d) {
   // follows is sums of few numbers that are not negative: `more` pays for their roundings.
   const double unit = static_cast<double>(n + 2) * 0x1p-53;
   constexpr double lost = 0x1p-1060, more = 1 + 0x1p-40;
-  std::array<double, most> rest{};  // a bound of |e - M m|, where m is the last column of the inverse
+  std::array<double, most_corners> rest{};  // a bound of |e - M m|, where m is the last column of the inverse
   for (std::size_t i = 0; i < n; ++i) {
     double sum = i == d ? 1 : 0, magnitude = sum, slack = lost;
     for (std::size_t k = 0; k < n; ++k) {
@@ -95,7 +95,7 @@ Guess least_weight_of_origin(std::span<const Interval> points, std::size_t d) {
   }
   double norm = 0, error = 0;  // bounds of |E| and |R rest|
   for (std::size_t i = 0; i < n; ++i) {
-    std::array<double, most> e{};
+    std::array<double, most_corners> e{};
     e[i] = 1;
     double slack = unit + lost, of_rest = lost;
     for (std::size_t k = 0; k < n; ++k) {

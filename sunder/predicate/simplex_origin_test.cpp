@@ -45,13 +45,13 @@ int exact_least_sign(const std::vector<std::int64_t>& points, std::size_t d) {
   };
   const int whole = determinant(rows).sign();
   if (whole == 0) return 2;
-  int least = 1;
+  int least_sign = 1;
   for (std::size_t k = 0; k < n; ++k) {
     auto with = rows;
     for (std::size_t i = 0; i < n; ++i) with[i][k] = i == d ? 1 : 0;
-    least = std::min(least, determinant(with).sign() * whole);
+    least_sign = std::min(least_sign, determinant(with).sign() * whole);
   }
-  return least;
+  return least_sign;
 }
 
 TEST(SimplexOrigin, IsPositiveOnlyWhereAllWeightsAre) {

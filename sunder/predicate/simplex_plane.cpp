@@ -15,7 +15,7 @@ constexpr std::size_t most_masks = std::size_t{1} << (most_of_simplex + 1);
 
 // What floating point made of an expression, and the same of the sizes of its leaves (number/rounded.h). As those
 // there, but that roundings are counted for all at once.
-struct Sized {
+struct SizedNumber {
   double value = 0, size = 0;
 };
 
@@ -30,7 +30,7 @@ constexpr int roundings(std::size_t d) {
 
 // The bound is R3 of number/rounded.h with a rounding more, for the sum of sizes. What underflows loses at most
 // 2^-1074, times factors of at most 2^6 720 in all: with some hundred operations far below 2^-1000.
-constexpr double relative = (roundings(most_of_simplex) + 2) * 0x1p-53, absolute = 0x1p-1000;
+constexpr double part_off_plane = (roundings(most_of_simplex) + 2) * 0x1p-53, least_off_plane = 0x1p-1000;
 
 // Of the rows entry(r, .), all minors: minor[mask] is that of as many rows as the mask has columns.
 template <class Number, class Entry>
@@ -70,37 +70,37 @@ class SizedMinors {
     }(std::make_integer_sequence<unsigned, (1u << Columns) - 1>{});
   }
 
-  const Sized& operator[](unsigned mask) const { return minor_[mask]; }
+  const SizedNumber& operator[](unsigned mask) const { return minor_[mask]; }
 
  private:
   template <unsigned mask, std::size_t... columns>
   void take(std::index_sequence<columns...>) {
     if constexpr (static_cast<std::size_t>(std::popcount(mask)) <= Rows) {
-      Sized sum{};
+      SizedNumber sum{};
       (add<mask, columns>(sum), ...);
       minor_[mask] = sum;
     }
   }
 
   template <unsigned mask, std::size_t c>
-  void add(Sized& sum) const {
+  void add(SizedNumber& sum) const {
     if constexpr ((mask >> c & 1) != 0) {
       constexpr auto r = static_cast<std::size_t>(std::popcount(mask)) - 1;
       constexpr auto before = static_cast<std::size_t>(std::popcount(mask & ((1u << c) - 1)));
-      const Sized& entry = entry_[r][c];
+      const SizedNumber& entry = entry_[r][c];
       if constexpr (r == 0) {
         sum = entry;
       } else {
-        const Sized& rest = minor_[mask & ~(1u << c)];
-        const Sized product{entry.value * rest.value, entry.size * rest.size};
+        const SizedNumber& rest = minor_[mask & ~(1u << c)];
+        const SizedNumber product{entry.value * rest.value, entry.size * rest.size};
         sum.value = ((r + before) & 1) == 0 ? sum.value + product.value : sum.value - product.value;
         sum.size += product.size;
       }
     }
   }
 
-  std::array<std::array<Sized, Columns>, Rows> entry_;
-  std::array<Sized, 1u << Columns> minor_;
+  std::array<std::array<SizedNumber, Columns>, Rows> entry_;
+  std::array<SizedNumber, 1u << Columns> minor_;
 };
 
 // Calls with a constant 2 to 6 that is d.
@@ -209,7 +209,7 @@ RoundedPlane PlanePoints::rounded_plane(const SimplexCorners& corners) const {
   const double* const origin = rounded(corners[0]);
   const auto entry = [&](std::size_t r, std::size_t c) {
     const double x = rounded(corners[r + 1])[c] - origin[c];
-    return Sized{x, std::fabs(x) + uncertainty_};
+    return SizedNumber{x, std::fabs(x) + uncertainty_};
   };
   return with_dimension(d_, [&](auto dimension) {
     constexpr std::size_t d = dimension;
@@ -218,13 +218,13 @@ RoundedPlane PlanePoints::rounded_plane(const SimplexCorners& corners) const {
     RoundedPlane plane;
     double sizes = 0;
     for (std::size_t c = 0; c < d; ++c) {
-      const Sized& without = minor[all & ~(1u << c)];
+      const SizedNumber& without = minor[all & ~(1u << c)];
       plane.normal[c] = (c & 1) == 0 ? without.value : -without.value;
       plane.offset += plane.normal[c] * origin[c];
       sizes += without.size;
     }
     // Of q and p0 together 2, and what is uncertain about them.
-    plane.error = is_exact_ ? 0 : relative * (sizes * (2 + 2 * uncertainty_)) + absolute;
+    plane.error = is_exact_ ? 0 : part_off_plane * (sizes * (2 + 2 * uncertainty_)) + least_off_plane;
     return plane;
   });
 }
@@ -233,14 +233,14 @@ Guess PlanePoints::closer_side(const SimplexCorners& corners, std::uint32_t k) c
   const double* const origin = rounded(corners[0]);
   const auto entry = [&](std::size_t r, std::size_t c) {
     const double x = (r + 1 < d_ ? rounded(corners[r + 1]) : rounded(k))[c] - origin[c];
-    return Sized{x, std::fabs(x) + uncertainty_};
+    return SizedNumber{x, std::fabs(x) + uncertainty_};
   };
-  Sized sum = with_dimension(d_, [&](auto dimension) {
+  SizedNumber sum = with_dimension(d_, [&](auto dimension) {
     constexpr std::size_t d = dimension;
     return SizedMinors<d, d>(entry)[(1u << d) - 1];
   });  // its row is the last, not the first
   if ((d_ & 1) == 0) sum.value = -sum.value;
-  const double error = is_exact_ ? 0 : relative * sum.size + absolute;
+  const double error = is_exact_ ? 0 : part_off_plane * sum.size + least_off_plane;
   if (sum.value > error) return Guess::positive;
   if (sum.value < -error) return Guess::negative;
   return error == 0 ? Guess::zero : Guess::unsure;

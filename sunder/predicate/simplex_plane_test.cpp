@@ -30,7 +30,7 @@ Whole determinant(const Rows& m) {
   return sum;
 }
 
-std::vector<Whole> whole(const std::vector<double>& numbers) {
+std::vector<Whole> whole_numbers(const std::vector<double>& numbers) {
   std::vector<Whole> result;
   for (const double x : numbers) result.push_back(x == 0 ? Whole(0) : tests::Exact(x).at(-500));
   return result;
@@ -87,7 +87,7 @@ TEST(SimplexPlane, EachStageSaysWhatTheDeterminantIs) {
     Rows exact;
     for (const auto& p : points) {
       flat.insert(flat.end(), p.begin(), p.end());
-      exact.push_back(whole(p));
+      exact.push_back(whole_numbers(p));
     }
     const PlanePoints of(d, flat);
     // The same as fractions: each times a weight.

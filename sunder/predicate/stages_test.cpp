@@ -1,8 +1,9 @@
 // How predicates run through their stages: the formulas, the roundings counted for them, and who decides.
 #include <sunder/base/random.h>
-#include <sunder/number/integer_internal.h>
+#include <sunder/number/rational_test.h>
 #include <sunder/predicate/stages.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -13,23 +14,7 @@
 namespace sunder {
 namespace {
 
-using Rational =
-    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
-using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
-
-Rational rational(const Whole& n, std::int64_t e) {
-  const Whole one = 1;
-  return Rational(e > 0 ? n << static_cast<unsigned>(e) : n, e < 0 ? one << static_cast<unsigned>(-e) : one);
-}
-Rational rational(double x) {
-  int e = 0;
-  const double m = std::frexp(x, &e);
-  return rational(static_cast<std::int64_t>(std::ldexp(m, 53)), e - 53);
-}
-Rational rational(const Dyadic& x) { return rational(Whole(mantissa_of(x).str()), x.exponent()); }
+using tests::largest, tests::least;
 
 // The roundings of each formula, counted by hand. An image has 3; a difference of points 1, of images 4.
 using FromPoint = Vector3<Rounded<0>>;

@@ -12,20 +12,20 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-struct Exact {
+struct WidePoint {
   Wide x, y;
 };
-Exact image(const Point2& p) { return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)}; }
-Exact image(const Posed2& p) {
+WidePoint wide_image(const Point2& p) { return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y)}; }
+WidePoint wide_image(const Posed2& p) {
   const auto whole = [](double x) { return Wide{static_cast<std::int64_t>(x)}; };
   const auto& [m, t] = *p.pose;
-  const auto [x, y] = image(p.point);
+  const auto [x, y] = wide_image(p.point);
   return {whole(m[0]) * x + whole(m[1]) * y + whole(t[0]), whole(m[2]) * x + whole(m[3]) * y + whole(t[1])};
 }
 
 template <class V>
-int side(const V& p, const V& q, const V& r) {
-  const Exact a = image(p), b = image(q), c = image(r);
+int triangle_side(const V& p, const V& q, const V& r) {
+  const WidePoint a = wide_image(p), b = wide_image(q), c = wide_image(r);
   const Wide value = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
@@ -39,15 +39,15 @@ struct Seen {
 
 // Each mask by its definition; the signs of both triangles' edges by integers.
 template <class V>
-void expect_truth(const Triangle<V>& a, const Triangle<V>& b, Seen& seen) {
+void expect_true_masks(const Triangle<V>& a, const Triangle<V>& b, Seen& seen) {
   const TriangleSides sides = sides_of_triangles(a, b);
   if (!sides.sure) return;
   ++seen.sure;
   std::array<std::array<int, 3>, 3> of_a{}, of_b{};  // [e][f]: vertex f of b beside edge e of a; [f][e]
   for (std::uint32_t e = 0; e < 3; ++e) {
     for (std::uint32_t f = 0; f < 3; ++f) {
-      of_a[e][f] = side(a[e], a[(e + 1) % 3], b[f]);
-      of_b[f][e] = side(b[f], b[(f + 1) % 3], a[e]);
+      of_a[e][f] = triangle_side(a[e], a[(e + 1) % 3], b[f]);
+      of_b[f][e] = triangle_side(b[f], b[(f + 1) % 3], a[e]);
       ASSERT_NE(of_a[e][f], 0);
       ASSERT_NE(of_b[f][e], 0);
       ASSERT_EQ(sides.left_of_first >> (3 * e + f) & 1, of_a[e][f] > 0);
@@ -97,7 +97,7 @@ TEST(TrianglesTest, PlainPoints) {
     Triangle<Point2> a, b;
     for (Point2& p : a) p = {number(), number()};
     for (Point2& p : b) p = {number(), number()};
-    ASSERT_NO_FATAL_FAILURE(expect_truth(a, b, seen)) << i;
+    ASSERT_NO_FATAL_FAILURE(expect_true_masks(a, b, seen)) << i;
   }
   expect_all_seen(seen, 5000);
 }
@@ -125,13 +125,13 @@ TEST(TrianglesTest, PosedPoints) {
         p = {{number(), number()}, &poses[k], true, error};
       }
     }
-    ASSERT_NO_FATAL_FAILURE(expect_truth(t[0], t[1], seen)) << i;
+    ASSERT_NO_FATAL_FAILURE(expect_true_masks(t[0], t[1], seen)) << i;
     Triangle<Point2> a, b;
     for (std::size_t k = 0; k < 3; ++k) a[k] = t[0][k].rounded_image(), b[k] = t[1][k].rounded_image();
     const TriangleSides trusted = sides_of_triangles(a, b);
     for (std::uint32_t e = 0; e < 3; ++e) {
       for (std::uint32_t f = 0; f < 3 && trusted.sure; ++f) {
-        const int truly = side(t[0][e], t[0][(e + 1) % 3], t[1][f]);
+        const int truly = triangle_side(t[0][e], t[0][(e + 1) % 3], t[1][f]);
         wrong_if_trusted += (trusted.left_of_first >> (3 * e + f) & 1) != (truly > 0);
       }
     }

@@ -13,15 +13,15 @@ namespace sunder::scene {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 // Cylinders and cones are within their radius of their axis.
 double radius_about_core(const solid::RoundBody& shape) {
-  return shape.kind() == RoundKind::ellipsoid ? infinity : shape.radius();
+  return shape.kind() == RoundKind::ellipsoid ? unbounded : shape.radius();
 }
 
 // Not less than the sum.
-double sum_above(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, infinity); }
+double sum_above(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, unbounded); }
 
 // At least so far, along an axis? A difference that is less than `least` is not rounded to more than that.
 bool are_apart(const Box3& a, const Box3& b, double least) {

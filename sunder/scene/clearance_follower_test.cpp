@@ -35,13 +35,13 @@ void expect_same_points(const PartDistance& p, const PartDistance& q) {
   EXPECT_EQ(of_p->of_b, of_q->of_b);
 }
 
-enum class Kind : std::uint8_t { lattice, polyhedra, any };
+enum class BodyKind : std::uint8_t { lattice, polyhedra, any };
 
 // Bodies that jump now and then, and else move a little: cubes on a lattice of eighths, of which many are exactly so
 // far apart as is asked; polyhedra; anything with a radius, too.
 class Moving {
  public:
-  Moving(Kind kind, Random& random) : kind_(kind), random_(random), bodies(3 + random.below(5)) {
+  Moving(BodyKind kind, Random& random) : kind_(kind), random_(random), bodies(3 + random.below(5)) {
     const ConvexPolyhedron cube(tests::cube_corners(0, 1));
     for (Body& body : bodies) {
       for (std::uint64_t i = 1 + random.below(2); i > 0; --i) body.parts.push_back({"", shape(), anywhere()});
@@ -57,24 +57,24 @@ class Moving {
   }
 
  private:
-  Kind kind_;
+  BodyKind kind_;
   Random& random_;
 
   solid::RoundBody shape() {
-    if (kind_ == Kind::lattice) return ConvexPolyhedron(tests::cube_corners(0, 1));
-    if (kind_ == Kind::polyhedra) return ConvexPolyhedron(tests::points_in_cube(1 + random_.below(60), random_));
+    if (kind_ == BodyKind::lattice) return ConvexPolyhedron(tests::cube_corners(0, 1));
+    if (kind_ == BodyKind::polyhedra) return ConvexPolyhedron(tests::points_in_cube(1 + random_.below(60), random_));
     return tests::some_primitive(static_cast<tests::Primitive>(random_.below(tests::primitive_count)), random_);
   }
   Pose anywhere() {
     const auto u = [&] { return random_.uniform(-1, 1); };
     const auto n = [&] { return static_cast<double>(random_.between(-16, 16)) / 8; };
-    if (kind_ == Kind::lattice) return tests::shift(n(), n(), n());
+    if (kind_ == BodyKind::lattice) return tests::shift(n(), n(), n());
     return Pose::from_quaternion(u(), u(), u(), 1, {4 * u(), 4 * u(), 4 * u()});
   }
   Pose near(const Pose& pose) {
     const auto u = [&] { return 0.03 * random_.uniform(-1, 1); };
     const auto n = [&] { return static_cast<double>(random_.between(-1, 1)) / 8; };
-    if (kind_ == Kind::lattice) return compose(tests::shift(n(), n(), n()), pose);
+    if (kind_ == BodyKind::lattice) return compose(tests::shift(n(), n(), n()), pose);
     return compose(Pose::from_quaternion(1, u(), u(), u(), {u(), u(), u()}), pose);
   }
 
@@ -83,7 +83,7 @@ class Moving {
 };
 
 // K1, of thousands of placements; and that most of what is far enough apart is not asked about anew.
-void compare_with_cold(Kind kind, int count, std::uint64_t seed) {
+void compare_with_cold(BodyKind kind, int count, std::uint64_t seed) {
   Random random(tests::chosen_seed(seed));
   std::uint64_t closer = 0, exactly = 0, near = 0, cold = 0, placements = 0;
   for (int round = 0; round < tests::scaled_count(count, 12); ++round) {
@@ -91,7 +91,8 @@ void compare_with_cold(Kind kind, int count, std::uint64_t seed) {
     const auto some_body = [&] { return static_cast<std::uint32_t>(random.below(moving.bodies.size())); };
     ClearanceQuestion question;
     const auto margin = [&] {
-      return kind == Kind::lattice ? 0.125 * static_cast<double>(1 + random.below(8)) : random.log_uniform(1e-3, 1.5);
+      return kind == BodyKind::lattice ? 0.125 * static_cast<double>(1 + random.below(8))
+                                       : random.log_uniform(1e-3, 1.5);
     };
     question.least = margin();
     for (std::uint64_t i = random.below(3); i > 0; --i) {
@@ -113,7 +114,7 @@ void compare_with_cold(Kind kind, int count, std::uint64_t seed) {
       closer += warm.closer.size();
       near += warm.by_method - warm.closer.size() - warm.undecided.size();
       cold += follower.looks() - before - warm.closer.size() - warm.undecided.size();
-      if (kind == Kind::lattice && question.margins.empty()) {
+      if (kind == BodyKind::lattice && question.margins.empty()) {
         // Exactly so far apart is far enough: the least more, and they are closer.
         ClearanceQuestion more = question;
         more.least += 0x1p-40;
@@ -126,15 +127,15 @@ void compare_with_cold(Kind kind, int count, std::uint64_t seed) {
   EXPECT_GT(closer, placements / 8);
   EXPECT_GT(near, placements / 8);
   // On a lattice many are exactly so far apart, and ellipsoids are always asked about anew.
-  EXPECT_LT(cold, kind == Kind::polyhedra ? near - near / 4 : near - near / 20);
-  if (kind == Kind::lattice) {
+  EXPECT_LT(cold, kind == BodyKind::polyhedra ? near - near / 4 : near - near / 20);
+  if (kind == BodyKind::lattice) {
     EXPECT_GT(exactly, placements / 80);
   }
 }
 
-TEST(ClearanceFollower, IsColdOnALattice) { compare_with_cold(Kind::lattice, 40, 181); }
-TEST(ClearanceFollower, IsColdOfPolyhedra) { compare_with_cold(Kind::polyhedra, 40, 182); }
-TEST(ClearanceFollower, IsColdOfAnything) { compare_with_cold(Kind::any, 25, 183); }
+TEST(ClearanceFollower, IsColdOnALattice) { compare_with_cold(BodyKind::lattice, 40, 181); }
+TEST(ClearanceFollower, IsColdOfPolyhedra) { compare_with_cold(BodyKind::polyhedra, 40, 182); }
+TEST(ClearanceFollower, IsColdOfAnything) { compare_with_cold(BodyKind::any, 25, 183); }
 
 // What parted them by more does not hide the last bit. Turned by 45 degrees, as far as doubles go, boxes do not tell.
 TEST(ClearanceFollower, TellsTheLastBit) {

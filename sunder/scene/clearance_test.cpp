@@ -26,10 +26,10 @@ using solid::ConvexPolyhedron;
 using solid::Pose;
 using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-Key key(const PartDistance& p) { return {p.body_a, p.body_b, p.part_a, p.part_b}; }
+Key distance_key(const PartDistance& p) { return {p.body_a, p.body_b, p.part_a, p.part_b}; }
 
 // Cubes on a lattice of quarters, many of them exactly so far apart as is asked; or anything.
-std::vector<Body> random_bodies(Random& random, bool lattice) {
+std::vector<Body> bodies_to_clear(Random& random, bool lattice) {
   std::vector<Body> bodies(2 + random.below(10));
   const ConvexPolyhedron cube(tests::cube_corners(0, 1));
   for (Body& body : bodies) {
@@ -44,12 +44,12 @@ std::vector<Body> random_bodies(Random& random, bool lattice) {
   return bodies;
 }
 
-void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
+void compare_distances_of_all_pairs(bool lattice, std::uint64_t seed) {
   Random random(tests::chosen_seed(seed));
   std::uint64_t closer = 0, exactly = 0, by_boxes = 0, own = 0, apart = 0, ties = 0;
   const int rounds = tests::scaled_count(100, 30);
   for (int round = 0; round < rounds; ++round) {
-    const std::vector<Body> bodies = random_bodies(random, lattice);
+    const std::vector<Body> bodies = bodies_to_clear(random, lattice);
     const auto some_body = [&] { return static_cast<std::uint32_t>(random.below(bodies.size())); };
     ClearanceQuestion question;
     question.least = lattice ? 0.25 * static_cast<double>(1 + random.below(4)) : random.uniform(0.01, 1);
@@ -90,7 +90,7 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
     }
     const ClearanceAnswer answer = closer_pairs(bodies, question);
     std::vector<Key> found;
-    for (const PartDistance& p : answer.closer) found.push_back(key(p));
+    for (const PartDistance& p : answer.closer) found.push_back(distance_key(p));
     ASSERT_EQ(found, expected) << seed << " " << round;
     ASSERT_EQ(answer.pairs, pairs);
     ASSERT_EQ(answer.allowed, allowed);
@@ -103,7 +103,7 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
     if (!of_scene) continue;
     ASSERT_EQ(of_scene->distance.low, nearest->distance.low) << seed << " " << round;
     if (lattice) {  // distances are doubles, or far apart: equal ones are equal exactly
-      ASSERT_EQ(key(*of_scene), key(*nearest)) << seed << " " << round;
+      ASSERT_EQ(distance_key(*of_scene), distance_key(*nearest)) << seed << " " << round;
     }
     apart += !of_scene->meet();
   }
@@ -118,8 +118,8 @@ void compare_with_all_pairs(bool lattice, std::uint64_t seed) {
   }
 }
 
-TEST(Clearance, IsAllPairsInGeneralPosition) { compare_with_all_pairs(false, 81); }
-TEST(Clearance, IsAllPairsOnALattice) { compare_with_all_pairs(true, 82); }
+TEST(Clearance, IsAllPairsInGeneralPosition) { compare_distances_of_all_pairs(false, 81); }
+TEST(Clearance, IsAllPairsOnALattice) { compare_distances_of_all_pairs(true, 82); }
 
 solid::RoundBody random_shape(Random& random, bool curved) {
   const auto n = [&](double from, double to) { return random.uniform(from, to); };
@@ -174,7 +174,7 @@ void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
       EXPECT_LT(p.distance.low, least);
       EXPECT_EQ(p.meet(), p.distance.high == 0);
       EXPECT_EQ(rounded_nearest_points(p).has_value(), !p.meet());
-      found.push_back(key(p));
+      found.push_back(distance_key(p));
     }
     ASSERT_EQ(found, expected) << seed << " " << round;
     ASSERT_EQ(answer.pairs, answer.allowed + answer.by_boxes + answer.by_method);
@@ -182,7 +182,7 @@ void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
     by_boxes += static_cast<int>(answer.by_boxes);
     const std::optional<PartDistance> of_scene = nearest_parts(bodies);
     ASSERT_TRUE(of_scene && nearest);
-    EXPECT_EQ(key(*of_scene), nearest->first) << seed << " " << round;
+    EXPECT_EQ(distance_key(*of_scene), nearest->first) << seed << " " << round;
     EXPECT_EQ(of_scene->distance.high, nearest->second.high);
     EXPECT_EQ(of_scene->distance.low, low);
   }
@@ -238,7 +238,7 @@ TEST(Clearance, TheLowerBoundIsThatOfAll) {
                                      {"c", {{"", point, tests::shift(0, 9, 0)}}},
                                      {"d", {{"", point, tests::shift(apart, 9, 0)}}}};
       const PartDistance nearest = *nearest_parts(bodies);
-      EXPECT_EQ(key(nearest), (Key{2, 3, 0, 0}));
+      EXPECT_EQ(distance_key(nearest), (Key{2, 3, 0, 0}));
       EXPECT_EQ(nearest.distance.high, apart);
       EXPECT_EQ(nearest.distance.low, 0);
     }
@@ -288,7 +288,7 @@ TEST(Clearance, FarPairsCostNothing) {
     bodies.push_back({"", {{"", ConvexPolyhedron(tests::cube_corners(0, 1)), tests::shift(0, 3 * i, 0)}}});
   EXPECT_EQ(closer_pairs(bodies, {1.5, {}, {}}).by_method, 0u);
   EXPECT_EQ(closer_pairs(bodies, {2.5, {}, {}}).closer.size(), 499u);
-  EXPECT_EQ(key(*nearest_parts(bodies)), (Key{0, 1, 0, 0}));
+  EXPECT_EQ(distance_key(*nearest_parts(bodies)), (Key{0, 1, 0, 0}));
   EXPECT_FALSE(nearest_parts(std::span(bodies).first(1)));
 }
 

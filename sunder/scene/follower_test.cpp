@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/certificate/check.h>
+#include <sunder/scene/certified_test.h>
 #include <sunder/scene/follower.h>
 
 #include <tests/support/scale.h>
@@ -21,21 +21,14 @@ namespace {
 using solid::ConvexPolyhedron;
 using solid::Pose;
 
-using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, Contact>;
+using MeetingKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, Contact>;
 
-std::vector<Key> meeting(const Answer& answer) {
-  std::vector<Key> keys;
+std::vector<MeetingKey> meeting(const Answer& answer) {
+  std::vector<MeetingKey> keys;
   for (const PartPair& p : answer.pairs) {
     if (p.answer.meet()) keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.counts, p.contact);
   }
   return keys;
-}
-
-void expect_certified(std::span<const Body> bodies, const PartPair& pair) {
-  const Part &p = bodies[pair.body_a].parts[pair.part_a], &q = bodies[pair.body_b].parts[pair.part_b];
-  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.points(), p.pose.affine(), false},
-                             {q.shape.points(), q.pose.affine(), false}),
-            CheckResult::accepted);
 }
 
 // Bodies of up to three parts: cubes on a lattice, that touch often; or anything.

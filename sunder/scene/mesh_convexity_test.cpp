@@ -1,4 +1,5 @@
 #include <sunder/base/random.h>
+#include <sunder/scene/face_mesh_test.h>
 #include <sunder/scene/mesh_convexity.h>
 
 #include <tests/support/shapes.h>
@@ -14,46 +15,34 @@ namespace sunder::scene {
 namespace {
 
 using solid::ConvexPolyhedron;
-using Kind = MeshDefect::Kind;
+using DefectKind = MeshDefect::Kind;
 
-struct Mesh {
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-};
+MeshDefect defect_of(const FaceMesh& mesh) { return asked_of(mesh, find_mesh_defect); }
 
-MeshDefect defect_of(const Mesh& mesh) {
-  std::vector<std::uint32_t> begin{0}, corners;
-  for (const auto& face : mesh.faces) {
-    corners.insert(corners.end(), face.begin(), face.end());
-    begin.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  return find_mesh_defect({mesh.vertices, begin, corners}, ConvexPolyhedron(mesh.vertices));
-}
-
-Kind kind_of(const Mesh& mesh) { return defect_of(mesh).kind; }
+DefectKind kind_of(const FaceMesh& mesh) { return defect_of(mesh).kind; }
 
 // Faces outwards: x = 0, x = 1, y = 0, y = 1, z = 0, z = 1.
-Mesh cube() {
+FaceMesh cube_mesh() {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}},
           {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 }
 
-Mesh triangulated(const Mesh& mesh) {
-  Mesh out{mesh.vertices, {}};
+FaceMesh triangulated(const FaceMesh& mesh) {
+  FaceMesh out{mesh.vertices, {}};
   for (const auto& face : mesh.faces) {
     for (std::size_t i = 1; i + 1 < face.size(); ++i) out.faces.push_back({face[0], face[i], face[i + 1]});
   }
   return out;
 }
 
-Mesh inside_out(Mesh mesh) {
+FaceMesh inside_out(FaceMesh mesh) {
   for (auto& face : mesh.faces) std::reverse(face.begin(), face.end());
   return mesh;
 }
 
 // Every triangle in four, by the middles of its edges (exact for small integers).
-Mesh refined(const Mesh& mesh) {
-  Mesh out{mesh.vertices, {}};
+FaceMesh refined(const FaceMesh& mesh) {
+  FaceMesh out{mesh.vertices, {}};
   const auto middle = [&](std::uint32_t a, std::uint32_t b) {
     const Point3 &p = mesh.vertices[a], &q = mesh.vertices[b];
     const Point3 m{(p.x + q.x) / 2, (p.y + q.y) / 2, (p.z + q.z) / 2};
@@ -69,13 +58,14 @@ Mesh refined(const Mesh& mesh) {
 }
 
 TEST(MeshConvexity, CubesInManyForms) {
-  EXPECT_EQ(kind_of(cube()), Kind::none);
-  EXPECT_EQ(kind_of(triangulated(cube())), Kind::none);
-  EXPECT_EQ(kind_of(inside_out(cube())), Kind::none);
-  EXPECT_EQ(kind_of(refined(refined(triangulated(cube())))), Kind::none);  // with vertices within facets and edges
+  EXPECT_EQ(kind_of(cube_mesh()), DefectKind::none);
+  EXPECT_EQ(kind_of(triangulated(cube_mesh())), DefectKind::none);
+  EXPECT_EQ(kind_of(inside_out(cube_mesh())), DefectKind::none);
+  EXPECT_EQ(kind_of(refined(refined(triangulated(cube_mesh())))),
+            DefectKind::none);  // with vertices within facets and edges
 
-  Mesh soup = triangulated(cube());  // a vertex for each corner, as in an STL that was not joined
-  Mesh apart;
+  FaceMesh soup = triangulated(cube_mesh());  // a vertex for each corner, as in an STL that was not joined
+  FaceMesh apart;
   for (auto& face : soup.faces) {
     std::vector<std::uint32_t> corners;
     for (const std::uint32_t v : face) {
@@ -84,74 +74,74 @@ TEST(MeshConvexity, CubesInManyForms) {
     }
     apart.faces.push_back(corners);
   }
-  EXPECT_EQ(kind_of(apart), Kind::none);
+  EXPECT_EQ(kind_of(apart), DefectKind::none);
 
-  Mesh turned = cube();  // one face the wrong way round: it still bounds the cube
+  FaceMesh turned = cube_mesh();  // one face the wrong way round: it still bounds the cube
   std::reverse(turned.faces[3].begin(), turned.faces[3].end());
-  EXPECT_EQ(kind_of(turned), Kind::none);
+  EXPECT_EQ(kind_of(turned), DefectKind::none);
 
-  Mesh repeated = cube();  // corners repeated, and faces without area
+  FaceMesh repeated = cube_mesh();  // corners repeated, and faces without area
   repeated.faces[0] = {0, 0, 4, 6, 6, 2, 2};
   repeated.faces.push_back({0, 1, 0});
   repeated.faces.push_back({7, 7, 7});
-  EXPECT_EQ(kind_of(repeated), Kind::none);
+  EXPECT_EQ(kind_of(repeated), DefectKind::none);
 }
 
 TEST(MeshConvexity, FacesThatAreNotConvex) {
-  Mesh mesh = cube();  // the face z = 1 as an L and a square
+  FaceMesh mesh = cube_mesh();  // the face z = 1 as an L and a square
   mesh.vertices.insert(mesh.vertices.end(), {{0.5, 0, 1}, {0.5, 0.5, 1}, {1, 0.5, 1}});
   mesh.faces[5] = {4, 8, 9, 10, 7, 6};
   mesh.faces.push_back({8, 5, 10, 9});
   mesh.faces[1] = {1, 3, 7, 10, 5};
   mesh.faces[2] = {0, 1, 5, 8, 4};
-  EXPECT_EQ(kind_of(mesh), Kind::none);
+  EXPECT_EQ(kind_of(mesh), DefectKind::none);
   mesh.faces.pop_back();
-  EXPECT_EQ(kind_of(mesh), Kind::open_edge);
+  EXPECT_EQ(kind_of(mesh), DefectKind::open_edge);
 }
 
 TEST(MeshConvexity, OpenAndDoubled) {
-  Mesh mesh = cube();
+  FaceMesh mesh = cube_mesh();
   mesh.faces.erase(mesh.faces.begin() + 5);
   const MeshDefect open = defect_of(mesh);
-  EXPECT_EQ(open.kind, Kind::open_edge);
+  EXPECT_EQ(open.kind, DefectKind::open_edge);
   EXPECT_EQ(mesh.vertices[open.edge[0]].z, 1);
   EXPECT_EQ(mesh.vertices[open.edge[1]].z, 1);
 
-  Mesh twice = cube();
-  const Mesh once = cube();
+  FaceMesh twice = cube_mesh();
+  const FaceMesh once = cube_mesh();
   twice.faces.insert(twice.faces.end(), once.faces.begin(), once.faces.end());
-  EXPECT_EQ(kind_of(twice), Kind::doubled);
+  EXPECT_EQ(kind_of(twice), DefectKind::doubled);
   twice.faces.insert(twice.faces.end(), once.faces.begin(), once.faces.end());
-  EXPECT_EQ(kind_of(twice), Kind::none);  // covered three times
+  EXPECT_EQ(kind_of(twice), DefectKind::none);  // covered three times
 }
 
 TEST(MeshConvexity, BentFace) {
-  Mesh mesh = cube();
+  FaceMesh mesh = cube_mesh();
   mesh.vertices[7].z = std::nextafter(1.0, 2.0);
   const MeshDefect defect = defect_of(mesh);
-  ASSERT_EQ(defect.kind, Kind::bent_face);
+  ASSERT_EQ(defect.kind, DefectKind::bent_face);
   const auto& face = mesh.faces[defect.face];
   EXPECT_NE(std::find(face.begin(), face.end(), 7u), face.end());
   // Triangulated it is convex or not, by where the diagonals are: both happen.
-  std::set<Kind> kinds;
+  std::set<DefectKind> kinds;
   kinds.insert(kind_of(triangulated(mesh)));
   mesh.vertices[7].z = std::nextafter(1.0, 0.0);
   kinds.insert(kind_of(triangulated(mesh)));
-  EXPECT_EQ(kinds, (std::set<Kind>{Kind::none, Kind::reflex_edge}));
+  EXPECT_EQ(kinds, (std::set<DefectKind>{DefectKind::none, DefectKind::reflex_edge}));
 }
 
 TEST(MeshConvexity, ReflexEdgeIsNamed) {
   // An L, pulled up from z = 0 to z = 1: its inner edge is from (1, 1, 0) to (1, 1, 1).
-  Mesh mesh;
+  FaceMesh mesh;
   const std::vector<Point2> outline{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
   for (const double z : {0.0, 1.0}) {
     for (const Point2& p : outline) mesh.vertices.push_back({p.x, p.y, z});
   }
   mesh.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
   for (std::uint32_t i = 0; i < 6; ++i) mesh.faces.push_back({i, (i + 1) % 6, (i + 1) % 6 + 6, i + 6});
-  for (const Mesh& m : {mesh, inside_out(mesh)}) {
+  for (const FaceMesh& m : {mesh, inside_out(mesh)}) {
     const MeshDefect defect = defect_of(m);
-    ASSERT_EQ(defect.kind, Kind::reflex_edge);
+    ASSERT_EQ(defect.kind, DefectKind::reflex_edge);
     EXPECT_EQ(defect.edge, (std::array<std::uint32_t, 2>{3, 9}));
   }
 }
@@ -159,12 +149,12 @@ TEST(MeshConvexity, ReflexEdgeIsNamed) {
 TEST(MeshConvexity, DentByOneStep) {
   // The middle of the face z = 1 pressed in, or pulled out, by the least possible.
   for (const double z : {std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)}) {
-    Mesh mesh = cube();
+    FaceMesh mesh = cube_mesh();
     mesh.vertices.push_back({0.5, 0.5, z});
     mesh.faces[5] = {4, 5, 8};
     mesh.faces.insert(mesh.faces.end(), {{5, 7, 8}, {7, 6, 8}, {6, 4, 8}});
     const MeshDefect defect = defect_of(mesh);
-    EXPECT_EQ(defect.kind, z < 1 ? Kind::reflex_edge : Kind::none) << z;
+    EXPECT_EQ(defect.kind, z < 1 ? DefectKind::reflex_edge : DefectKind::none) << z;
     if (z < 1) {
       EXPECT_EQ(defect.edge[1], 8u);
     }
@@ -172,8 +162,8 @@ TEST(MeshConvexity, DentByOneStep) {
 }
 
 TEST(MeshConvexity, ShellsInside) {
-  Mesh mesh = cube();
-  const Mesh small = cube();
+  FaceMesh mesh = cube_mesh();
+  const FaceMesh small = cube_mesh();
   for (const Point3& p : small.vertices) {
     mesh.vertices.push_back({0.25 + p.x / 2, 0.25 + p.y / 2, 0.25 + p.z / 2});
   }
@@ -182,23 +172,23 @@ TEST(MeshConvexity, ShellsInside) {
     mesh.faces.push_back(face);
   }
   const MeshDefect defect = defect_of(mesh);
-  EXPECT_EQ(defect.kind, Kind::inner_face);
+  EXPECT_EQ(defect.kind, DefectKind::inner_face);
   EXPECT_GE(defect.face, 6u);
 }
 
 TEST(MeshConvexity, FlatAndThin) {
-  Mesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{0, 4, 1, 2, 3}}};
-  EXPECT_EQ(kind_of(square), Kind::none);
+  FaceMesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0, 0}}, {{0, 4, 1, 2, 3}}};
+  EXPECT_EQ(kind_of(square), DefectKind::none);
   square.faces = {{0, 4, 3}, {4, 1, 2}, {4, 2, 3}};
-  EXPECT_EQ(kind_of(square), Kind::none);
+  EXPECT_EQ(kind_of(square), DefectKind::none);
   square.faces.pop_back();
-  EXPECT_EQ(kind_of(square), Kind::open_edge);
-  Mesh dented{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}};
-  EXPECT_EQ(kind_of(dented), Kind::none);  // (1, 1, 0) is on the edge from (2, 2, 0) to (0, 0, 0)
+  EXPECT_EQ(kind_of(square), DefectKind::open_edge);
+  FaceMesh dented{{{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}};
+  EXPECT_EQ(kind_of(dented), DefectKind::none);  // (1, 1, 0) is on the edge from (2, 2, 0) to (0, 0, 0)
   dented.vertices[3] = {1.25, 1, 0};
-  EXPECT_EQ(kind_of(dented), Kind::open_edge);
-  const Mesh line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}};
-  EXPECT_EQ(kind_of(line), Kind::thin);
+  EXPECT_EQ(kind_of(dented), DefectKind::open_edge);
+  const FaceMesh line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}};
+  EXPECT_EQ(kind_of(line), DefectKind::thin);
 }
 
 // The hull's own facets, and those fanned, are convex; with one vertex pulled inside they are not.
@@ -214,15 +204,15 @@ TEST(MeshConvexity, RandomHulls) {
     }
     const ConvexPolyhedron hull(points);
     if (hull.dimension() < 3) continue;
-    Mesh mesh{{hull.vertices().begin(), hull.vertices().end()}, {}};
+    FaceMesh mesh{{hull.vertices().begin(), hull.vertices().end()}, {}};
     for (std::uint32_t f = 0; f < hull.facet_count(); ++f) {
       mesh.faces.emplace_back(hull.facet(f).begin(), hull.facet(f).end());
     }
-    ASSERT_EQ(kind_of(mesh), Kind::none);
-    ASSERT_EQ(kind_of(triangulated(mesh)), Kind::none);
+    ASSERT_EQ(kind_of(mesh), DefectKind::none);
+    ASSERT_EQ(kind_of(triangulated(mesh)), DefectKind::none);
     ++convex;
 
-    Mesh fan = triangulated(mesh);  // a vertex in the middle of a facet's first triangle, pulled towards the inside
+    FaceMesh fan = triangulated(mesh);  // a vertex in the middle of a facet's first triangle, pulled towards the inside
     const auto first = fan.faces.front();
     Point3 inside;
     for (const Point3& p : mesh.vertices) inside = {inside.x + p.x, inside.y + p.y, inside.z + p.z};
@@ -235,16 +225,16 @@ TEST(MeshConvexity, RandomHulls) {
     fan.faces.push_back({first[1], first[2], v});
     fan.faces.push_back({first[2], first[0], v});
     const MeshDefect defect = defect_of(fan);
-    ASSERT_EQ(defect.kind, Kind::reflex_edge);
+    ASSERT_EQ(defect.kind, DefectKind::reflex_edge);
     ASSERT_EQ(defect.edge[1], v);
     ++reflex;
 
-    Mesh broken = mesh;  // a face of four corners or more, one of them moved
+    FaceMesh broken = mesh;  // a face of four corners or more, one of them moved
     for (const auto& face : mesh.faces) {
       if (face.size() < 4) continue;
       broken.vertices[face[1]].x += 1e-9;
-      const Kind kind = kind_of(broken);
-      bent += kind == Kind::bent_face;
+      const DefectKind kind = kind_of(broken);
+      bent += kind == DefectKind::bent_face;
       break;
     }
   }

@@ -1,5 +1,6 @@
 // By known depths and volumes, and against a brute force in another form.
 #include <sunder/base/random.h>
+#include <sunder/scene/face_mesh_test.h>
 #include <sunder/scene/mesh_departure.h>
 
 #include <gtest/gtest.h>
@@ -16,23 +17,11 @@ namespace {
 
 using solid::ConvexPolyhedron;
 
-struct Mesh {
-  std::vector<Point3> vertices;
-  std::vector<std::vector<std::uint32_t>> faces;
-};
-
-MeshDeparture departure_of(const Mesh& mesh) {
-  std::vector<std::uint32_t> begin{0}, corners;
-  for (const auto& face : mesh.faces) {
-    corners.insert(corners.end(), face.begin(), face.end());
-    begin.push_back(static_cast<std::uint32_t>(corners.size()));
-  }
-  return mesh_departure({mesh.vertices, begin, corners}, ConvexPolyhedron(mesh.vertices));
-}
+MeshDeparture departure_of(const FaceMesh& mesh) { return asked_of(mesh, mesh_departure); }
 
 // A prism over a polygon of the plane, counter-clockwise, from z = 0 to z = height; its caps are not cut up.
-Mesh prism(const std::vector<Point2>& base, double height) {
-  Mesh mesh;
+FaceMesh prism(const std::vector<Point2>& base, double height) {
+  FaceMesh mesh;
   const auto n = static_cast<std::uint32_t>(base.size());
   for (const double z : {0.0, height}) {
     for (const Point2& p : base) mesh.vertices.push_back({p.x, p.y, z});
@@ -49,8 +38,8 @@ Mesh prism(const std::vector<Point2>& base, double height) {
   return mesh;
 }
 
-Mesh torus(double major, double minor, std::uint32_t around, std::uint32_t across) {
-  Mesh mesh;
+FaceMesh torus(double major, double minor, std::uint32_t around, std::uint32_t across) {
+  FaceMesh mesh;
   for (std::uint32_t i = 0; i < around; ++i) {
     for (std::uint32_t j = 0; j < across; ++j) {
       const double a = 2 * M_PI * i / around, b = 2 * M_PI * j / across, r = major + minor * std::cos(b);
@@ -79,8 +68,8 @@ TEST(MeshDeparture, AnEdgeInANotch) {
 TEST(MeshDeparture, ABentLastBitAndATorusDiffer) {
   // The corner (1, 1, 1) of a cube, one unit in the last place higher; the top is cut along the other diagonal.
   const double up = std::nextafter(1.0, 2.0);
-  Mesh bent{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, up}, {0, 1, 1}},
-            {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 7}, {5, 6, 7}}};
+  FaceMesh bent{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, up}, {0, 1, 1}},
+                {{0, 3, 2, 1}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 7}, {5, 6, 7}}};
   const MeshDeparture last_bit = departure_of(bent);
   EXPECT_NEAR(last_bit.depth, 0x1p-53, 0x1p-60);
   ASSERT_TRUE(last_bit.volume.has_value());
@@ -93,19 +82,19 @@ TEST(MeshDeparture, ABentLastBitAndATorusDiffer) {
 }
 
 TEST(MeshDeparture, OpenOrInconsistentMeshesHaveNoVolume) {
-  Mesh open = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  FaceMesh open = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
   open.faces.pop_back();
   EXPECT_EQ(departure_of(open).depth, 0);
   EXPECT_FALSE(departure_of(open).volume.has_value());
-  Mesh turned = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  FaceMesh turned = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
   std::reverse(turned.faces[0].begin(), turned.faces[0].end());
   EXPECT_FALSE(departure_of(turned).volume.has_value());
-  Mesh twice = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  FaceMesh twice = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
   const auto once = twice.faces;
   twice.faces.insert(twice.faces.end(), once.begin(), once.end());
   EXPECT_FALSE(departure_of(twice).volume.has_value());
   // A corner in the middle, joined to all others, is as deep as can be.
-  Mesh inner = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
+  FaceMesh inner = prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 1);
   inner.vertices.push_back({0.5, 0.5, 0.5});
   for (std::uint32_t i = 0; i < 4; ++i) inner.faces.push_back({i, (i + 1) % 4, 8});
   EXPECT_DOUBLE_EQ(departure_of(inner).depth, 0.5);
@@ -118,7 +107,7 @@ TEST(MeshDeparture, AsBruteForce) {
   Random random(tests::chosen_seed(20261123));
   int deep = 0;
   for (int round = 0; round < count; ++round) {
-    Mesh mesh;
+    FaceMesh mesh;
     for (int i = 0; i < 9; ++i) {
       const auto entry = [&] {
         return random.below(3) == 0 ? std::round(random.uniform(-1, 1)) : random.uniform(-1, 1);

@@ -18,7 +18,7 @@ namespace sunder::scene {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double outermost = std::numeric_limits<double>::infinity();
 
 [[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
@@ -90,8 +90,8 @@ double Margins::of(std::uint32_t body_a, std::uint32_t body_b) const {
 Box3 widened(const Box3& box, double least) {
   Box3 wide = box;
   for (std::size_t k = 0; k < 3; ++k) {
-    wide.low[k] = std::nextafter(box.low[k] - least / 2, -infinity);
-    wide.high[k] = std::nextafter(box.high[k] + least / 2, infinity);
+    wide.low[k] = std::nextafter(box.low[k] - least / 2, -outermost);
+    wide.high[k] = std::nextafter(box.high[k] + least / 2, outermost);
   }
   return wide;
 }

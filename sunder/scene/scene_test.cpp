@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/certificate/check.h>
+#include <sunder/scene/certified_test.h>
 #include <sunder/scene/scene.h>
 
 #include <tests/support/shapes.h>
@@ -56,13 +56,6 @@ std::vector<Key> meeting_by_all_pairs(const std::vector<Body>& bodies, const Que
     }
   }
   return meeting;
-}
-
-void expect_certified(const std::vector<Body>& bodies, const PartPair& pair) {
-  const Part &p = bodies[pair.body_a].parts[pair.part_a], &q = bodies[pair.body_b].parts[pair.part_b];
-  ASSERT_EQ(check_absolutely(pair.answer.certificate(), {p.shape.points(), p.pose.affine(), false},
-                             {q.shape.points(), q.pose.affine(), false}),
-            CheckResult::accepted);
 }
 
 void compare_with_all_pairs(bool lattice, int rounds, std::uint64_t seed) {

@@ -1,5 +1,6 @@
 // Sets of circles: discs_any and the lists of contacts against their scans, under every rule, with groups; and what
 // proves them, against the checker.
+#include <tests/support/allowed_rules.h>
 #include <tests/support/disc_sets.h>
 #include <tests/support/scale.h>
 
@@ -28,12 +29,11 @@ using planar::Discs;
 using planar::DiscsAnswer;
 using planar::DiscsContact;
 
-constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
-
 // --- Tests
 // -------------------------------------------------------------------------------------------------------------
 
-void expect_truth(const DiscsAnswer& answer, const DiscsAnswer& scan, const Discs& circles, const SetOptions& options) {
+void expect_true_discs(const DiscsAnswer& answer, const DiscsAnswer& scan, const Discs& circles,
+                       const SetOptions& options) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
   ASSERT_LT(answer.found->i, answer.found->j);
@@ -45,7 +45,7 @@ void expect_truth(const DiscsAnswer& answer, const DiscsAnswer& scan, const Disc
 
 bool is_accepted(const std::string& text) { return sunder_verifier::verify_text(text, "proof").accepted(); }
 
-struct Rates {
+struct DiscRates {
   int cases = 0;
   std::array<int, 3> meets{};
 };
@@ -53,18 +53,18 @@ struct Rates {
 TEST(DiscsDifferential, AnyAgreesWithTheScan) {
   const int count = scaled_count(20000);
   DiscSets sets(chosen_seed(20261128));
-  std::map<DiscFamily, Rates> rates;
+  std::map<DiscFamily, DiscRates> rates;
   std::map<DiscContact, int> kinds;
   for (int i = 0; i < count; ++i) {
     const std::vector<Disc> set = sets.next();
     const Discs circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
-    Rates& rate = rates[sets.family()];
+    DiscRates& rate = rates[sets.family()];
     ++rate.cases;
-    for (std::size_t r = 0; r < rules.size(); ++r) {
+    for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
       for (const bool grouped : {false, true}) {
-        SetOptions options{rules[r], {}, nullptr};
+        SetOptions options{allowed_rules[r], {}, nullptr};
         if (grouped) options.groups = groups;
         const DiscsAnswer scan = planar::discs_any_by_scan(circles, options);
         if (!grouped) {
@@ -73,11 +73,11 @@ TEST(DiscsDifferential, AnyAgreesWithTheScan) {
         }
         for (const auto method : {&planar::discs_any_by_sweep, &planar::discs_any_by_grid, &planar::discs_any}) {
           const DiscsAnswer answer = method(circles, options);
-          ASSERT_NO_FATAL_FAILURE(expect_truth(answer, scan, circles, options))
+          ASSERT_NO_FATAL_FAILURE(expect_true_discs(answer, scan, circles, options))
               << i << " " << disc_family_names[static_cast<std::size_t>(sets.family())] << " rule " << r;
         }
         if (i % 8 == 0) {  // proved
-          ASSERT_TRUE(is_accepted(planar::certificate_text(circles, rules[r], scan, options.groups))) << i;
+          ASSERT_TRUE(is_accepted(planar::certificate_text(circles, allowed_rules[r], scan, options.groups))) << i;
         }
       }
     }
@@ -110,7 +110,7 @@ TEST(DiscsDifferential, ListsAgreeWithTheScan) {
     const Discs circles(set);
     std::vector<std::uint32_t> groups;
     for (std::size_t k = 0; k < set.size(); ++k) groups.push_back(static_cast<std::uint32_t>(sets.random().below(3)));
-    SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
+    SetOptions options{allowed_rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     if (i % 2 == 0) options.groups = groups;
     const auto listed = [&](planar::DiscsMethod* method) {
       std::vector<DiscsContact> list;
@@ -149,7 +149,7 @@ TEST(DiscsDifferential, SymmetriesKeepTheVerdict) {
   int meets = 0;
   for (int i = 0; i < count; ++i) {
     const std::vector<Disc> set = sets.next();
-    const SetOptions options{rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
+    const SetOptions options{allowed_rules[static_cast<std::size_t>(i % 3)], {}, nullptr};
     const auto contacts = [&](auto&& changed) {
       std::vector<Disc> circles;
       for (const Disc& c : set) circles.push_back(changed(c));

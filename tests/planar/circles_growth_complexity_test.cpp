@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-namespace sunder::tests {
+namespace sunder::tests::discs_growth {
 namespace {
 
 using planar::Discs;
@@ -26,8 +26,6 @@ struct Set {
   std::vector<Disc> circles;
   double k = 0;  // pairs whose boxes meet, about
 };
-
-double number(std::size_t k) { return static_cast<double>(k); }
 
 Set packed(std::size_t n, double spacing, double k) {
   Set set{{}, k};
@@ -220,4 +218,4 @@ TEST(DiscsGrowth, OfTheirCommonPart) {
 }
 
 }  // namespace
-}  // namespace sunder::tests
+}  // namespace sunder::tests::discs_growth

@@ -20,13 +20,11 @@
 #include <string>
 #include <vector>
 
-namespace sunder::tests {
+namespace sunder::tests::boxes_of_groups {
 namespace {
 
 using planar::Polygon;
 using planar::Segment;
-
-double number(std::size_t k) { return static_cast<double>(k); }
 
 struct Set {
   std::vector<Box2> boxes;
@@ -241,4 +239,4 @@ TEST(GroupsComplexity, Polygons) {
 }
 
 }  // namespace
-}  // namespace sunder::tests
+}  // namespace sunder::tests::boxes_of_groups

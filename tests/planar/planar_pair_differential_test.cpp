@@ -24,11 +24,11 @@ struct NamedMethod {
   const char* name;
   Method method;
 };
-constexpr std::array methods{NamedMethod{"front door", planar::polygon_polygon},
-                             NamedMethod{"difference", planar::polygon_polygon_by_difference},
-                             NamedMethod{"halving", planar::polygon_polygon_by_halving},
-                             NamedMethod{"triangles", planar::polygon_polygon_by_triangles},
-                             NamedMethod{"gjk", planar::polygon_polygon_by_gjk}};
+constexpr std::array pair_methods{NamedMethod{"front door", planar::polygon_polygon},
+                                  NamedMethod{"difference", planar::polygon_polygon_by_difference},
+                                  NamedMethod{"halving", planar::polygon_polygon_by_halving},
+                                  NamedMethod{"triangles", planar::polygon_polygon_by_triangles},
+                                  NamedMethod{"gjk", planar::polygon_polygon_by_gjk}};
 
 CheckResult check(const PairAnswer& answer, const PlanarCase& c) {
   const auto a = in_space(c.a), b = in_space(c.b);
@@ -77,7 +77,7 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
     const PairAnswer front = planar::polygon_polygon(c.a, c.pose_a, c.b, c.pose_b);
     const PairAnswer scan = scanned ? planar::polygon_polygon_by_scan(c.a, c.pose_a, c.b, c.pose_b) : front;
     ASSERT_EQ(check(scan, c), CheckResult::accepted) << i << " scan " << as_text(c);
-    for (const auto& [name, method] : methods) {
+    for (const auto& [name, method] : pair_methods) {
       const PairAnswer answer = method(c.a, c.pose_a, c.b, c.pose_b);
       ASSERT_EQ(answer.meet(), scan.meet()) << i << " " << name << " " << as_text(c);
       ASSERT_EQ(check(answer, c), CheckResult::accepted) << i << " " << name << " " << as_text(c);
@@ -100,11 +100,11 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
     t.touching += contact == Contact::touching;
   }
   std::printf("%-12s %8s %8s %9s", "family", "cases", "meet", "touching");
-  for (const auto& m : methods) std::printf("  %10s: exact, finishing", m.name);
+  for (const auto& m : pair_methods) std::printf("  %10s: exact, finishing", m.name);
   std::printf("\n");
   for (const auto& [family, t] : tallies) {
     std::printf("%-12s %8d %8d %9d", std::string(name_of(family)).c_str(), t.cases, t.meet, t.touching);
-    for (const auto& m : methods) std::printf("  %18d %15d", t.exact.at(m.name), t.finishing.at(m.name));
+    for (const auto& m : pair_methods) std::printf("  %18d %15d", t.exact.at(m.name), t.finishing.at(m.name));
     std::printf("\n");
   }
   if (count < 2000) return;  // too few for the rates below
@@ -120,7 +120,7 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
   // In general position the searches' evidence holds: none is left to the exact method; of the front door 0.5 % at
   // most.
   Tally& general = tallies[PlanarFamily::general];
-  for (const auto& m : methods) {
+  for (const auto& m : pair_methods) {
     const bool is_front = m.method == planar::polygon_polygon;
     EXPECT_LE(general.finishing[m.name], is_front ? general.cases / 200 : 0) << m.name;
   }
@@ -140,7 +140,7 @@ TEST(PlanarPairDifferential, PolygonsOfAMillionVertices) {
       std::pair(PlanarCase{PlanarFamily::large, one, one, Pose(), Pose::from_matrix({-1, 0, 0, -1}, {2, 0}), true},
                 true)};  // its image in the vertex (1, 0)
   for (const auto& [c, meet] : cases) {
-    for (const auto& [name, method] : methods) {
+    for (const auto& [name, method] : pair_methods) {
       const PairAnswer answer = method(c.a, c.pose_a, c.b, c.pose_b);
       EXPECT_EQ(answer.meet(), meet) << name;
       EXPECT_EQ(check(answer, c), CheckResult::accepted) << name;
@@ -189,7 +189,7 @@ TEST(PlanarPairDifferential, SymmetriesKeepTheVerdict) {
   for (int i = 0; i < count; ++i) {
     const PlanarCase c = pairs.next();
     if (c.family == PlanarFamily::any_scale) continue;
-    for (const auto& [name, method] : methods) {
+    for (const auto& [name, method] : pair_methods) {
       const bool meet = method(c.a, c.pose_a, c.b, c.pose_b).meet();
       const auto changed = [&](const std::array<double, 4>& by) {  // the product with signs, swaps and powers of two
         const auto pose = [&](const Pose& p) {

@@ -7,6 +7,7 @@
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 
+#include <tests/support/allowed_rules.h>
 #include <tests/support/polygon_sets.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -31,7 +32,7 @@ using planar::Polygon;
 using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
 
-struct Family {
+struct SetFamily {
   std::string name;
   std::function<std::vector<Rings>(std::size_t n)> make;  // about n edges
   // Of N polygons, beside what is found: how many edges cross, or rings lie inside?
@@ -142,26 +143,26 @@ std::vector<Rings> at_star(std::size_t n) {
   return set;
 }
 
-std::vector<Family> families() {
+std::vector<SetFamily> families() {
   const auto half_of_pairs = [](double count) { return count * count / 2; };
   const auto needles = [](double tip, double width) {
     return each(3, [=](double k, double count) { return needle(k, count, tip, width); });
   };
-  std::vector<Family> list{{"annuli", each(8, annulus)},
-                           {"L shapes", each(6, l_shape)},
-                           {"brackets", each(8, bracket)},
-                           {"thin diagonals", each(4, diagonal)},
-                           {"needles around a hub", needles(1, 0.5)},
-                           {"fan", needles(0, 0.5), {}, 4096},
-                           {"pie", each(3, slice), {}, 4096},
-                           {"islands in holes", islands},
-                           {"deep islands", deep_islands},
-                           {"inside a star", inside_star},
-                           {"at a star's tips", at_star},
-                           {"cells", each(4, cell)},
-                           {"one in another", each(4, filled), half_of_pairs, 1024},
-                           {"cross-hatch", each(4, bar), [](double count) { return count * count; }, 1024}};
-  for (Family& family : list) {
+  std::vector<SetFamily> list{{"annuli", each(8, annulus)},
+                              {"L shapes", each(6, l_shape)},
+                              {"brackets", each(8, bracket)},
+                              {"thin diagonals", each(4, diagonal)},
+                              {"needles around a hub", needles(1, 0.5)},
+                              {"fan", needles(0, 0.5), {}, 4096},
+                              {"pie", each(3, slice), {}, 4096},
+                              {"islands in holes", islands},
+                              {"deep islands", deep_islands},
+                              {"inside a star", inside_star},
+                              {"at a star's tips", at_star},
+                              {"cells", each(4, cell)},
+                              {"one in another", each(4, filled), half_of_pairs, 1024},
+                              {"cross-hatch", each(4, bar), [](double count) { return count * count; }, 1024}};
+  for (SetFamily& family : list) {
     if (!family.contacts) family.contacts = [](double) { return 0.0; };
   }
   list[9].contacts = [](double count) { return count; };
@@ -185,7 +186,7 @@ std::vector<std::uint32_t> groups_of(std::size_t count, Grouping grouping) {
 }
 
 // The greatest ratios of probes to n log2 n + k: at n = 1,024, and beyond.
-struct Growth {
+struct PolygonGrowth {
   double first = 0, later = 0;
   std::string where;
 
@@ -205,7 +206,6 @@ struct Growth {
   }
 };
 
-constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
 constexpr std::array<Grouping, 4> groupings{Grouping::none, Grouping::one, Grouping::two, Grouping::many};
 
 // 65,536 edges, or fewer where SUNDER_TEST_SCALE asks for less.
@@ -217,8 +217,8 @@ double bound(std::size_t edges, double contacts) {
 }
 
 TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
-  Growth any, all, count;
-  for (const Family& family : families()) {
+  PolygonGrowth any, all, count;
+  for (const SetFamily& family : families()) {
     for (std::size_t n = 256; n <= most_edges(); n *= 4) {
       if (n > family.most_listed && family.most_listed < 4096) continue;
       const std::vector<Polygon> polygons = polygons_of(family.make(n));
@@ -227,7 +227,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
       const double hidden = family.contacts(static_cast<double>(polygons.size()));
       for (const Grouping grouping : groupings) {
         const std::vector<std::uint32_t> groups = groups_of(polygons.size(), grouping);
-        for (const Allowed allowed : rules) {
+        for (const Allowed allowed : allowed_rules) {
           const SetOptions options{allowed, groups, nullptr};
           const std::string what = family.name + ", " + std::string(name_of(allowed)) + " allowed, grouping " +
                                    std::to_string(static_cast<int>(grouping));
@@ -253,8 +253,8 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
 
 // Convex ones, which are all but frames and stars.
 TEST(PolygonSetsComplexity, ConvexPolygons) {
-  Growth growth;
-  for (const Family& family : families()) {
+  PolygonGrowth growth;
+  for (const SetFamily& family : families()) {
     const bool is_convex = are_convex(family.make(256));
     for (std::size_t n = 256; n <= most_edges() && is_convex; n *= 4) {
       if (n > family.most_listed && family.most_listed < 4096) continue;

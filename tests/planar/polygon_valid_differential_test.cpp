@@ -30,7 +30,7 @@ using planar::RingPlace;
 using Kind = PolygonDefectKind;
 using Parts = std::vector<PolygonRings>;
 
-constexpr std::array<PolygonRule, 3> rules{PolygonRule::simple, PolygonRule::valid, PolygonRule::self_touch};
+constexpr std::array<PolygonRule, 3> polygon_rules{PolygonRule::simple, PolygonRule::valid, PolygonRule::self_touch};
 
 bool has(const PolygonDefects& answer, Kind kind) {
   return std::any_of(answer.defects.begin(), answer.defects.end(),
@@ -78,12 +78,12 @@ void expect_places(const PolygonDefects& answer, const Parts& parts) {
   }
 }
 
-struct Rates {
+struct ValidRates {
   int valid = 0, of_several = 0;
   std::map<Kind, int> kinds;
 };
 
-void compare_on(const Parts& parts, PolygonRule rule, bool check_places, Rates& rates) {
+void compare_valid_on(const Parts& parts, PolygonRule rule, bool check_places, ValidRates& rates) {
   const PolygonDefects truth = planar::polygon_defects_by_scan(parts, {rule});
   const PolygonDefects answer = planar::polygon_defects(parts, {rule});
   ASSERT_EQ(answer.valid(), truth.valid());
@@ -114,7 +114,7 @@ void compare_on(const Parts& parts, PolygonRule rule, bool check_places, Rates& 
   }
 }
 
-std::string text_of(const Parts& parts) {
+std::string text_of_defects(const Parts& parts) {
   std::string text = "MULTIPOLYGON (";
   for (std::size_t p = 0; p < parts.size(); ++p) {
     text += p > 0 ? ", (" : "(";
@@ -133,7 +133,7 @@ TEST(PolygonValidDifferential, AgreesWithTheScan) {
   const std::uint64_t seed = chosen_seed(20261122);
   SCOPED_TRACE("seed " + std::to_string(seed));
   NastyPolygons polygons(seed);
-  std::array<Rates, 3> rates;
+  std::array<ValidRates, 3> rates;
   for (int k = 0; k < count; ++k) {
     const NastyFamily family = static_cast<NastyFamily>(k % nasty_family_count);
     Parts parts = polygons.next(family);
@@ -146,19 +146,19 @@ TEST(PolygonValidDifferential, AgreesWithTheScan) {
         }
       }
     }
-    for (std::size_t r = 0; r < rules.size(); ++r) {
-      ASSERT_NO_FATAL_FAILURE(compare_on(parts, rules[r], !any_scale, rates[r]))
+    for (std::size_t r = 0; r < polygon_rules.size(); ++r) {
+      ASSERT_NO_FATAL_FAILURE(compare_valid_on(parts, polygon_rules[r], !any_scale, rates[r]))
           << k << " " << name_of(family) << " rule " << r << "\n"
-          << text_of(parts);
+          << text_of_defects(parts);
     }
   }
-  for (std::size_t r = 0; r < rules.size(); ++r) {
+  for (std::size_t r = 0; r < polygon_rules.size(); ++r) {
     std::printf("rule %d: %d of %d valid, %d with several kinds\n", static_cast<int>(r), rates[r].valid, count,
                 rates[r].of_several);
     for (const auto& [kind, n] : rates[r].kinds) std::printf("  %-16s %6d\n", name_of(kind).data(), n);
   }
   if (count < 2000) return;  // too few for the rates below
-  for (std::size_t r = 0; r < rules.size(); ++r) {
+  for (std::size_t r = 0; r < polygon_rules.size(); ++r) {
     EXPECT_GT(rates[r].valid, count / 20);
     EXPECT_LT(rates[r].valid, count / 2);
     for (const auto& [kind, n] : rates[r].kinds) {
@@ -180,15 +180,15 @@ TEST(PolygonValidDifferential, AHoleAroundAll) {
   const std::uint64_t seed = chosen_seed(20261124);
   SCOPED_TRACE("seed " + std::to_string(seed));
   NastyPolygons polygons(seed);
-  std::array<Rates, 3> rates;
+  std::array<ValidRates, 3> rates;
   for (int k = 0; k < count; ++k) {
     Parts parts = polygons.next(static_cast<NastyFamily>(k % nasty_family_count));
     PolygonRings& rings = parts[polygons.random().below(parts.size())];
     const std::size_t at = polygons.random().below(rings.size()) + 1;
     rings.insert(rings.begin() + static_cast<std::ptrdiff_t>(at), box_ring(-200, -200, 200, 200));
-    for (std::size_t r = 0; r < rules.size(); ++r) {
-      ASSERT_NO_FATAL_FAILURE(compare_on(parts, rules[r], true, rates[r])) << k << " rule " << r << "\n"
-                                                                           << text_of(parts);
+    for (std::size_t r = 0; r < polygon_rules.size(); ++r) {
+      ASSERT_NO_FATAL_FAILURE(compare_valid_on(parts, polygon_rules[r], true, rates[r])) << k << " rule " << r << "\n"
+                                                                                         << text_of_defects(parts);
     }
   }
   if (count < 2000) return;  // too few for the rates below
@@ -211,7 +211,7 @@ TEST(PolygonValidDifferential, SimpleIsAsPolygonSimple) {
       if (!is_long) continue;
       const bool is_simple = polygon_simple_by_scan(planar::Polygon(rings)).simple();
       const bool only_placed = !answer.valid() && answer.defects.front().kind >= Kind::hole_outside;
-      ASSERT_EQ(answer.valid() || only_placed, is_simple) << text_of(parts);
+      ASSERT_EQ(answer.valid() || only_placed, is_simple) << text_of_defects(parts);
       simple += is_simple;
     }
   }

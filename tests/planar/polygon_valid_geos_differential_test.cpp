@@ -69,7 +69,7 @@ class Geos {
   GEOSContextHandle_t context_;
 };
 
-std::string text_of(const Parts& parts) {
+std::string wkt_of(const Parts& parts) {
   std::string text = "MULTIPOLYGON (";
   for (std::size_t p = 0; p < parts.size(); ++p) {
     text += p > 0 ? ", (" : "(";
@@ -124,7 +124,7 @@ void compare(PolygonRule rule, std::uint64_t seed_by_default) {
     const PolygonDefects answer = planar::polygon_defects(parts, {rule});
     const Geos::Answer expected = geos.is_valid(parts, rule);
     if (answer.valid() != expected.valid && ++differ > 0) {
-      ASSERT_TRUE(is_explained(parts, answer, expected)) << text_of(parts) << "\n  GEOS: " << expected.reason;
+      ASSERT_TRUE(is_explained(parts, answer, expected)) << wkt_of(parts) << "\n  GEOS: " << expected.reason;
     }
     valid += answer.valid();
     ++reasons[expected.valid ? "valid" : expected.reason];

@@ -1,5 +1,6 @@
 // polygons_contact, polygons_any and polygons_all and their methods against the scan, on small nasty sets, under every
 // rule; and how their probes grow.
+#include <tests/support/allowed_rules.h>
 #include <tests/support/polygon_sets.h>
 #include <tests/support/scale.h>
 
@@ -101,26 +102,24 @@ void expect_list_certified(const std::vector<PolygonsContact>& contacts, const s
   }
 }
 
-constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
-
-struct Rates {
+struct PolygonRates {
   int sets = 0, proofs = 0;
   std::array<int, 3> meet{};
   std::array<int, 3> contacts{};                     // of pairs
   std::map<ContactKind, int> touching, overlapping;  // what shows them
 };
 
-void compare_on(const std::vector<Polygon>& polygons, Groups groups, Rates& rates) {
+void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRates& rates) {
   const PolygonsAllAnswer truth = planar::polygons_all_by_scan(polygons, {Allowed::nothing, groups, nullptr});
-  for (std::size_t r = 0; r < rules.size(); ++r) {
-    const SetOptions options{rules[r], groups, nullptr};
+  for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
+    const SetOptions options{allowed_rules[r], groups, nullptr};
     std::vector<PolygonsContact> count_here;
     std::copy_if(truth.contacts.begin(), truth.contacts.end(), std::back_inserter(count_here),
-                 [&](const PolygonsContact& c) { return counts(c, rules[r]); });
+                 [&](const PolygonsContact& c) { return counts(c, allowed_rules[r]); });
     rates.meet[r] += !count_here.empty();
     for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
       const PolygonsAnswer answer = method(polygons, options);
-      ASSERT_EQ(answer.meet(), !count_here.empty()) << "allowed " << name_of(rules[r]);
+      ASSERT_EQ(answer.meet(), !count_here.empty()) << "allowed " << name_of(allowed_rules[r]);
       if (!answer.meet()) continue;
       ASSERT_NO_FATAL_FAILURE(expect_shown(*answer.found, polygons));
       const auto same_pair = [&](const PolygonsContact& c) { return c.i == answer.found->i && c.j == answer.found->j; };
@@ -135,7 +134,7 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, Rates& rate
     ASSERT_EQ(counted.touching + counted.overlapping, count_here.size());
     for (auto* method : {planar::polygons_all_by_boxes, planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
       const PolygonsAllAnswer all = method(polygons, options);
-      ASSERT_EQ(all.contacts.size(), count_here.size()) << "allowed " << name_of(rules[r]);
+      ASSERT_EQ(all.contacts.size(), count_here.size()) << "allowed " << name_of(allowed_rules[r]);
       for (std::size_t k = 0; k < count_here.size(); ++k) {
         const PolygonsContact &c = all.contacts[k], &expected = count_here[k];
         ASSERT_NO_FATAL_FAILURE(expect_shown(c, polygons));
@@ -149,7 +148,7 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, Rates& rate
       }
     }
   }
-  const SetOptions options{rules[static_cast<std::size_t>(rates.sets) % rules.size()], groups, nullptr};
+  const SetOptions options{allowed_rules[static_cast<std::size_t>(rates.sets) % allowed_rules.size()], groups, nullptr};
   for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
     const PolygonsAnswer answer = method(polygons, options);
     ASSERT_NO_FATAL_FAILURE(expect_certified(answer, polygons, options));
@@ -179,7 +178,7 @@ TEST(PolygonsDifferential, MethodsAgreeWithTheScan) {
   const std::uint64_t seed = chosen_seed(20261123);
   SCOPED_TRACE("seed " + std::to_string(seed));
   PolygonSets sets(seed);
-  std::map<PolygonFamily, Rates> rates;
+  std::map<PolygonFamily, PolygonRates> rates;
   for (int k = 0; k < count; ++k) {
     PolygonFamily family = static_cast<PolygonFamily>(k % polygon_family_count);
     if (family == PolygonFamily::any_scale && k % 9 != 0) family = PolygonFamily::simple;  // exact fractions are slow
@@ -292,7 +291,7 @@ TEST(PolygonsDifferential, NotchesWhereEdgesCross) {
   const std::uint64_t seed = chosen_seed(20261124);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Notched notched(seed);
-  Rates rates;
+  PolygonRates rates;
   for (int k = 0; k < count; ++k) {
     std::vector<Rings> set = notched.next();
     if (k % 4 == 0) {

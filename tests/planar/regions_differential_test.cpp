@@ -33,7 +33,7 @@ using planar::RegionKind;
 constexpr planar::RegionOptions with_evidence{true};
 
 template <class Given>
-void expect_truth(const Given& given, const Region& region, const Region& scan) {
+void expect_true_region(const Given& given, const Region& region, const Region& scan) {
   ASSERT_EQ(name_of(region.kind), name_of(scan.kind));
   if (!scan.empty()) {
     ASSERT_EQ(region.sides, scan.sides) << name_of(scan.kind);
@@ -60,10 +60,10 @@ void print(const std::map<Family, std::map<RegionKind, int>>& kinds) {
 template <class Given>
 RegionKind region_by_all(const Given& given) {
   const Region scan = half_plane_intersection_by_scan(given, with_evidence);
-  expect_truth(given, scan, scan);
-  expect_truth(given, half_plane_intersection(given, with_evidence), scan);
-  expect_truth(given, half_plane_intersection_by_sort(given, with_evidence), scan);
-  expect_truth(given, half_plane_intersection_by_division(given, with_evidence), scan);
+  expect_true_region(given, scan, scan);
+  expect_true_region(given, half_plane_intersection(given, with_evidence), scan);
+  expect_true_region(given, half_plane_intersection_by_sort(given, with_evidence), scan);
+  expect_true_region(given, half_plane_intersection_by_division(given, with_evidence), scan);
   return scan.kind;
 }
 
@@ -107,8 +107,8 @@ bool same_point(const ExactPoint2& p, const ExactPoint2& q) {
 
 // The outcome and the optimal points. That a feasible one is where the answer says is left to check.
 template <class Given>
-void expect_truth(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
-                  const LinearProgramAnswer& scan) {
+void expect_true_region(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
+                        const LinearProgramAnswer& scan) {
   ASSERT_EQ(name_of(answer.outcome), name_of(scan.outcome));
   ASSERT_TRUE(check(given, objective, answer)) << name_of(scan.outcome);
   if (scan.outcome == Optimum::one) {
@@ -129,15 +129,15 @@ void expect_truth(const Given& given, const Objective& objective, const LinearPr
 template <class Given>
 Optimum program_by_all(const Given& given, const Objective& objective) {
   const LinearProgramAnswer scan = linear_program_by_scan(given, objective);
-  expect_truth(given, objective, scan, scan);
-  expect_truth(given, objective, linear_program(given, objective), scan);
-  expect_truth(given, objective, linear_program_by_seidel(given, objective), scan);
-  expect_truth(given, objective, linear_program_by_sampling(given, objective), scan);
+  expect_true_region(given, objective, scan, scan);
+  expect_true_region(given, objective, linear_program(given, objective), scan);
+  expect_true_region(given, objective, linear_program_by_seidel(given, objective), scan);
+  expect_true_region(given, objective, linear_program_by_sampling(given, objective), scan);
   const Region region = half_plane_intersection(given);
   EXPECT_EQ(region.empty(), !scan.feasible());
-  expect_truth(given, objective, linear_program_by_region(given, region, objective), scan);
-  expect_truth(given, objective, linear_program_by_region(planar::PreparedRegion<Given>(given, region), objective),
-               scan);
+  expect_true_region(given, objective, linear_program_by_region(given, region, objective), scan);
+  expect_true_region(given, objective,
+                     linear_program_by_region(planar::PreparedRegion<Given>(given, region), objective), scan);
   return scan.outcome;
 }
 
@@ -194,10 +194,10 @@ TEST(RegionsDifferential, KernelsAgreeWithTheScan) {
     const planar::Polygon polygon = polygons.next();
     const PolygonSides sides(polygon);
     const Region scan = kernel_by_scan(sides, with_evidence);
-    expect_truth(sides, scan, scan);
-    expect_truth(sides, kernel(sides, with_evidence), scan);
-    expect_truth(sides, kernel_by_half_plane_intersection(sides, with_evidence), scan);
-    expect_truth(sides, kernel_by_lee_preparata(sides, with_evidence), scan);
+    expect_true_region(sides, scan, scan);
+    expect_true_region(sides, kernel(sides, with_evidence), scan);
+    expect_true_region(sides, kernel_by_half_plane_intersection(sides, with_evidence), scan);
+    expect_true_region(sides, kernel_by_lee_preparata(sides, with_evidence), scan);
     vertices[polygons.family()] += sides.size();
     ++kinds[polygons.family()][scan.kind];
     ++all[scan.kind];

@@ -18,8 +18,6 @@ namespace {
 using planar::Constraints;
 using planar::ConvexPolygon;
 
-double number(std::size_t k) { return static_cast<double>(k); }
-
 // a x + b y <= c with (a, b) at this part of a turn.
 Constraint at(double turn, double c) {
   const Point2 normal = on_circle(turn);

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sunder::tests {
+namespace sunder::tests::segments_all {
 namespace {
 
 using planar::Segment;
@@ -123,4 +123,4 @@ TEST(SegmentsAllComplexity, BalabanIsOptimal) {
 }
 
 }  // namespace
-}  // namespace sunder::tests
+}  // namespace sunder::tests::segments_all

@@ -23,7 +23,7 @@ using planar::ContactKind;
 using planar::Segments;
 using planar::SegmentsContact;
 
-bool is_accepted(const std::string& certificate) {
+bool is_accepted_certificate(const std::string& certificate) {
   return sunder_verifier::verify_text(certificate, "differential").accepted();
 }
 
@@ -70,10 +70,10 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
         options.transcript = true;
         const planar::SegmentsAllAnswer proved = planar::segments_all(segments, options);
         ASSERT_EQ(proved.contacts, truth) << i;
-        ASSERT_TRUE(is_accepted(planar::certificate_text(segments, allowed, proved, options.groups))) << i;
+        ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, proved, options.groups))) << i;
         const planar::SegmentsCountAnswer counted = planar::segments_count(segments, options);
         ASSERT_EQ(counted.count, truth.size()) << i;
-        ASSERT_TRUE(is_accepted(planar::certificate_text(segments, allowed, counted, options.groups))) << i;
+        ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, counted, options.groups))) << i;
         options.transcript = false;
       }
       for (const auto& answer :

@@ -1,4 +1,5 @@
 // segments_any and its methods against segments_any_by_scan, under every rule.
+#include <tests/support/allowed_rules.h>
 #include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
 
@@ -19,9 +20,8 @@ using planar::Segment;
 using planar::Segments;
 using planar::SegmentsAnswer;
 
-constexpr std::array<Allowed, 3> rules{Allowed::nothing, Allowed::shared_endpoint, Allowed::touch};
-
-void expect_truth(const SegmentsAnswer& answer, const SegmentsAnswer& scan, const Segments& segments, Allowed allowed) {
+void expect_true_segments(const SegmentsAnswer& answer, const SegmentsAnswer& scan, const Segments& segments,
+                          Allowed allowed) {
   ASSERT_EQ(answer.meet(), scan.meet());
   if (!answer.meet()) return;
   ASSERT_LT(answer.found->i, answer.found->j);
@@ -42,20 +42,23 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
     const SegmentSet set = sets.next();
     const Segments segments(set.segments);
     ++cases[set.family];
-    for (std::size_t r = 0; r < rules.size(); ++r) {
-      const SegmentsAnswer scan = planar::segments_any_by_scan(segments, {rules[r]});
+    for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
+      const SegmentsAnswer scan = planar::segments_any_by_scan(segments, {allowed_rules[r]});
       for (const bool transcript : {false, true}) {
-        const SegmentsAnswer sweep = planar::segments_any_by_sweep(segments, {rules[r], {}, nullptr, transcript});
-        ASSERT_NO_FATAL_FAILURE(expect_truth(sweep, scan, segments, rules[r]))
-            << i << " " << name_of(set.family) << " allowed " << name_of(rules[r]);
+        const SegmentsAnswer sweep =
+            planar::segments_any_by_sweep(segments, {allowed_rules[r], {}, nullptr, transcript});
+        ASSERT_NO_FATAL_FAILURE(expect_true_segments(sweep, scan, segments, allowed_rules[r]))
+            << i << " " << name_of(set.family) << " allowed " << name_of(allowed_rules[r]);
         if (!transcript) continue;
         ASSERT_EQ(sweep.transcript.empty(), sweep.meet());
         ++kinds[sweep.found.value_or(planar::SegmentsContact{}).kind];
       }
-      const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {rules[r]});
-      ASSERT_NO_FATAL_FAILURE(expect_truth(grid, scan, segments, rules[r])) << i << " " << name_of(set.family);
-      const SegmentsAnswer front = planar::segments_any(segments, {rules[r]});
-      ASSERT_NO_FATAL_FAILURE(expect_truth(front, scan, segments, rules[r])) << i << " " << name_of(set.family);
+      const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {allowed_rules[r]});
+      ASSERT_NO_FATAL_FAILURE(expect_true_segments(grid, scan, segments, allowed_rules[r]))
+          << i << " " << name_of(set.family);
+      const SegmentsAnswer front = planar::segments_any(segments, {allowed_rules[r]});
+      ASSERT_NO_FATAL_FAILURE(expect_true_segments(front, scan, segments, allowed_rules[r]))
+          << i << " " << name_of(set.family);
       meets[set.family][r] += scan.meet();
     }
   }
@@ -66,10 +69,10 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
   if (count < 2000) return;  // too few for the rates below
   // Both verdicts are common in each family, and every kind of contact is met.
   for (const auto& [family, m] : meets) {
-    for (std::size_t r = 0; r < rules.size(); ++r) {
+    for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
       if (family == SegmentFamily::mesh && r == 0) continue;  // a mesh's edges always share ends
-      EXPECT_GT(m[r], cases[family] / 50) << name_of(family) << " " << name_of(rules[r]);
-      EXPECT_LT(m[r], cases[family] - cases[family] / 50) << name_of(family) << " " << name_of(rules[r]);
+      EXPECT_GT(m[r], cases[family] / 50) << name_of(family) << " " << name_of(allowed_rules[r]);
+      EXPECT_LT(m[r], cases[family] - cases[family] / 50) << name_of(family) << " " << name_of(allowed_rules[r]);
     }
   }
   for (const ContactKind kind : {ContactKind::none, ContactKind::shared_endpoint, ContactKind::touch,
@@ -85,7 +88,7 @@ TEST(SegmentsAnyDifferential, SymmetriesKeepTheVerdict) {
   int meets = 0;
   for (int i = 0; i < count; ++i) {
     const SegmentSet set = sets.next();
-    const Allowed allowed = rules[static_cast<std::size_t>(i % 3)];
+    const Allowed allowed = allowed_rules[static_cast<std::size_t>(i % 3)];
     const auto verdict = [&](auto&& changed) {
       std::vector<Segment> segments;
       for (const Segment& s : set.segments) segments.push_back(changed(s));

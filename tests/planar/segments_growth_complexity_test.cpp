@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace sunder::tests {
+namespace sunder::tests::segments_growth {
 namespace {
 
 using planar::Segment;
@@ -23,8 +23,6 @@ struct Set {
   std::vector<Segment> segments;
   double k = 0;  // contacts, those at one point as many as meet there
 };
-
-double number(std::size_t k) { return static_cast<double>(k); }
 
 // The middle 90 %.
 Segment shortened(const Segment& s) {
@@ -249,4 +247,4 @@ TEST(SegmentsGrowth, OfEachFrontDoor) {
 }
 
 }  // namespace
-}  // namespace sunder::tests
+}  // namespace sunder::tests::segments_growth

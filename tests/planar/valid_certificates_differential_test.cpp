@@ -27,13 +27,13 @@ using planar::PolygonRings;
 using planar::PolygonRule;
 using Parts = std::vector<PolygonRings>;
 
-struct Rates {
+struct CertificateRates {
   std::map<std::string, int> verdicts;
   int unproved = 0;       // defects
   int only_unproved = 0;  // multipolygons none of whose defects is proved
 };
 
-void prove(const Parts& parts, PolygonRule rule, Rates& rates) {
+void prove(const Parts& parts, PolygonRule rule, CertificateRates& rates) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.begin_table("polygons");
@@ -96,7 +96,7 @@ TEST(ValidCertificatesDifferential, EachAnswerIsProved) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   NastyPolygons polygons(seed);
   constexpr std::array<PolygonRule, 3> rules{PolygonRule::simple, PolygonRule::valid, PolygonRule::self_touch};
-  std::array<Rates, 3> rates;
+  std::array<CertificateRates, 3> rates;
   for (int k = 0; k < count; ++k) {
     const NastyFamily family = static_cast<NastyFamily>(k % nasty_family_count);
     const Parts parts = polygons.next(family);
@@ -110,7 +110,7 @@ TEST(ValidCertificatesDifferential, EachAnswerIsProved) {
     std::printf("; without a proof %d defects, and %d multipolygons\n", rates[r].unproved, rates[r].only_unproved);
   }
   if (count < 2000) return;
-  for (const Rates& rate : rates) {
+  for (const CertificateRates& rate : rates) {
     int proved = 0;
     for (const auto& [verdict, n] : rate.verdicts) proved += n;
     EXPECT_LE(rate.unproved, proved / 100);

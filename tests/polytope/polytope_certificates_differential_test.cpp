@@ -21,7 +21,7 @@ namespace {
 using polytope::PolytopeAnswer;
 
 template <class Answer>
-std::string written(const PolytopePair& c, const Answer& answer) {
+std::string written_certificate(const PolytopePair& c, const Answer& answer) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   add_claims(file, {"a", c.a, c.pose_a}, {"b", c.b, c.pose_b}, answer);
@@ -53,7 +53,7 @@ struct Counts {
 };
 
 void expect_answer_accepted(const PolytopePair& c, const PolytopeAnswer& answer, Counts& counts) {
-  const std::string text = written(c, answer);
+  const std::string text = written_certificate(c, answer);
   const sunder_verifier::FileResult report = sunder_verifier::verify_text(text, "pair");
   ASSERT_EQ(report.statements.size(), 1u) << report.failed_form << text;
   ASSERT_TRUE(report.accepted()) << report.statements[0].reason << text;
@@ -83,7 +83,7 @@ std::string with(const std::string& text, const std::string& key, const std::str
 void expect_hyperplanes_accepted(const PolytopePair& c, const polytope::HierarchicalTree& a,
                                  const polytope::HierarchicalTree& b, const PolytopeAnswer& answer, Counts& counts) {
   const polytope::HyperplaneEvidence evidence = parting_hyperplanes(a, c.pose_a, b, c.pose_b, answer);
-  const std::string text = written(c, evidence);
+  const std::string text = written_certificate(c, evidence);
   const sunder_verifier::FileResult report = sunder_verifier::verify_text(text, "pair");
   ASSERT_EQ(report.statements.size(), 1u) << report.failed_form << text;
   ASSERT_TRUE(report.accepted()) << report.statements[0].reason << text;

@@ -54,7 +54,7 @@ std::vector<Point3> some_points(std::size_t family, Random& random) {
   return points;
 }
 
-std::string proof_of(const std::vector<Point3>& points) {
+std::string hull_proof(const std::vector<Point3>& points) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   solid::write_hull(file, "points", points, solid::ConvexPolyhedron(points));
@@ -71,7 +71,7 @@ TEST(HullCertificatesDifferential, EachHullIsProved) {
   for (int k = 0; k < count; ++k) {
     const std::size_t family = static_cast<std::size_t>(k) % families.size();
     const std::vector<Point3> points = some_points(family, random);
-    const std::string text = proof_of(points);
+    const std::string text = hull_proof(points);
     const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
     ASSERT_EQ(result.statements.size(), 1u) << families[family] << result.failed_form << result.error;
     ASSERT_TRUE(result.accepted()) << k << " " << families[family] << ": " << result.statements[0].reason << "\n"
@@ -92,7 +92,7 @@ TEST(HullCertificatesDifferential, ABallOfManyPoints) {
     const Point3& p = points.back();
     if (p.x * p.x + p.y * p.y + p.z * p.z > 1) points.pop_back();
   }
-  const auto result = sunder_verifier::verify_text(proof_of(points), "certificate", sunder_verifier::Limit::by_size);
+  const auto result = sunder_verifier::verify_text(hull_proof(points), "certificate", sunder_verifier::Limit::by_size);
   EXPECT_TRUE(result.accepted()) << result.error;
 }
 

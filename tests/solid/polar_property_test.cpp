@@ -107,7 +107,7 @@ Polyhedron common_part(const Polyhedron& a, const Polyhedron& b) {
   return common_part(std::move(all));
 }
 
-const Homogeneous origin{0, 0, 0, 1};
+const Homogeneous homogeneous_origin{0, 0, 0, 1};
 
 // rho_0(x) and rho_inf(x): the half-spaces of the plane rho(x), of all y with x.y = 1. It is a plane if x is not the
 // origin.
@@ -164,7 +164,7 @@ bool has_inside(const Polyhedron& p, const Homogeneous& x) { return p.has(x) && 
 Homogeneous random_point_of(const Polyhedron& p, Random& random) {
   if (p.is_empty()) {
     ADD_FAILURE() << "an empty polyhedron has no point";
-    return origin;
+    return homogeneous_origin;
   }
   Homogeneous sum{0, 0, 0, 0};
   while (sum[3] == 0) {
@@ -283,11 +283,11 @@ TEST(PolarProperty, Lemma32PolarOfThePolar) {
   for (int run = 0; run < runs; ++run) {
     const Polyhedron p = random_polyhedron(random), polar = near_polar(p.corners), twice = near_polar(polar.corners);
     const std::set<Homogeneous> vertices(p.corners.begin(), p.corners.end());
-    ASSERT_EQ(std::set<Homogeneous>(twice.corners.begin(), twice.corners.end()) == vertices, p.has(origin));
-    ASSERT_TRUE(p.lies_in(twice) && twice.has(origin) && twice.is_bounded());
-    ASSERT_EQ(far_polar(p.corners).is_empty(), p.has(origin));
-    ASSERT_EQ(polar.is_bounded(), has_inside(p, origin));
-    ++hits[has_inside(p, origin) ? 0 : p.has(origin) ? 1 : 2];
+    ASSERT_EQ(std::set<Homogeneous>(twice.corners.begin(), twice.corners.end()) == vertices, p.has(homogeneous_origin));
+    ASSERT_TRUE(p.lies_in(twice) && twice.has(homogeneous_origin) && twice.is_bounded());
+    ASSERT_EQ(far_polar(p.corners).is_empty(), p.has(homogeneous_origin));
+    ASSERT_EQ(polar.is_bounded(), has_inside(p, homogeneous_origin));
+    ++hits[has_inside(p, homogeneous_origin) ? 0 : p.has(homogeneous_origin) ? 1 : 2];
   }
   expect_often(hits, runs);
 }
@@ -398,7 +398,7 @@ TEST(PolarProperty, Lemma36InclusionIsReversed) {
       ASSERT_TRUE(near_q.lies_in(near_p));
       ASSERT_TRUE(far_q.lies_in(far_p));
       ++hits[far_q.is_empty() ? 0 : 1];
-    } else if (p.has(origin) && q.has(origin)) {
+    } else if (p.has(homogeneous_origin) && q.has(homogeneous_origin)) {
       ASSERT_FALSE(near_q.lies_in(near_p));
       ++hits[2];
     } else {

@@ -31,9 +31,9 @@ using solid::SectionKind;
 enum class Through : int { anywhere, vertex, edge, facet, three_vertices, axis, last_bit, far };
 constexpr int through_count = 8;
 
-class Planes {
+class SectionPlanes {
  public:
-  explicit Planes(Random& random) : random_(random) {}
+  explicit SectionPlanes(Random& random) : random_(random) {}
 
   Plane next(Through through, const ConvexPolyhedron& body, const Pose& pose) {
     const auto vertex = [&] { return image(pose, body.vertices()[random_.below(body.vertices().size())]); };
@@ -99,7 +99,8 @@ class Planes {
   Random& random_;
 };
 
-std::string proof_of(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane, const PlaneSection& section) {
+std::string section_proof(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
+                          const PlaneSection& section) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   solid::SectionClaims claims(file, "body", body, pose);
@@ -199,7 +200,7 @@ std::string forged(std::string proof, std::uint32_t facets, Random& random) {
   return proof;
 }
 
-struct Tally {
+struct SectionTally {
   int cases = 0, nothing = 0, point = 0, segment = 0, polygon = 0, at_vertices = 0, exact = 0;
 };
 
@@ -208,9 +209,9 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
   const std::uint64_t seed = chosen_seed(20260301);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  Planes planes(pairs.random());
-  std::map<Family, Tally> tallies;
-  std::map<Through, Tally> ways;
+  SectionPlanes planes(pairs.random());
+  std::map<Family, SectionTally> tallies;
+  std::map<Through, SectionTally> ways;
   std::map<std::string, int> proofs;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
@@ -231,14 +232,14 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
     ASSERT_EQ(scan.side, found.side) << i;
     const solid::SectionPoints points(body, pose, plane);
     for (std::size_t k = 0; k < std::min<std::size_t>(found.corners.size(), 4); ++k) {
-      const solid::ExactPoint3 exact = points.exact(found.corners[k]);
+      const ExactPoint3 exact = points.exact(found.corners[k]);
       const Point3 nearest = points.nearest(found.corners[k]);
       ASSERT_EQ(nearest.x, nearest_ratio(exact.x, exact.denominator)) << i;
       ASSERT_EQ(nearest.y, nearest_ratio(exact.y, exact.denominator)) << i;
       ASSERT_EQ(nearest.z, nearest_ratio(exact.z, exact.denominator)) << i;
     }
     if (body.vertices().size() <= 100 || i % 20 == 0) {
-      const std::string proof = proof_of(body, pose, plane, found);
+      const std::string proof = section_proof(body, pose, plane, found);
       const auto result = sunder_verifier::verify_text(proof, "proof", sunder_verifier::Limit::none);
       ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << " " << static_cast<int>(through) << " "
                                      << result.failed_form
@@ -246,7 +247,7 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
                                      << proof;
       ++proofs[result.statements.back().verdict];
     }
-    for (Tally* t : {&tallies[c.family], &ways[through]}) {
+    for (SectionTally* t : {&tallies[c.family], &ways[through]}) {
       ++t->cases;
       t->nothing += found.kind == SectionKind::nothing;
       t->point += found.kind == SectionKind::point;
@@ -258,7 +259,7 @@ TEST(PolyhedronPlaneSectionDifferential, AgreesWithTheScan) {
   }
   std::printf("%-17s %8s %8s %8s %8s %8s %8s %8s\n", "family", "cases", "nothing", "point", "segment", "polygon",
               "vertices", "exact");
-  const auto print = [](const std::string& name, const Tally& t) {
+  const auto print = [](const std::string& name, const SectionTally& t) {
     std::printf("%-17s %8d %8d %8d %8d %8d %8d %8d\n", name.c_str(), t.cases, t.nothing, t.point, t.segment, t.polygon,
                 t.at_vertices, t.exact);
   };
@@ -274,14 +275,14 @@ TEST(PolyhedronPlaneSectionDifferential, NoFalseSectionIsAccepted) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
   Random& random = pairs.random();
-  Planes planes(random);
+  SectionPlanes planes(random);
   int accepted = 0, refused = 0;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next(i % 2 == 0 ? Family::grid : Family::flat);
     const ConvexPolyhedron& body = c.a;
     const Plane plane = planes.next(Through(random.below(through_count)), body, c.pose_a);
     const PlaneSection scan = polyhedron_plane_section_by_scan(body, c.pose_a, plane);
-    const std::string proof = forged(proof_of(body, c.pose_a, plane, scan), body.facet_count(), random);
+    const std::string proof = forged(section_proof(body, c.pose_a, plane, scan), body.facet_count(), random);
     const auto result = sunder_verifier::verify_text(proof, "proof", sunder_verifier::Limit::none);
     if (!result.accepted()) {
       ++refused;

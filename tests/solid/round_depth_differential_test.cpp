@@ -23,16 +23,7 @@ namespace {
 using solid::PlacedRound;
 using solid::RoundDepth;
 
-std::string named(const RoundCase& c) {
-  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
-}
-
-double size_of(const PlacedRound& body) {
-  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
-  return std::max(body.core.size, body.radius() * of_map);
-}
-
-struct Tally {
+struct RoundDepthTally {
   int all = 0, meet = 0, proved = 0, curved = 0, narrow = 0, with_low = 0;
 };
 
@@ -41,13 +32,13 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   RoundPairs pairs(seed);
   const int count = scaled_count(1200);
-  std::map<std::string, Tally> tallies;
+  std::map<std::string, RoundDepthTally> tallies;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
     const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
     const RoundDepth found = round_depth(a, b);
     SCOPED_TRACE(std::to_string(i) + " " + named(c));
-    Tally& tally = tallies[std::string(name_of(c.family))];
+    RoundDepthTally& tally = tallies[std::string(name_of(c.family))];
     ++tally.all;
     ASSERT_EQ(found.verdict, round_round(a, b).verdict());
     if (!found.meet()) continue;
@@ -86,7 +77,7 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
     ASSERT_EQ(result.statements.size(), low > 0 ? 3u : 2u);
   }
   std::printf("%-14s %6s %6s %6s %7s %7s %8s\n", "family", "all", "meet", "proved", "curved", "narrow", "with low");
-  Tally total;
+  RoundDepthTally total;
   for (const auto& [family, t] : tallies) {
     std::printf("%-14s %6d %6d %6d %7d %7d %8d\n", family.c_str(), t.all, t.meet, t.proved, t.curved, t.narrow,
                 t.with_low);

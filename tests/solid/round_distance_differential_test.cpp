@@ -1,5 +1,6 @@
 // How far apart bodies with a radius are, and whether so far: what round_distance and round_clearance say, against
 // fractions that check their evidence by the page's definitions, and against each other.
+#include <tests/support/doubles.h>
 #include <tests/support/round_oracle.h>
 #include <tests/support/round_pairs.h>
 #include <tests/support/scale.h>
@@ -15,7 +16,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -28,17 +28,6 @@ using solid::PlacedRound;
 using solid::RoundClearance;
 using solid::RoundDistance;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string named(const RoundCase& c) {
-  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
-}
-
-double size_of(const PlacedRound& body) {
-  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
-  return std::max(body.core.size, body.radius() * of_map);
-}
-
 bool is_curved(const RoundCase& c) { return c.a.is_curved() || c.b.is_curved(); }
 
 Triple direction_of(const WorldDirection& direction) {
@@ -47,13 +36,13 @@ Triple direction_of(const WorldDirection& direction) {
 }
 
 // Is the evidence that of what it says? Of undecided ones: nothing is said.
-bool is_proved(const OracleBody& a, const OracleBody& b, double least, const RoundClearance& found) {
+bool is_right(const OracleBody& a, const OracleBody& b, double least, const RoundClearance& found) {
   if (found.undecided()) return true;
   if (found.kept()) return is_clear(a, b, direction_of(*found.direction), fraction(least));
   const Fraction square = squared_way(a, b, *found.points);
   return square >= 0 && square < fraction(least) * fraction(least);
 }
-bool is_proved(const OracleBody& a, const OracleBody& b, const RoundDistance& found) {
+bool is_right(const OracleBody& a, const OracleBody& b, const RoundDistance& found) {
   const auto [low, high] = found.distance;
   if (!(low >= 0 && low <= high)) return false;
   const Fraction square = squared_way(a, b, *found.points);
@@ -79,7 +68,7 @@ std::vector<double> asked_about(const Interval& d, double size, Random& random) 
   return all;
 }
 
-struct Tally {
+struct RoundDistanceTally {
   int all = 0, meet = 0, narrow = 0, within_units = 0, kept = 0, broken = 0, undecided = 0;
   double widest = 0;  // of the size
 };
@@ -90,7 +79,7 @@ TEST(RoundDistanceDifferential, EachAnswerIsProved) {
   RoundPairs pairs(seed);
   Random random(seed + 1);
   const int count = scaled_count(1500);
-  std::map<std::string, Tally> tallies;
+  std::map<std::string, RoundDistanceTally> tallies;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
     const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
@@ -101,9 +90,9 @@ TEST(RoundDistanceDifferential, EachAnswerIsProved) {
     const double size = std::max(size_of(a), size_of(b));
     const bool is_huge = size > 1e100 && c.family == RoundFamily::degenerate;  // a radius of 1e200
     SCOPED_TRACE(std::to_string(i) + " " + named(c));
-    Tally& tally = tallies[std::string(name_of(c.family))];
+    RoundDistanceTally& tally = tallies[std::string(name_of(c.family))];
     ++tally.all;
-    ASSERT_TRUE(is_proved(of_a, of_b, found)) << low << " " << high;
+    ASSERT_TRUE(is_right(of_a, of_b, found)) << low << " " << high;
     // Of an undecided pair the points may be one.
     ASSERT_TRUE(found.meet() == answer.meet() || (found.meet() && answer.undecided()));
     if (found.meet()) {
@@ -123,7 +112,7 @@ TEST(RoundDistanceDifferential, EachAnswerIsProved) {
       const solid::ClearanceVerdict alone = clearance_verdict(a, b, least);
       ASSERT_TRUE(alone == clearance.verdict || alone == solid::ClearanceVerdict::undecided || clearance.undecided())
           << least;
-      ASSERT_TRUE(is_proved(of_a, of_b, least, clearance)) << least << " " << name_of(clearance.verdict);
+      ASSERT_TRUE(is_right(of_a, of_b, least, clearance)) << least << " " << name_of(clearance.verdict);
       ++(clearance.kept() ? tally.kept : clearance.broken() ? tally.broken : tally.undecided);
       ASSERT_FALSE(clearance.undecided() && !is_curved(c)) << least << " of " << low << ", " << high;
       if (least > high) {

@@ -25,13 +25,9 @@ using solid::PlacedRound;
 using solid::RoundAnswer;
 using solid::RoundVerdict;
 
-struct Tally {
+struct RoundPairTally {
   int apart = 0, meet = 0, undecided = 0, finished = 0;
 };
-
-std::string named(const RoundCase& c) {
-  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
-}
 
 // Is it decided always, as the header says?
 bool is_decided(const RoundCase& c) {
@@ -39,11 +35,6 @@ bool is_decided(const RoundCase& c) {
   if (!curved_a && !curved_b) return true;
   const auto is_cone = [](const solid::RoundBody& body) { return body.kind() == RoundKind::cone; };
   return (c.a.is_polyhedron() || c.b.is_polyhedron()) && !is_cone(c.a) && !is_cone(c.b);
-}
-
-double size_of(const PlacedRound& body) {
-  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
-  return std::max(body.core.size, body.radius() * of_map);
 }
 
 // Is the gap or the depth of an undecided pair below 2^-40 of its size? Moved by that much across the direction given,
@@ -64,11 +55,11 @@ TEST(RoundPairDifferential, EachAnswerIsProved) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   RoundPairs pairs(seed);
   const int count = scaled_count(20000);
-  std::map<std::string, Tally> tallies;
+  std::map<std::string, RoundPairTally> tallies;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
     const RoundAnswer answer = round_round(c.a, c.pose_a, c.b, c.pose_b);
-    Tally& tally = tallies[std::string(name_of(c.family))];
+    RoundPairTally& tally = tallies[std::string(name_of(c.family))];
     ++(answer.undecided() ? tally.undecided : answer.meet() ? tally.meet : tally.apart);
     if (answer.decided_by == DecidedBy::finishing) ++tally.finished;
     if (is_decided(c)) {

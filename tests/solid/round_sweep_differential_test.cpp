@@ -30,11 +30,6 @@ using solid::RoundSweepAnswer;
 using solid::RoundVerdict;
 using solid::Translation;
 
-double size_of(const PlacedRound& body) {
-  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
-  return std::max(body.core.size, body.radius() * of_map);
-}
-
 struct Motion {
   RoundBody a, b;
   Translation of_a, of_b;
@@ -78,13 +73,9 @@ sunder_verifier::FileResult checked(const Motion& m, const RoundSweepAnswer& ans
   return sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
 }
 
-struct Tally {
+struct RoundSweepTally {
   int apart = 0, meet = 0, between = 0, undecided = 0, finished = 0;
 };
-
-std::string named(const RoundCase& c) {
-  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
-}
 
 TEST(RoundSweepDifferential, EachAnswerIsProved) {
   const std::uint64_t seed = chosen_seed(20261127);
@@ -92,7 +83,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
   RoundPairs pairs(seed);
   Random random(seed);
   const int count = scaled_count(2000);
-  std::map<std::string, Tally> tallies;
+  std::map<std::string, RoundSweepTally> tallies;
   int narrow = 0, firsts = 0;
   for (int i = 0; i < count; ++i) {
     const RoundCase c = pairs.next();
@@ -104,7 +95,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
     }
     const Motion& m = *some;
     const RoundSweepAnswer answer = m.ask();
-    Tally& tally = tallies[std::string(name_of(c.family))];
+    RoundSweepTally& tally = tallies[std::string(name_of(c.family))];
     ++(answer.undecided() ? tally.undecided : answer.meet() ? tally.meet : tally.apart);
     tally.finished += answer.decided_by == DecidedBy::finishing;
     if (answer.undecided()) {
@@ -128,7 +119,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
                                    << result.failed_form << result.error
                                    << (result.statements.empty() ? "" : result.statements[0].reason);
   }
-  Tally all;
+  RoundSweepTally all;
   for (const auto& [family, t] : tallies) {
     std::printf("%-13s apart %d, meet %d (between the ends %d), undecided %d, finished exactly %d\n", family.c_str(),
                 t.apart, t.meet, t.between, t.undecided, t.finished);

@@ -35,7 +35,7 @@ Whole across(const Whole& p, const Whole& q) {
 }
 
 // x times 2^1100, and 2^2200 for a product of two doubles: integers.
-Integer shifted(double x, int by) {
+Integer scaled_integer(double x, int by) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
   const Integer whole(static_cast<std::int64_t>(std::ldexp(mantissa, 53)));
@@ -49,8 +49,8 @@ std::vector<Whole> images(const ConvexPolyhedron& body, const Pose& pose) {
   for (const Point3& p : body.vertices()) {
     Whole image;
     for (std::size_t i = 0; i < 3; ++i) {
-      image[i] = shifted(t[i], 2 * unit);
-      for (std::size_t j = 0; j < 3; ++j) image[i] += shifted(m[3 * i + j], unit) * shifted(p[j], unit);
+      image[i] = scaled_integer(t[i], 2 * unit);
+      for (std::size_t j = 0; j < 3; ++j) image[i] += scaled_integer(m[3 * i + j], unit) * scaled_integer(p[j], unit);
     }
     all.push_back(image);
   }
@@ -105,7 +105,7 @@ class Oracle {
   std::vector<Whole> a_, b_;
 };
 
-std::string certificate(const PairCase& c, const PolyhedronDepth& depth) {
+std::string depth_certificate(const PairCase& c, const PolyhedronDepth& depth) {
   return claims_text({}, [&](ClaimsWriter& file) {
     PairClaims pairs(file);
     const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
@@ -116,7 +116,7 @@ std::string certificate(const PairCase& c, const PolyhedronDepth& depth) {
 }
 
 // P2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the depth.
-void expect_narrow(const PolyhedronDepth& d) {
+void expect_narrow_depth(const PolyhedronDepth& d) {
   const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * d.squared[1] - d.squared[0]).sign(); };
   const auto [low, high] = d.depth;
   ASSERT_NE(compared(low), Sign::positive);
@@ -128,7 +128,7 @@ void expect_narrow(const PolyhedronDepth& d) {
   }
 }
 
-struct Tally {
+struct DepthTally {
   int cases = 0, meet = 0, deep = 0, scanned = 0, exact = 0, proved = 0;
 };
 
@@ -137,11 +137,11 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
   const std::uint64_t seed = chosen_seed(20261127);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  std::map<Family, Tally> tallies;
+  std::map<Family, DepthTally> tallies;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     const PolyhedronDepth d = polyhedron_polyhedron_depth(c.a, c.pose_a, c.b, c.pose_b);
-    Tally& t = tallies[c.family];
+    DepthTally& t = tallies[c.family];
     ++t.cases;
     if (c.touches_exactly) {
       ASSERT_TRUE(d.meet()) << i;
@@ -156,7 +156,7 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
       ASSERT_TRUE(d.is_exact) << i;
     }
     if (d.is_exact) {
-      ASSERT_NO_FATAL_FAILURE(expect_narrow(d)) << i << " " << name_of(c.family);
+      ASSERT_NO_FATAL_FAILURE(expect_narrow_depth(d)) << i << " " << name_of(c.family);
     }
     ASSERT_LE(d.depth.low, d.depth.high);
     if (m <= 9 && n <= 9 && !is_stretched(c.family)) {
@@ -167,7 +167,7 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
     }
     if (!std::isfinite(d.depth.high)) continue;
     ++t.proved;
-    const std::string text = certificate(c, d);
+    const std::string text = depth_certificate(c, d);
     const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
     ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << result.failed_form << result.error << "\n"
                                    << (result.statements.empty() ? "" : result.statements.back().reason) << "\n"
@@ -211,7 +211,8 @@ TEST(SolidDepthDifferential, SymmetriesKeepTheDepth) {
     ASSERT_TRUE(same(changed(reflected), 1)) << "reflected " << i;
     if (c.family == Family::tiny_or_huge || is_stretched(c.family)) continue;
     for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
-      ASSERT_TRUE(same(changed([&](const Pose& pose) { return scaled(pose, s); }), s)) << "scaled " << i << " by " << s;
+      ASSERT_TRUE(same(changed([&](const Pose& pose) { return scaled_pose(pose, s); }), s))
+          << "scaled " << i << " by " << s;
     }
   }
   if (count >= 400) {

@@ -34,7 +34,7 @@ Sign compare(const Fraction& x, const Dyadic& factor, const Fraction& y) {
 }
 
 // What the library says of the pair: parted, how far, and of clearances that are kept barely, and not quite.
-std::string certificate(const PairCase& c, const PolyhedronDistance& distance) {
+std::string distance_certificate(const PairCase& c, const PolyhedronDistance& distance) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   PairClaims pairs(file);
@@ -52,7 +52,7 @@ std::string certificate(const PairCase& c, const PolyhedronDistance& distance) {
 }
 
 // D2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the distance.
-void expect_narrow(const PolyhedronDistance& d) {
+void expect_narrow_distance(const PolyhedronDistance& d) {
   const auto [numerator, denominator] = d.closest->squared();
   const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * denominator - numerator).sign(); };
   const auto [low, high] = d.distance();
@@ -65,7 +65,7 @@ void expect_narrow(const PolyhedronDistance& d) {
   }
 }
 
-struct Tally {
+struct DistanceTally {
   int cases = 0, apart = 0, scanned = 0, filter = 0, evidence = 0, finishing = 0, proved = 0;
   std::array<std::array<int, 4>, 4> features{};
 };
@@ -75,12 +75,12 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
   const std::uint64_t seed = chosen_seed(20261201);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  std::map<Family, Tally> tallies;
+  std::map<Family, DistanceTally> tallies;
   std::array<std::array<int, 4>, 4> features{};
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
-    Tally& t = tallies[c.family];
+    DistanceTally& t = tallies[c.family];
     ++t.cases;
     ASSERT_EQ(d.meet(), !d.closest) << i;
     if (c.touches_exactly) {
@@ -111,10 +111,10 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
     for (std::size_t k = 0; k < std::size_t{f.count_a} + f.count_b; ++k) {
       ASSERT_EQ(exact.weight[k].sign(), Sign::positive) << i;
     }
-    ASSERT_NO_FATAL_FAILURE(expect_narrow(d)) << i << " " << name_of(c.family);
+    ASSERT_NO_FATAL_FAILURE(expect_narrow_distance(d)) << i << " " << name_of(c.family);
     if (t.cases % 4 == 0 || !small) {
       ++t.proved;
-      const std::string text = certificate(c, d);
+      const std::string text = distance_certificate(c, d);
       const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
       ASSERT_TRUE(result.accepted()) << i << " " << name_of(c.family) << result.failed_form << result.error << "\n"
                                      << text.substr(0, 5000);
@@ -178,7 +178,7 @@ TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
     if (c.family != Family::tiny_or_huge && !is_stretched(c.family)) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
         ++scales;
-        ASSERT_TRUE(same(changed([&](const Pose& pose) { return scaled(pose, s); }), s))
+        ASSERT_TRUE(same(changed([&](const Pose& pose) { return scaled_pose(pose, s); }), s))
             << "scaled " << i << " by " << s;
       }
     }

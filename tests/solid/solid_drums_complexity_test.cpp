@@ -31,11 +31,11 @@ namespace {
 using solid::ConvexPolyhedron;
 using solid::Pose;
 
-class Ratios {
+class DrumRatios {
  public:
   // At most `bound` for a thousand vertices and more, which is at most 1.5 times the greatest ratio of bodies of about
   // 1,000; twice that for smaller ones.
-  Ratios(std::string_view question, double bound) : question_(question), bound_(bound) {}
+  DrumRatios(std::string_view question, double bound) : question_(question), bound_(bound) {}
 
   template <class Answer>
   void add(std::string_view what, std::size_t n, double of, const Answer& answer) {
@@ -83,7 +83,7 @@ TEST(SolidDrumsComplexity, ProbesGrowAsTheSquareOfTheLogarithm) {
   const std::uint64_t seed = chosen_seed(20261128);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Ratios plane("plane", 2), line("line", 45), polygon("polygon", 130);
+  DrumRatios plane("plane", 2), line("line", 45), polygon("polygon", 130);
   std::printf("%-14s %7s %9s %9s %9s\n", "family", "n", "plane", "line", "polygon");
   for (const SolidShape& shape : all_solid_shapes()) {
     for (int power = 4; power <= (scaled_count(10) < 10 ? 12 : 17); ++power) {
@@ -138,7 +138,7 @@ TEST(SolidDrumsComplexity, ProbesOfTwoBodiesGrowAsTheCubeOfTheLogarithm) {
   const std::uint64_t seed = chosen_seed(20261130);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Ratios bodies("two bodies", 55);
+  DrumRatios bodies("two bodies", 55);
   std::printf("%-14s %7s %9s\n", "family", "n", "bodies");
   for (const SolidShape& shape : all_solid_shapes()) {
     if (shape.name == "needle") continue;
@@ -172,7 +172,7 @@ TEST(SolidDrumsComplexity, ProbesOfFlatPolygonsGrowAsTheLogarithm) {
   const std::uint64_t seed = chosen_seed(20261131);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Ratios plane("flat and plane", 6), line("flat and line", 2.4), in_plane("flat and line in its plane", 14),
+  DrumRatios plane("flat and plane", 6), line("flat and line", 2.4), in_plane("flat and line in its plane", 14),
       polygons("flat and flat", 24);
   std::printf("%-14s %7s %9s %9s %9s %9s\n", "family", "n", "flats", "line", "in plane", "flat");
   for (int power = 6; power <= 17; ++power) {
@@ -197,7 +197,7 @@ TEST(SolidDrumsComplexity, ProbesOfFlatPolygonsGrowAsTheLogarithm) {
                 line.take_greatest_of_row(), in_plane.take_greatest_of_row(), polygons.take_greatest_of_row());
   }
   const bool is_of_many = scaled_count(1600) >= 1600;
-  for (const Ratios* ratios : {&plane, &line, &in_plane, &polygons}) ratios->expect_no_growth(is_of_many, 100);
+  for (const DrumRatios* ratios : {&plane, &line, &in_plane, &polygons}) ratios->expect_no_growth(is_of_many, 100);
 }
 
 // Bytes of both forms: of the listed one the entries of its lists, which grow faster than n log n on round bodies and

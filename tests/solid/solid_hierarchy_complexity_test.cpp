@@ -46,19 +46,19 @@ struct Bounded {
   int finished;  // at most one in so many; needles, mostly
 };
 double square_of_larger(double x, double y) { return std::max(x, y) * std::max(x, y); }
-double sum(double x, double y) { return x + y; }
+double sum_of_logs(double x, double y) { return x + y; }
 PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
   return polyhedron_polyhedron_distance(a, pose_a, b, pose_b).answer;
 }
 const std::array<Bounded, 4> bounded{
     {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 32, square_of_larger, 1000},
-     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum, 100},
-     {"front", solid::polyhedron_polyhedron, 250, sum, 1000},
-     {"distance", distance, 390, sum, 50}}};
+     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 100},
+     {"front", solid::polyhedron_polyhedron, 250, sum_of_logs, 1000},
+     {"distance", distance, 390, sum_of_logs, 50}}};
 
-class Ratios {
+class BoundedRatios {
  public:
-  explicit Ratios(const Bounded& of) : of_(of) {}
+  explicit BoundedRatios(const Bounded& of) : of_(of) {}
 
   void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
            const Pose& pose_b) {
@@ -129,18 +129,18 @@ class Rounds {
 };
 
 struct Measured {
-  std::vector<Ratios> ratios{bounded.begin(), bounded.end()};
+  std::vector<BoundedRatios> ratios{bounded.begin(), bounded.end()};
   Rounds rounds;
 
   void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
            const Pose& pose_b) {
-    for (Ratios& r : ratios) r.add(what, a, pose_a, b, pose_b);
+    for (BoundedRatios& r : ratios) r.add(what, a, pose_a, b, pose_b);
     rounds.add(a, pose_a, b, pose_b);
   }
   // What docs/images/plot_solid_probes.py reads: the greatest ratios of a family and size.
   void print_row(std::string_view family, std::size_t n) {
     std::printf("| %-12.*s | %6zu |", static_cast<int>(family.size()), family.data(), n);
-    for (Ratios& r : ratios) std::printf(" %5.1f |", r.take_greatest_of_row());
+    for (BoundedRatios& r : ratios) std::printf(" %5.1f |", r.take_greatest_of_row());
     std::printf("\n");
   }
 };
@@ -204,7 +204,7 @@ TEST(SolidHierarchyComplexity, ProbesGrowAsTheSquareOrTheSumOfLogarithms) {
       ratios.print_row(shape.name, n);
     }
   }
-  for (const Ratios& r : ratios.ratios) r.expect_no_growth(small_times == 400);
+  for (const BoundedRatios& r : ratios.ratios) r.expect_no_growth(small_times == 400);
   ratios.rounds.print();
   EXPECT_GT(ratios.rounds.changes(), 1000);
 }

@@ -21,7 +21,7 @@ namespace {
 
 using solid::PolyhedronCut;
 
-struct Tally {
+struct LineByDrumsTally {
   int cases = 0, meets = 0, finished = 0;
   std::uint64_t probes = 0;
 };
@@ -41,7 +41,7 @@ TEST(SolidLineByDrumsDifferential, AgreesWithTheScans) {
   const std::uint64_t seed = chosen_seed(20261126);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidLines lines(seed);
-  std::map<LineFamily, Tally> tallies;
+  std::map<LineFamily, LineByDrumsTally> tallies;
   for (int i = 0; i < count; ++i) {
     const LineCase c = lines.next();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)));
@@ -55,7 +55,7 @@ TEST(SolidLineByDrumsDifferential, AgreesWithTheScans) {
                 polyhedron_segment_by_scan(c.body, c.pose, segment));
     if (HasFatalFailure()) return;
     if (c.body.dimension() < 3) continue;  // decided exactly, without a search
-    Tally& tally = tallies[c.family];
+    LineByDrumsTally& tally = tallies[c.family];
     ++tally.cases;
     tally.meets += found.meet();
     tally.finished += found.decided_by == DecidedBy::finishing;

@@ -66,7 +66,7 @@ std::string text(const PolyhedronCut& c) {
          std::string(name_of(c.decided_by));
 }
 
-struct Tally {
+struct LineTally {
   int cases = 0;
   std::array<int, 4> of_kind{};
   std::array<int, 4> of_decision{};
@@ -77,7 +77,7 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
   const std::uint64_t seed = chosen_seed(20261124);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidLines lines(seed);
-  std::map<LineFamily, Tally> tallies;
+  std::map<LineFamily, LineTally> tallies;
   std::map<std::string, int> verdicts;
   for (int i = 0; i < count; ++i) {
     LineCase c = lines.next();
@@ -95,7 +95,7 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
       if (found.kind == CutKind::along) {
         ASSERT_EQ(found.surface, scan.surface);
       }
-      Tally& tally = tallies[c.family];
+      LineTally& tally = tallies[c.family];
       ++tally.cases;
       ++tally.of_kind[static_cast<std::size_t>(found.kind)];
       ++tally.of_decision[static_cast<std::size_t>(found.decided_by)];

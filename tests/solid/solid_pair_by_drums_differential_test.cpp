@@ -15,7 +15,7 @@
 namespace sunder::tests {
 namespace {
 
-struct Tally {
+struct PairByDrumsTally {
   int cases = 0, meets = 0, finished = 0, meets_finished = 0;
   std::uint64_t probes = 0;
 };
@@ -37,7 +37,7 @@ TEST(SolidPairByDrumsDifferential, AgreesWithTheScan) {
   const std::uint64_t seed = chosen_seed(20261129);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  std::map<Family, Tally> tallies;
+  std::map<Family, PairByDrumsTally> tallies;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)));
@@ -48,7 +48,7 @@ TEST(SolidPairByDrumsDifferential, AgreesWithTheScan) {
                                {c.b.vertices(), c.pose_b.affine(), false}),
               CheckResult::accepted);
     if (c.a.dimension() < 3 || c.b.dimension() < 3) continue;  // left to the front door
-    Tally& t = tallies[c.family];
+    PairByDrumsTally& t = tallies[c.family];
     const bool finished = drums.decided_by == DecidedBy::finishing;
     ++t.cases;
     t.meets += scan.meet();

@@ -36,7 +36,7 @@ std::string as_text(const PairCase& c, const PairAnswer& answer) {
   return text;
 }
 
-struct Tally {
+struct PairTally {
   int cases = 0, meets = 0, touches = 0, filter = 0, evidence = 0, finishing = 0;
   int finishing_by_hierarchy = 0, finishing_by_polar = 0;  // where none of their own proposals held
 };
@@ -46,7 +46,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   const std::uint64_t seed = chosen_seed(20260214);
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
-  std::map<Family, Tally> tallies;
+  std::map<Family, PairTally> tallies;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     const PairAnswer scan = polyhedron_polyhedron_by_scan(c.a, c.pose_a, c.b, c.pose_b);
@@ -72,7 +72,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
         ASSERT_EQ(polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b), Contact::touching) << i;
       }
     }
-    Tally& t = tallies[c.family];
+    PairTally& t = tallies[c.family];
     ++t.cases;
     t.meets += gjk.meet();
     t.touches += c.touches_exactly;
@@ -102,7 +102,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     }
   }
   // General position is decided without exact finishing: at least 99.9 % (see the issue of the first path).
-  const Tally& general = tallies[Family::general];
+  const PairTally& general = tallies[Family::general];
   EXPECT_LE(general.finishing, general.cases / 1000);
   // So is nearly everything else, because the search in double-double precision sees the last bits; but not where the
   // bodies' sizes are further apart than even its numbers reach.
@@ -147,7 +147,8 @@ TEST(SolidPairDifferential, SymmetriesKeepTheVerdict) {
     ASSERT_EQ(changed(reflected), meet) << "reflected " << i;
     if (c.family != Family::tiny_or_huge && !is_stretched(c.family)) {
       for (const double s : {0x1p-40, 0x1p300, 0x1p-300}) {
-        ASSERT_EQ(changed([&](const Pose& pose) { return scaled(pose, s); }), meet) << "scaled " << i << " by " << s;
+        ASSERT_EQ(changed([&](const Pose& pose) { return scaled_pose(pose, s); }), meet)
+            << "scaled " << i << " by " << s;
       }
     }
     if (c.family == Family::grid) {

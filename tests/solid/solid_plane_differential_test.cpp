@@ -32,8 +32,8 @@ enum class PlaneFamily : int {
   level,           // along an axis: of a body in its own frame, along its drums
 };
 constexpr int plane_family_count = 6;
-constexpr std::array<const char*, plane_family_count> names{"general",  "through vertex", "supporting",
-                                                            "last bit", "of a facet",     "level"};
+constexpr std::array<const char*, plane_family_count> plane_family_names{"general",  "through vertex", "supporting",
+                                                                         "last bit", "of a facet",     "level"};
 
 Point3 rounded(const Posed3& p) {
   const auto v = rounded_image(p);
@@ -114,7 +114,7 @@ void expect_evidence(const PolyhedronPlane& answer, const ConvexPolyhedron& body
   }
 }
 
-struct Tally {
+struct PlaneTally {
   int cases = 0, meets = 0, above = 0, touches = 0, by_front = 0, by_drums = 0, exact = 0;
 };
 
@@ -124,9 +124,9 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
   Planes planes(seed);
-  std::map<std::pair<Family, PlaneFamily>, Tally> tallies;
-  std::map<PlaneFamily, Tally> of_planes;
-  std::map<Family, Tally> of_bodies;
+  std::map<std::pair<Family, PlaneFamily>, PlaneTally> tallies;
+  std::map<PlaneFamily, PlaneTally> of_planes;
+  std::map<Family, PlaneTally> of_bodies;
   for (int i = 0; i < count;) {
     const PairCase c = pairs.next();
     const auto [low, high] = c.a.box();
@@ -137,7 +137,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
       const Pose pose = family == PlaneFamily::level && i % 2 == 0 ? Pose() : c.pose_a;
       const Plane plane = planes.next(family, c.a, pose);
       SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)) + ", " +
-                   names[static_cast<std::size_t>(f)]);
+                   plane_family_names[static_cast<std::size_t>(f)]);
       const PolyhedronPlane scan = polyhedron_plane_by_scan(c.a, pose, plane);
       const PolyhedronPlane front = polyhedron_plane(c.a, pose, plane);
       const PolyhedronPlane drums = polyhedron_plane_by_drums(c.a, pose, plane);
@@ -149,7 +149,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
       }
       const Contact contact = polyhedron_plane_contact(c.a, pose, plane);
       ASSERT_EQ(contact != Contact::none, scan.meet());
-      for (Tally* t : {&of_planes[family], &of_bodies[c.family]}) {
+      for (PlaneTally* t : {&of_planes[family], &of_bodies[c.family]}) {
         ++t->cases;
         t->meets += scan.meet();
         t->above += scan.side == Sign::positive;
@@ -162,11 +162,11 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
   }
   std::printf("%-16s %7s %7s %7s %7s %9s | %s\n", "family", "cases", "meet", "above", "touch", "evidence",
               "finishing: front door, twice by drums");
-  const auto print = [](const std::string& name, const Tally& t) {
+  const auto print = [](const std::string& name, const PlaneTally& t) {
     std::printf("%-16s %7d %7d %7d %7d %9d | %7d %7d\n", name.c_str(), t.cases, t.meets, t.above, t.touches, t.exact,
                 t.by_front, t.by_drums);
   };
-  for (const auto& [family, t] : of_planes) print(names[static_cast<std::size_t>(family)], t);
+  for (const auto& [family, t] : of_planes) print(plane_family_names[static_cast<std::size_t>(family)], t);
   for (const auto& [family, t] : of_bodies) print(std::string(name_of(family)), t);
   if (count < 2000) return;
   for (const auto& [family, t] : of_planes) {
@@ -174,7 +174,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
     EXPECT_LT(t.meets, t.cases);
   }
   EXPECT_GT(of_planes[PlaneFamily::supporting].touches, count / 100);
-  const Tally& general = of_planes[PlaneFamily::general];
+  const PlaneTally& general = of_planes[PlaneFamily::general];
   EXPECT_LE(general.by_drums, 2 * general.cases / 1000);
   EXPECT_LE(general.by_front, general.cases / 1000);
   for (const auto& [family, t] : of_bodies) {

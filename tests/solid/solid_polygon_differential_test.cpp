@@ -30,8 +30,8 @@ enum class PolygonFamily : int {
   level,      // along the slices of a body in its own frame, at the height of a vertex or between
 };
 constexpr int polygon_family_count = 8;
-constexpr std::array<const char*, polygon_family_count> names{"general",   "inside",    "piercing", "of facet",
-                                                              "own facet", "at vertex", "last bit", "level"};
+constexpr std::array<const char*, polygon_family_count> polygon_family_names{
+    "general", "inside", "piercing", "of facet", "own facet", "at vertex", "last bit", "level"};
 
 struct Flat {
   ConvexPolyhedron polygon;
@@ -108,7 +108,7 @@ class Polygons {
   Random random_;
 };
 
-struct Tally {
+struct PolygonTally {
   int cases = 0, meets = 0, finished = 0, finished_by_front = 0, meets_finished = 0;
   std::uint64_t probes = 0;
 };
@@ -119,9 +119,9 @@ TEST(SolidPolygonDifferential, MethodsAgreeWithTheScan) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   SolidPairs pairs(seed);
   Polygons polygons(seed);
-  std::map<PolygonFamily, Tally> of_polygons;
-  std::map<Family, Tally> of_bodies;
-  Tally in_general_position;  // any frame near a body of random points, or through it
+  std::map<PolygonFamily, PolygonTally> of_polygons;
+  std::map<Family, PolygonTally> of_bodies;
+  PolygonTally in_general_position;  // any frame near a body of random points, or through it
   for (int i = 0; i < count;) {
     const PairCase c = pairs.next();
     for (int f = 0; f < polygon_family_count && i < count; ++f, ++i) {
@@ -129,7 +129,7 @@ TEST(SolidPolygonDifferential, MethodsAgreeWithTheScan) {
       const Pose pose = family == PolygonFamily::level ? Pose() : c.pose_a;
       const Flat flat = polygons.next(family, c, pose);
       SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)) + ", " +
-                   names[static_cast<std::size_t>(f)]);
+                   polygon_family_names[static_cast<std::size_t>(f)]);
       const PairAnswer scan = polyhedron_polygon_by_scan(c.a, pose, flat.polygon, flat.pose);
       const PairAnswer front = polyhedron_polygon(c.a, pose, flat.polygon, flat.pose);
       const PairAnswer drums = polyhedron_polygon_by_drums(c.a, pose, flat.polygon, flat.pose);
@@ -140,7 +140,8 @@ TEST(SolidPolygonDifferential, MethodsAgreeWithTheScan) {
                 CheckResult::accepted);
       if (c.a.dimension() < 3 || flat.polygon.dimension() != 2) continue;  // left to the front door
       const bool is_general = c.family == Family::general && family <= PolygonFamily::piercing;
-      for (Tally* t : {&of_polygons[family], &of_bodies[c.family], is_general ? &in_general_position : nullptr}) {
+      for (PolygonTally* t :
+           {&of_polygons[family], &of_bodies[c.family], is_general ? &in_general_position : nullptr}) {
         if (t == nullptr) continue;
         ++t->cases;
         t->meets += scan.meet();
@@ -153,17 +154,17 @@ TEST(SolidPolygonDifferential, MethodsAgreeWithTheScan) {
   }
   std::printf("%-16s %7s %7s | %s\n", "family", "cases", "meet",
               "finishing: front door, by drums (meeting); probes by drums");
-  const auto print = [](const std::string& name, const Tally& t) {
+  const auto print = [](const std::string& name, const PolygonTally& t) {
     std::printf("%-16s %7d %7d | %7d %7d (%d) %7.0f\n", name.c_str(), t.cases, t.meets, t.finished_by_front, t.finished,
                 t.meets_finished, static_cast<double>(t.probes) / t.cases);
   };
-  for (const auto& [family, t] : of_polygons) print(names[static_cast<std::size_t>(family)], t);
+  for (const auto& [family, t] : of_polygons) print(polygon_family_names[static_cast<std::size_t>(family)], t);
   for (const auto& [family, t] : of_bodies) print(std::string(name_of(family)), t);
   print("general position", in_general_position);
   if (count < 2000) return;
   EXPECT_LE(in_general_position.finished, 1 + in_general_position.cases / 1000);
   for (const auto& [family, t] : of_polygons) EXPECT_GT(t.meets, t.cases / 10);
-  const Tally& general = of_polygons[PolygonFamily::general];
+  const PolygonTally& general = of_polygons[PolygonFamily::general];
   EXPECT_LT(general.meets, general.cases - general.cases / 10);
   for (const auto& [family, t] : of_bodies) {
     if (is_stretched(family)) continue;  // no search in floating point reaches across 600 decimal digits

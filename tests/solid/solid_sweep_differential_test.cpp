@@ -59,7 +59,7 @@ Pose some_turn(Random& random) {
 Point3 times(const Point3& p, double by) { return {p.x * by, p.y * by, p.z * by}; }
 Point3 sum(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 
-Fraction dot(const FractionPoint& p, const FractionPoint& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
+Fraction dot_product(const FractionPoint& p, const FractionPoint& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 
 FractionPoint fractions(const std::array<Dyadic, 3>& d) {
   return {fraction_of(d[0]), fraction_of(d[1]), fraction_of(d[2])};
@@ -67,9 +67,9 @@ FractionPoint fractions(const std::array<Dyadic, 3>& d) {
 
 // How much further B begins along the direction than A ends, at that time.
 Fraction gap(const MovingHull& a, const MovingHull& b, const FractionPoint& d, const Fraction& time) {
-  Fraction last = dot(a.point(0, time), d), first = dot(b.point(0, time), d);
-  for (std::size_t i = 0; i < a.turned.size(); ++i) last = std::max(last, dot(a.point(i, time), d));
-  for (std::size_t j = 0; j < b.turned.size(); ++j) first = std::min(first, dot(b.point(j, time), d));
+  Fraction last = dot_product(a.point(0, time), d), first = dot_product(b.point(0, time), d);
+  for (std::size_t i = 0; i < a.turned.size(); ++i) last = std::max(last, dot_product(a.point(i, time), d));
+  for (std::size_t j = 0; j < b.turned.size(); ++j) first = std::min(first, dot_product(b.point(j, time), d));
   return first - last;
 }
 
@@ -103,7 +103,7 @@ Fraction expect_contact(const Moving& m, const SweepContact& contact) {
 }
 
 // What the library says of the motion, as a file: the answer's own evidence, and the first contact.
-std::string certificate(const Moving& m, const SweepAnswer& answer, const std::optional<SweepContact>& first) {
+std::string motion_certificate(const Moving& m, const SweepAnswer& answer, const std::optional<SweepContact>& first) {
   return claims_text({}, [&](ClaimsWriter& file) {
     PairClaims pairs(file);
     const auto add = [&](const ConvexPolyhedron& body, const Translation& of) {
@@ -156,12 +156,12 @@ SweepAnswer expect_right(const Moving& m, const std::optional<Fraction>& first) 
       EXPECT_EQ(d, (FractionPoint{0, 0, 0}));
     }
   }
-  const auto checked = sunder_verifier::verify_text(certificate(m, answer, contact), "motion");
+  const auto checked = sunder_verifier::verify_text(motion_certificate(m, answer, contact), "motion");
   EXPECT_TRUE(checked.accepted()) << checked.error << checked.failed_form;
   return answer;
 }
 
-struct Tally {
+struct SweepTally {
   int apart = 0, at_begin = 0, at_end = 0, between = 0, finished = 0;
 
   void count(const SweepAnswer& answer) {
@@ -182,7 +182,7 @@ TEST(SolidSweepDifferential, GeneralMotionsOfBoth) {
   const std::uint64_t seed = chosen_seed(20270101);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Tally tally;
+  SweepTally tally;
   for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
     // From one side to about the other one.
@@ -203,7 +203,7 @@ TEST(SolidSweepDifferential, GridsWhereAllIsDegenerate) {
   const std::uint64_t seed = chosen_seed(20270102);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Tally tally;
+  SweepTally tally;
   int at_one_time = 0, first_at_end = 0, rational = 0;
   for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("case " + std::to_string(i));
@@ -233,7 +233,7 @@ TEST(SolidSweepDifferential, MissesByTheLastBit) {
   const std::uint64_t seed = chosen_seed(20270103);
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
-  Tally tally;
+  SweepTally tally;
   int pairs = 0;
   for (int i = 0; i < count && !::testing::Test::HasFailure(); ++i) {
     SCOPED_TRACE("case " + std::to_string(i));

@@ -1,23 +1,20 @@
-// Numbers n 2^e, exactly, and the ends of the doubles: an oracle that shares no code with what it checks.
+// Numbers n 2^e, exactly: an oracle that shares no code with what it checks.
 #pragma once
 
 #include <sunder/number/integer_internal.h>
+
+#include <tests/support/doubles.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace sunder::tests {
 
 using Whole = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
 
 struct Exact {
   Whole n;

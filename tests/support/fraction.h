@@ -47,6 +47,10 @@ class Fraction {
     return x;
   }
 
+  // About this number, whose numerator and denominator are in the range of doubles.
+  double about() const { return std::ldexp(n_.convert_to<double>() / d_.convert_to<double>(), static_cast<int>(e_)); }
+
+  friend Fraction abs(const Fraction& x) { return x.n_ < 0 ? -x : x; }
   friend Fraction operator-(Fraction x) {
     x.n_ = -x.n_;
     return x;

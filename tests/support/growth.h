@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -19,6 +20,8 @@ namespace sunder::tests {
 // Sizes are the powers of two from 2^8; up to 2^16, or 2^12 where SUNDER_TEST_SCALE asks for less.
 inline constexpr int least_growth_power = 8;
 inline int greatest_growth_power() { return std::min(16, scaled_count(16, 12)); }
+
+inline double number(std::size_t k) { return static_cast<double>(k); }
 
 class Growth {
  public:

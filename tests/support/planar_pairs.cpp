@@ -1,5 +1,7 @@
 #include <tests/support/planar_pairs.h>
 
+#include <tests/support/doubles.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +10,6 @@
 namespace sunder::tests {
 
 using planar::ConvexPolygon;
-using planar::Pose;
 
 std::string_view name_of(PlanarFamily family) {
   constexpr std::array<std::string_view, planar_family_count> names{
@@ -21,20 +22,14 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-std::vector<Point2> mapped(const ConvexPolygon& polygon, auto map) {
+std::vector<Point2> mapped_vertices(const ConvexPolygon& polygon, auto map) {
   std::vector<Point2> out;
   for (const Point2& p : polygon.vertices()) out.push_back(map(p));
   return out;
 }
 
-ConvexPolygon scaled(const ConvexPolygon& polygon, double x, double y) {
-  return ConvexPolygon::hull_of(mapped(polygon, [&](const Point2& p) { return Point2{p.x * x, p.y * y}; }));
-}
-
-double ulps(double x, std::int64_t count) {
-  for (; count > 0; --count) x = std::nextafter(x, std::numeric_limits<double>::infinity());
-  for (; count < 0; ++count) x = std::nextafter(x, -std::numeric_limits<double>::infinity());
-  return x;
+ConvexPolygon stretched_polygon(const ConvexPolygon& polygon, double x, double y) {
+  return ConvexPolygon::hull_of(mapped_vertices(polygon, [&](const Point2& p) { return Point2{p.x * x, p.y * y}; }));
 }
 
 }  // namespace
@@ -88,16 +83,16 @@ ConvexPolygon PlanarPairs::some_short_one() {
   }
 }
 
-Pose PlanarPairs::some_turn(double distance) {
+planar::Pose PlanarPairs::some_turn(double distance) {
   const double angle = random_.uniform(0, full_turn), towards = random_.uniform(0, full_turn);
-  return Pose::from_angle(angle, {distance * std::cos(towards), distance * std::sin(towards)});
+  return planar::Pose::from_angle(angle, {distance * std::cos(towards), distance * std::sin(towards)});
 }
 
-Pose PlanarPairs::some_grid_pose() {
+planar::Pose PlanarPairs::some_grid_pose() {
   const auto number = [this](std::int64_t most) { return static_cast<double>(random_.between(-most, most)); };
   while (true) {
     const std::array<double, 4> m{number(2), number(2), number(2), number(2)};
-    if (m[0] * m[3] != m[1] * m[2]) return Pose::from_matrix(m, {number(4), number(4)});
+    if (m[0] * m[3] != m[1] * m[2]) return planar::Pose::from_matrix(m, {number(4), number(4)});
   }
 }
 
@@ -105,20 +100,21 @@ Pose PlanarPairs::some_grid_pose() {
 PlanarCase PlanarPairs::touching_case(PlanarFamily family) {
   while (true) {
     const auto grid = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };
-    ConvexPolygon a =
-        ConvexPolygon::hull_of(mapped(some_polygon(), [&](const Point2& p) { return Point2{grid(p.x), grid(p.y)}; }));
+    ConvexPolygon a = ConvexPolygon::hull_of(
+        mapped_vertices(some_polygon(), [&](const Point2& p) { return Point2{grid(p.x), grid(p.y)}; }));
     const auto v = static_cast<std::uint32_t>(random_.below(a.size()));
     const Point2 &p = a[v], &q = a[(v + 1) % a.size()];
     const double at = static_cast<double>(random_.below(5)) / 4;  // a vertex, or on the edge
     const Point2 c{p.x + (q.x - p.x) * at, p.y + (q.y - p.y) * at};
-    ConvexPolygon b =
-        ConvexPolygon::hull_of(mapped(a, [&](const Point2& r) { return Point2{2 * c.x - r.x, 2 * c.y - r.y}; }));
+    ConvexPolygon b = ConvexPolygon::hull_of(
+        mapped_vertices(a, [&](const Point2& r) { return Point2{2 * c.x - r.x, 2 * c.y - r.y}; }));
     if (family == PlanarFamily::touching) return {family, std::move(a), std::move(b), {}, {}, true};
-    const std::array<double, 2> shift{ulps(0, 0) + static_cast<double>(random_.between(-3, 3)) * 0x1p-52,
+    const std::array<double, 2> shift{moved_by_bits(0, 0) + static_cast<double>(random_.between(-3, 3)) * 0x1p-52,
                                       static_cast<double>(random_.between(-3, 3)) * 0x1p-52};
-    if (random_.below(2) == 0) return {family, std::move(a), std::move(b), {}, Pose::from_matrix({1, 0, 0, 1}, shift)};
-    const auto moved = mapped(b, [&](const Point2& r) {
-      return Point2{ulps(r.x, random_.between(-2, 2)), ulps(r.y, random_.between(-2, 2))};
+    if (random_.below(2) == 0)
+      return {family, std::move(a), std::move(b), {}, planar::Pose::from_matrix({1, 0, 0, 1}, shift)};
+    const auto moved = mapped_vertices(b, [&](const Point2& r) {
+      return Point2{moved_by_bits(r.x, random_.between(-2, 2)), moved_by_bits(r.y, random_.between(-2, 2))};
     });
     return {family, std::move(a), ConvexPolygon::hull_of(moved), {}, {}};
   }
@@ -147,8 +143,8 @@ PlanarCase PlanarPairs::next(PlanarFamily family) {
       const Point2 &p = a[a.rightmost()], &q = b[b.leftmost()];
       const std::array<double, 2> shift{p.x - q.x + gap, p.y - q.y};
       if (random_.below(2) == 0)
-        return {family, std::move(a), std::move(b), {}, Pose::from_matrix({1, 0, 0, 1}, shift)};
-      const auto moved = mapped(b, [&](const Point2& r) { return Point2{r.x + shift[0], r.y + shift[1]}; });
+        return {family, std::move(a), std::move(b), {}, planar::Pose::from_matrix({1, 0, 0, 1}, shift)};
+      const auto moved = mapped_vertices(b, [&](const Point2& r) { return Point2{r.x + shift[0], r.y + shift[1]}; });
       return {family, std::move(a), ConvexPolygon::hull_of(moved)};
     }
     case PlanarFamily::touching:
@@ -157,19 +153,19 @@ PlanarCase PlanarPairs::next(PlanarFamily family) {
       ConvexPolygon a = some_short_one(), b = random_.below(2) == 0 ? some_short_one() : some_grid_polygon(6);
       if (random_.below(3) == 0) a = ConvexPolygon::hull_of(std::array{b[0]});
       if (random_.below(2) == 0) std::swap(a, b);
-      return {family, std::move(a), std::move(b), random_.below(4) == 0 ? some_grid_pose() : Pose()};
+      return {family, std::move(a), std::move(b), random_.below(4) == 0 ? some_grid_pose() : planar::Pose()};
     }
     case PlanarFamily::sliver: {
       const double thin = std::exp2(random_.uniform(-50, -5));
-      ConvexPolygon a = scaled(some_polygon(), 1, thin),
-                    b = scaled(some_polygon(), random_.below(2) == 0 ? 1 : thin, 1);
+      ConvexPolygon a = stretched_polygon(some_polygon(), 1, thin),
+                    b = stretched_polygon(some_polygon(), random_.below(2) == 0 ? 1 : thin, 1);
       return {family, std::move(a), std::move(b), some_turn(0), some_turn(random_.uniform(0, 1.5))};
     }
     case PlanarFamily::any_scale: {
       const auto scale = [this] { return std::exp2(static_cast<double>(random_.between(-1000, 1000))); };
       const double one = scale(), other = random_.below(3) == 0 ? scale() : one;
       const PlanarCase c = next(random_.below(2) == 0 ? PlanarFamily::grid : PlanarFamily::touching);
-      return {family, scaled(c.a, one, one), scaled(c.b, other, other)};
+      return {family, stretched_polygon(c.a, one, one), stretched_polygon(c.b, other, other)};
     }
     case PlanarFamily::contained: {
       ConvexPolygon a = some_polygon();
@@ -182,7 +178,7 @@ PlanarCase PlanarPairs::next(PlanarFamily family) {
         ConvexPolygon b = ConvexPolygon::hull_of(some);
         return {family, std::move(b), std::move(a)};
       }
-      ConvexPolygon b = scaled(some_polygon(), size, size);
+      ConvexPolygon b = stretched_polygon(some_polygon(), size, size);
       if (random_.below(2) == 0) return {family, std::move(a), std::move(b), {}, some_turn(0)};
       return {family, std::move(b), std::move(a), some_turn(random_.uniform(0, 0.3)), {}};
     }

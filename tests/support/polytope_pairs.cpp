@@ -8,7 +8,6 @@
 namespace sunder::tests {
 
 using polytope::Polytope;
-using polytope::Pose;
 
 std::string_view name_of(PolytopeFamily family) {
   switch (family) {
@@ -86,9 +85,9 @@ Polytope PolytopePairs::body(PolytopeFamily family, std::size_t d, std::size_t c
 }
 
 // The identity, a shift by small numbers, or any matrix and shift.
-Pose PolytopePairs::pose(std::size_t d, double reach) {
+polytope::Pose PolytopePairs::pose(std::size_t d, double reach) {
   const std::uint64_t kind = random_.below(4);
-  if (kind == 0) return Pose(d);
+  if (kind == 0) return polytope::Pose(d);
   std::vector<double> linear(d * d), translation(d);
   for (std::size_t c = 0; c < d; ++c) {
     linear[c * d + c] = 1;
@@ -97,7 +96,7 @@ Pose PolytopePairs::pose(std::size_t d, double reach) {
   if (kind == 3) {
     for (double& x : linear) x += random_.uniform(-0.4, 0.4);
   }
-  return Pose::from_matrix(d, linear, translation);
+  return polytope::Pose::from_matrix(d, linear, translation);
 }
 
 // B has a vertex, or a corner of small integers, on the boundary of A, and lies on the other side of a plane through
@@ -141,8 +140,8 @@ PolytopePair PolytopePairs::touching(std::size_t d, PolytopeFamily family) {
     const double bit = std::ldexp(random_.below(2) == 0 ? 1.0 : -1.0, -static_cast<int>(random_.below(200)) - 20);
     translation[c] = bit;
   }
-  return {family, Polytope::from_points(d, std::move(below)), Polytope::from_points(d, std::move(above)), Pose(d),
-          Pose::from_matrix(d, linear, translation)};
+  return {family, Polytope::from_points(d, std::move(below)), Polytope::from_points(d, std::move(above)),
+          polytope::Pose(d), polytope::Pose::from_matrix(d, linear, translation)};
 }
 
 polytope::HierarchicalTree small_tree(const Polytope& body) {
@@ -171,13 +170,14 @@ PolytopePair PolytopePairs::next(std::size_t d) {
     const PolytopeFamily kind = random_.below(2) == 0 ? PolytopeFamily::cyclic : PolytopeFamily::random;
     const double shift = random_.below(2) == 0 ? 0.0 : 1.0;
     return {family, scaled(body(kind, d, count_a), scale_a, -shift), scaled(body(kind, d, count_b), scale_b, shift),
-            Pose(d), Pose(d)};
+            polytope::Pose(d), polytope::Pose(d)};
   }
   // B of the same family, or of another.
   const PolytopeFamily other = random_.below(2) == 0 ? family : all_polytope_families[random_.below(6)];
   Polytope a = body(family, d, count_a), b = body(other, d, count_b);
   const bool in_place = family == PolytopeFamily::flat && random_.below(3) > 0;  // small integers meet at times
-  const Pose pose_a = in_place ? Pose(d) : pose(d, 1), pose_b = in_place ? Pose(d) : pose(d, 1.5);
+  const polytope::Pose pose_a = in_place ? polytope::Pose(d) : pose(d, 1),
+                       pose_b = in_place ? polytope::Pose(d) : pose(d, 1.5);
   return {family, std::move(a), std::move(b), pose_a, pose_b};
 }
 
@@ -210,7 +210,7 @@ PolytopePair PolytopePairs::next_of_half_spaces() {
   const PolytopeFamily family = all_polytope_families[random_.below(6)];
   Polytope a = kind == 0 ? body(family, d, 1 + random_.below(12)) : half_spaces(d);
   Polytope b = kind == 1 ? body(family, d, 1 + random_.below(12)) : half_spaces(d);
-  const Pose pose_a = pose(d, 1), pose_b = pose(d, 1.5);
+  const polytope::Pose pose_a = pose(d, 1), pose_b = pose(d, 1.5);
   return {family, std::move(a), std::move(b), pose_a, pose_b};
 }
 

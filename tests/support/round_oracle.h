@@ -119,9 +119,9 @@ inline bool is_as_far(const Fraction& g, const Fraction& u, const Fraction& v, c
 }
 
 // Along the direction, is B as far beyond A as that?
-inline bool is_clear(const OracleBody& a, const OracleBody& b, const Triple& d, const Fraction& least) {
+inline bool is_clear(const OracleBody& a, const OracleBody& b, const Triple& d, const Fraction& distance) {
   const Triple back{-d[0], -d[1], -d[2]};
-  const Fraction w = least * least * dot(d, d);
+  const Fraction w = distance * distance * dot(d, d);
   if (dot(d, d) == 0) return false;
   for (const auto& [q, u] : a.reaches(d)) {
     for (const auto& [minus_p, v] : b.reaches(back)) {

@@ -25,10 +25,10 @@ Pose some_rotation(Random& random, double distance) {
   return Pose::from_quaternion(part(), part(), part(), part() + 0.01, {shift(), shift(), shift()});
 }
 
-Point3 times(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
+Point3 scaled_point(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
 
 std::vector<Point3> scaled(std::vector<Point3> points, double by) {
-  for (Point3& p : points) p = times(by, p);
+  for (Point3& p : points) p = scaled_point(by, p);
   return points;
 }
 
@@ -38,14 +38,15 @@ RoundBody scaled(const RoundBody& body, double by) {
   const double r = body.radius() * by;
   switch (body.kind()) {
     case RoundKind::hull: return RoundBody::rounded(ConvexPolyhedron(scaled({points.begin(), points.end()}, by)), r);
-    case RoundKind::cylinder: return RoundBody::cylinder(times(by, points[0]), times(by, points[1]), r);
-    case RoundKind::cone: return RoundBody::cone(times(by, points[0]), times(by, points[1]), r);
+    case RoundKind::cylinder: return RoundBody::cylinder(scaled_point(by, points[0]), scaled_point(by, points[1]), r);
+    case RoundKind::cone: return RoundBody::cone(scaled_point(by, points[0]), scaled_point(by, points[1]), r);
     case RoundKind::ellipsoid: break;
   }
   const auto& [m, t] = body.frame();
   return RoundBody::ellipsoid({t[0] * by, t[1] * by, t[2] * by}, {m[0] * by, m[4] * by, m[8] * by});
 }
-Pose scaled(const Pose& pose, double by) {
+
+Pose with_scaled_translation(const Pose& pose, double by) {
   const auto& [m, t] = pose.affine();
   return Pose::from_matrix(m, {t[0] * by, t[1] * by, t[2] * by});
 }
@@ -111,7 +112,7 @@ RoundBody some_primitive(Primitive primitive, Random& random) {
   const auto length = [&] { return random.log_uniform(0.1, 2); };
   const auto box = [&] {
     const Point3 high{length(), length(), length()};
-    return ConvexPolyhedron(box_corners(times(-1, high), high));
+    return ConvexPolyhedron(box_corners(scaled_point(-1, high), high));
   };
   const auto hull = [&] {
     const std::size_t n = 4 + random.below(random.below(8) == 0 ? 120 : 12);
@@ -119,7 +120,7 @@ RoundBody some_primitive(Primitive primitive, Random& random) {
     return ConvexPolyhedron(points);
   };
   switch (primitive) {
-    case Primitive::ball: return RoundBody::ball(times(0.3, in_cube(random)), length());
+    case Primitive::ball: return RoundBody::ball(scaled_point(0.3, in_cube(random)), length());
     case Primitive::capsule: return RoundBody::capsule(in_cube(random), in_cube(random), length());
     case Primitive::rounded_box: return RoundBody::rounded(box(), length());
     case Primitive::rounded_hull: return RoundBody::rounded(hull(), length());
@@ -129,7 +130,7 @@ RoundBody some_primitive(Primitive primitive, Random& random) {
     case Primitive::cone: return RoundBody::cone(in_cube(random), in_cube(random), length());
     case Primitive::ellipsoid: break;
   }
-  return RoundBody::ellipsoid(times(0.3, in_cube(random)), {length(), length(), length()});
+  return RoundBody::ellipsoid(scaled_point(0.3, in_cube(random)), {length(), length(), length()});
 }
 
 Pose moved(const Pose& pose, const Point3& way, double t) {
@@ -149,7 +150,7 @@ double last_meeting(const RoundBody& a, const Pose& pose_a, const RoundBody& b, 
 RoundCase RoundPairs::near_contact(Primitive of_a, Primitive of_b) {
   const RoundBody a = some_primitive(of_a, random_), b = some_primitive(of_b, random_);
   const Pose pose_a = some_rotation(random_, 0.2), from = some_rotation(random_, 0.2);
-  const Point3 way = times(16, on_sphere(random_));
+  const Point3 way = scaled_point(16, on_sphere(random_));
   double t = 0;
   // They meet at about t = 0 and are apart at 1; where they do not, this finds some place all the same.
   if (round_round(a, pose_a, b, from).meet()) t = last_meeting(a, pose_a, b, from, way);
@@ -203,7 +204,22 @@ RoundCase RoundPairs::next(RoundFamily family, Primitive of_a, Primitive of_b) {
   }
   const double by = std::ldexp(1.0, static_cast<int>(random_.between(-990, 990)));
   RoundCase c = random_.below(2) == 0 ? next(RoundFamily::general, of_a, of_b) : near_contact(of_a, of_b);
-  return {family, of_a, of_b, scaled(c.a, by), scaled(c.b, by), scaled(c.pose_a, by), scaled(c.pose_b, by)};
+  return {family,
+          of_a,
+          of_b,
+          scaled(c.a, by),
+          scaled(c.b, by),
+          with_scaled_translation(c.pose_a, by),
+          with_scaled_translation(c.pose_b, by)};
+}
+
+std::string named(const RoundCase& c) {
+  return std::string(name_of(c.family)) + ": " + std::string(name_of(c.of_a)) + ", " + std::string(name_of(c.of_b));
+}
+
+double size_of(const solid::PlacedRound& body) {
+  const double of_map = body.kind() == RoundKind::ellipsoid ? 2 * body.pose.linear_range().greatest : 1;
+  return std::max(body.core.size, body.radius() * of_map);
 }
 
 RoundCase RoundPairs::next() {

@@ -7,6 +7,7 @@
 #include <sunder/solid/round/round_round.h>
 
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,11 @@ struct RoundCase {
   solid::RoundBody a, b;
   solid::Pose pose_a, pose_b;
 };
+
+std::string named(const RoundCase& c);
+
+// About how long the body is.
+double size_of(const solid::PlacedRound& body);
 
 // Of a size about 1.
 solid::RoundBody some_primitive(Primitive primitive, Random& random);

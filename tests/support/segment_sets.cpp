@@ -1,8 +1,9 @@
 #include <tests/support/segment_sets.h>
 
+#include <tests/support/doubles.h>
+
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace sunder::tests {
 
@@ -12,7 +13,6 @@ using planar::Segment;
 
 // One unit in the last place up, down, or not at all.
 double nudged(Random& random, double x) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::uint64_t way = random.below(3);
   return way == 0 ? x : std::nextafter(x, way == 1 ? infinity : -infinity);
 }

@@ -1,10 +1,11 @@
 #include <tests/support/shapes.h>
 #include <tests/support/solid_lines.h>
+
+#include <tests/support/doubles.h>
 #include <tests/support/solid_shapes.h>
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -23,13 +24,6 @@ Point3 image(const Pose& pose, const Point3& p) {
   const auto& [m, t] = pose.affine();
   const auto row = [&](std::size_t i) { return m[3 * i] * p.x + m[3 * i + 1] * p.y + m[3 * i + 2] * p.z + t[i]; };
   return {row(0), row(1), row(2)};
-}
-
-double moved_by_bits(double x, std::int64_t bits) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (; bits > 0; --bits) x = std::nextafter(x, infinity);
-  for (; bits < 0; ++bits) x = std::nextafter(x, -infinity);
-  return x;
 }
 
 Point3 stretched(const Point3& p, const Point3& by) { return {p.x * by.x, p.y * by.y, p.z * by.z}; }

@@ -1,5 +1,7 @@
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
+
+#include <tests/support/doubles.h>
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -29,12 +31,6 @@ std::vector<Point3> mapped(std::span<const Point3> points, auto map) {
   std::vector<Point3> out;
   for (const Point3& p : points) out.push_back(map(p));
   return out;
-}
-
-double moved_by_bits(double x, std::int64_t bits) {
-  for (; bits > 0; --bits) x = std::nextafter(x, std::numeric_limits<double>::infinity());
-  for (; bits < 0; ++bits) x = std::nextafter(x, -std::numeric_limits<double>::infinity());
-  return x;
 }
 
 }  // namespace
@@ -249,7 +245,7 @@ Pose reflected(const Pose& pose) {
   return Pose::from_matrix(m.linear, m.translation);
 }
 
-Pose scaled(const Pose& pose, double by) {
+Pose scaled_pose(const Pose& pose, double by) {
   Affine3 m = pose.affine();
   for (double& x : m.linear) x *= by;
   for (double& x : m.translation) x *= by;

@@ -47,7 +47,7 @@ struct PairCase {
 
 // A pose, and then: a reflection in x = 0; a scale by a power of two; a shift by (by, 0, -by).
 solid::Pose reflected(const solid::Pose& pose);
-solid::Pose scaled(const solid::Pose& pose, double by);
+solid::Pose scaled_pose(const solid::Pose& pose, double by);
 solid::Pose shifted(const solid::Pose& pose, double by);
 
 // An endless stream of cases, family after family in turn.

@@ -1,4 +1,5 @@
 // Which arcs bound the common part of discs: docs/claims.md, "arcs".
+#include <verifier/cpp/member_rules.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 
 namespace sunder_verifier {
 namespace {
-
-Integer square(const Integer& n) { return n * n; }
 
 // Of p + q sqrt(r).
 int sign_of_root(const Integer& p, const Integer& q, const Integer& r) {
@@ -26,27 +25,27 @@ int sign_of_roots(const Integer& p, const Integer& q, const Integer& r, const In
   return a * sign_of_root(even, odd, r);
 }
 
-struct Arrow {
+struct ArcArrow {
   Integer x, y;
 };
 
-Integer cross(const Arrow& p, const Arrow& q) { return p.x * q.y - p.y * q.x; }
+Integer determinant(const ArcArrow& p, const ArcArrow& q) { return p.x * q.y - p.y * q.x; }
 
 // A direction even + odd sqrt(root).
 struct Way {
-  Arrow even, odd;
+  ArcArrow even, odd;
   Integer root;
   bool is_upper;  // its bearing is less than half a turn
 
-  Way(Arrow e, Arrow o, Integer r) : even(std::move(e)), odd(std::move(o)), root(std::move(r)) {
+  Way(ArcArrow e, ArcArrow o, Integer r) : even(std::move(e)), odd(std::move(o)), root(std::move(r)) {
     const int y = sign_of_root(even.y, odd.y, root);
     is_upper = y > 0 || (y == 0 && sign_of_root(even.x, odd.x, root) > 0);
   }
 };
 
 int turn(const Way& p, const Way& q) {
-  return sign_of_roots(cross(p.even, q.even), cross(p.odd, q.even), p.root, cross(p.even, q.odd), cross(p.odd, q.odd),
-                       q.root);
+  return sign_of_roots(determinant(p.even, q.even), determinant(p.odd, q.even), p.root, determinant(p.even, q.odd),
+                       determinant(p.odd, q.odd), q.root);
 }
 
 // Does p come before q, going round from the bearing 0?
@@ -54,7 +53,7 @@ bool is_before(const Way& p, const Way& q) { return p.is_upper == q.is_upper ? t
 
 // Is a way strictly inside of the angle from u counter-clockwise to v? in_order: u is not after v, going round from the
 // bearing 0.
-bool is_between(const Way& u, const Way& way, const Way& v, bool in_order) {
+bool is_in_angle(const Way& u, const Way& way, const Way& v, bool in_order) {
   if (in_order && u.is_upper == v.is_upper) return turn(u, way) > 0 && turn(way, v) > 0;  // less than half a turn
   const int whole = turn(u, v);
   const bool after = turn(u, way) > 0;
@@ -86,14 +85,14 @@ class Corner {
   // 1: it is outside of the disc; 0: on its circle.
   int power(const PlanarDisc& disc) const {
     // The powers of a point for two discs differ by a linear function of it; that for a is zero here.
-    const Arrow v{disc.x - a_.x, disc.y - a_.y};
+    const ArcArrow v{disc.x - a_.x, disc.y - a_.y};
     const Integer rest = square(v.x) + square(v.y) + square(a_.r) - square(disc.r);
-    return sign_of_root(rest * square_ - along_ * (u_.x * v.x + u_.y * v.y), -cross(u_, v), root_);
+    return sign_of_root(rest * square_ - along_ * (u_.x * v.x + u_.y * v.y), -determinant(u_, v), root_);
   }
 
  private:
   PlanarDisc a_;
-  Arrow u_;  // from centre to centre
+  ArcArrow u_;  // from centre to centre
   // The corner is (along u + sqrt(root) u turned left) / (2 square) from the centre of a.
   Integer square_, along_, root_;
 };
@@ -131,7 +130,7 @@ class Arcs {
     const std::size_t n = named.size();
     for (std::size_t m = 0; n > 1 && m < n; ++m) {
       const Corner corner(discs_[named[m]], discs_[named[(m + 1) % n]]);
-      require(corner.is_crossing(), "arcs", "circles do not cross in two points");
+      require(corner.is_crossing(), "arcs", "circles do not determinant in two points");
       chain.ends.push_back({corner.seen_from(place_), corner});
     }
     std::size_t starts = 0, first = 0;
@@ -150,7 +149,7 @@ class Arcs {
 
   // Of c, the point that is furthest from the centre of d. Requires that the centres differ.
   Way furthest(const PlanarDisc& c, const PlanarDisc& d) const {
-    const Arrow away{c.x - d.x, c.y - d.y};
+    const ArcArrow away{c.x - d.x, c.y - d.y};
     const Integer distance = square(away.x) + square(away.y), &w = place_[2], reach = c.r * w;
     return {{distance * (c.x * w - place_[0]), distance * (c.y * w - place_[1])},
             {reach * away.x, reach * away.y},
@@ -181,7 +180,7 @@ class Arcs {
                        &d = discs_[other.named[k % other.named.size()]];
       const bool may_leave = !holds(d, c) && (c.x != d.x || c.y != d.y);
       const End& before = *all[(m + all.size() - 1) % all.size()].first;
-      require(!may_leave || !is_between(before.way, furthest(c, d), end->way, m > 0), "arcs",
+      require(!may_leave || !is_in_angle(before.way, furthest(c, d), end->way, m > 0), "arcs",
               "an arc is not all in a circle");
       const int power = end->corner.power(is_other ? c : d);
       require(is_other ? power >= 0 : power <= 0, "arcs", "a corner is not in a circle");

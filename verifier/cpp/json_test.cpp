@@ -1,4 +1,5 @@
 // The reader of JSON against nlohmann's, of whole texts and of spoilt ones.
+#include <tests/support/scale.h>
 #include <verifier/cpp/json.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ namespace {
 using Other = nlohmann::json;
 
 // A text of JSON, and what a byte of it may be replaced with.
-class Texts {
+class JsonTexts {
  public:
   std::string whole() {
     std::string text = up_to(20) == 0 ? "\xEF\xBB\xBF" : "";
@@ -171,9 +172,10 @@ void expect_alike(const std::string& text) {
 }
 
 TEST(Json, WholeAndSpoiltTextsAreReadAsByAnother) {
-  Texts texts;
+  JsonTexts texts;
   int spoilt = 0, read_still = 0;
-  for (int k = 0; k < 50000; ++k) {
+  const int count = sunder::tests::scaled_count(50000, 5000);
+  for (int k = 0; k < count; ++k) {
     const std::string text = texts.whole();
     expect_alike(text);
     const std::string other = texts.spoilt(text);

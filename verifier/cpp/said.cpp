@@ -31,7 +31,7 @@ std::size_t positive(const Json& value, const std::string& where) {
   return number;
 }
 
-std::string between(std::string before, const std::string& words, const char* after = "") {
+std::string with_words_around(std::string before, const std::string& words, const char* after = "") {
   return before.append(words).append(after);
 }
 
@@ -66,12 +66,12 @@ std::string texts(const Json& value, const Context& context, const std::string& 
 }
 
 std::string part(const Json& value, const Context& context, const std::string& where) {
-  return value.is_null() ? "" : between("part ", text(value, context, where), " of ");
+  return value.is_null() ? "" : with_words_around("part ", text(value, context, where), " of ");
 }
 
 std::string without(const Json& value, const Context& context, const std::string& where) {
   const std::string words = texts(value, context, where);
-  return words.empty() ? "" : between(", without ", words);
+  return words.empty() ? "" : with_words_around(", without ", words);
 }
 
 std::string reals(const Json& value, const Context&, const std::string& where) {
@@ -88,11 +88,12 @@ std::string nine_reals(const Json& value, const Context& context, const std::str
 }
 
 std::string from(const Json& value, const Context& context, const std::string& where) {
-  return value.is_null() ? "" : between(" of ", input(value, context, where));
+  return value.is_null() ? "" : with_words_around(" of ", input(value, context, where));
 }
 
 std::string row(const Json& value, const Context&, const std::string& where) {
-  return value.is_null() ? "" : between(" of row ", std::to_string(read_index(value, most_number + 1, where)));
+  return value.is_null() ? ""
+                         : with_words_around(" of row ", std::to_string(read_index(value, most_number + 1, where)));
 }
 
 std::string joints(const Json& value, const Context& context, const std::string& where) {
@@ -102,7 +103,7 @@ std::string joints(const Json& value, const Context& context, const std::string&
     require_two(entry, place);
     const std::string name = text(entry[0], context, place);
     read_double(entry[1], place);
-    return between(name, " ").append(shown(entry[1]));
+    return with_words_around(name, " ").append(shown(entry[1]));
   });
 }
 
@@ -124,51 +125,51 @@ struct Member {
   Read words;
 };
 
-constexpr std::array members{Member{"input", input},   Member{"part", part},    Member{"without", without},
-                             Member{"changes", texts}, Member{"by", reals},     Member{"frame", nine_reals},
-                             Member{"text", text},     Member{"axis", text},    Member{"unit", text},
-                             Member{"system", text},   Member{"from", from},    Member{"row", row},
-                             Member{"values", joints}, Member{"pairs", reasons}};
+constexpr std::array words_of_members{Member{"input", input},   Member{"part", part},    Member{"without", without},
+                                      Member{"changes", texts}, Member{"by", reals},     Member{"frame", nine_reals},
+                                      Member{"text", text},     Member{"axis", text},    Member{"unit", text},
+                                      Member{"system", text},   Member{"from", from},    Member{"row", row},
+                                      Member{"values", joints}, Member{"pairs", reasons}};
 
 // ---- The words of a kind, of the members that they name. Those of steps begin with a comma, and have `of`.
 
-struct Kind {
+struct TableWords {
   const char *name, *words;
 };
 
 constexpr std::array descriptions{
-    Kind{"vertices", "all vertices of {part}{input}{without}"},
-    Kind{"points", "all points of {part}{input}{without}"},
-    Kind{"half_spaces", "all half-spaces of {part}{input}{without}"},
-    Kind{"lines", "all lines of {part}{input}{without}"},
-    Kind{"centre_lines", "the centre lines of all tracks of {part}{input}{without}"},
-    Kind{"polygons", "all polygons of {part}{input}{without}"},
-    Kind{"circles", "all circles of {part}{input}{without}"},
-    Kind{"boxes", "all boxes of {part}{input}{without}"},
-    Kind{"half_planes", "all half-planes of {part}{input}{without}"},
-    Kind{"shape", "the shape of {part}{input}{without}"},
-    Kind{"given", "what is given as {text}"},
-    Kind{"hull", ", which is replaced by its convex hull"},
-    Kind{"scaled", ", times {by}"},
-    Kind{"unit", ", in {unit}"},
-    Kind{"projected", ", projected onto the frame {frame}"},
-    Kind{"dropped", ", with {axis} dropped"},
-    Kind{"radius", ", with a radius that is given beside it"},
-    Kind{"mended", ", mended: {changes}"},
-    Kind{"system", ", in the coordinate system {system}"},
+    TableWords{"vertices", "all vertices of {part}{input}{without}"},
+    TableWords{"points", "all points of {part}{input}{without}"},
+    TableWords{"half_spaces", "all half-spaces of {part}{input}{without}"},
+    TableWords{"lines", "all lines of {part}{input}{without}"},
+    TableWords{"centre_lines", "the centre lines of all tracks of {part}{input}{without}"},
+    TableWords{"polygons", "all polygons of {part}{input}{without}"},
+    TableWords{"circles", "all circles of {part}{input}{without}"},
+    TableWords{"boxes", "all boxes of {part}{input}{without}"},
+    TableWords{"half_planes", "all half-planes of {part}{input}{without}"},
+    TableWords{"shape", "the shape of {part}{input}{without}"},
+    TableWords{"given", "what is given as {text}"},
+    TableWords{"hull", ", which is replaced by its convex hull"},
+    TableWords{"scaled", ", times {by}"},
+    TableWords{"unit", ", in {unit}"},
+    TableWords{"projected", ", projected onto the frame {frame}"},
+    TableWords{"dropped", ", with {axis} dropped"},
+    TableWords{"radius", ", with a radius that is given beside it"},
+    TableWords{"mended", ", mended: {changes}"},
+    TableWords{"system", ", in the coordinate system {system}"},
 };
 
 constexpr std::array notes{
-    Kind{"joint_values", "; the joint values{row}{from} are said to be {values}"},
-    Kind{"allowed", "; the pairs not asked about are said to be allowed: {pairs}"},
+    TableWords{"joint_values", "; the joint values{row}{from} are said to be {values}"},
+    TableWords{"allowed", "; the pairs not asked about are said to be allowed: {pairs}"},
 };
 
 template <std::size_t count>
-std::string words_of(const std::array<Kind, count>& kinds, const Json& value, const Context& context,
+std::string words_of(const std::array<TableWords, count>& kinds, const Json& value, const Context& context,
                      const std::string& where) {
   if (!value.is_object()) refuse_form(where + " is not an object");
   const Json* const name = value.find("is");
-  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& known) {
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const TableWords& known) {
     return name != nullptr && name->is_string() && name->text() == known.name;
   });
   if (kind == kinds.end()) refuse_form(where + ".is is none that is known");
@@ -176,11 +177,11 @@ std::string words_of(const std::array<Kind, count>& kinds, const Json& value, co
   Words of_members;
   std::vector<std::string> keys{"is"};
   if (words.starts_with(',')) keys.emplace_back("of");
-  for (const Member& member : members) {
-    if (words.find(between("{", member.name, "}")) != std::string::npos) keys.emplace_back(member.name);
+  for (const Member& member : words_of_members) {
+    if (words.find(with_words_around("{", member.name, "}")) != std::string::npos) keys.emplace_back(member.name);
   }
   require_members(value, keys, {}, where);
-  for (const Member& member : members) {
+  for (const Member& member : words_of_members) {
     if (std::find(keys.begin(), keys.end(), member.name) == keys.end()) continue;
     of_members[member.name] = member.words(value[member.name], context, where + "." + member.name);
   }
@@ -216,10 +217,10 @@ std::string read_said_of_rows(const Json& value, const InputNames& inputs, std::
     const std::size_t number = positive((*now)[0], place);
     sum += number;
     const std::string of = read_description((*now)[1], inputs, place);
-    return value.size() > 1 ? between(std::to_string(number), ": ").append(of) : of;
+    return value.size() > 1 ? with_words_around(std::to_string(number), ": ").append(of) : of;
   });
   if (sum != size || sum == 0) refuse_form(where + " does not sum to the entries");
-  return between("; these are said to be made of ", words);
+  return with_words_around("; these are said to be made of ", words);
 }
 
 }  // namespace sunder_verifier

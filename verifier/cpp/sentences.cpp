@@ -94,7 +94,7 @@ constexpr std::array<std::array<const char*, 2>, 9> ones{{
     {"convex_polygons", "convex polygon"},
 }};
 
-constexpr std::array<std::array<const char*, 2>, 9> regions{{
+constexpr std::array<std::array<const char*, 2>, 9> region_words{{
     {"empty", "empty"},
     {"point", "a point"},
     {"segment", "a segment"},
@@ -175,7 +175,7 @@ std::string found(const std::array<std::array<const char*, 2>, size>& table, con
 }
 
 std::string region_text(const Json& item, const std::string& verdict) {
-  const std::string kind = found(regions, verdict);
+  const std::string kind = found(region_words, verdict);
   return item.contains("sides") && !item["sides"].empty() ? kind + ", of sides " + shown(item["sides"]) : kind;
 }
 

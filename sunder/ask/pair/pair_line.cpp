@@ -108,7 +108,7 @@ class CutTeller {
   const Point3 &a_, &b_;
 };
 
-using Method = PolyhedronCut(const ConvexPolyhedron&, const Pose&, const LineLike&);
+using LineMethod = PolyhedronCut(const ConvexPolyhedron&, const Pose&, const LineLike&);
 
 PolyhedronCut by_scan(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
   if (const auto* ray = std::get_if<solid::Ray>(&other)) return solid::polyhedron_ray_by_scan(body, pose, *ray);
@@ -120,7 +120,7 @@ PolyhedronCut by_drums(const ConvexPolyhedron& body, const Pose& pose, const Lin
   return solid::polyhedron_line_by_drums(body, pose, std::get<solid::Line>(other));
 }
 
-constexpr std::array<Named<Method>, 3> methods{
+constexpr std::array<Named<LineMethod>, 3> line_methods{
     {{"automatic", solid::polyhedron_line_like}, {"drums", by_drums}, {"scan", by_scan}}};
 
 LineLike line_like(const solid::Flat& flat) {
@@ -134,7 +134,7 @@ class LinePair : public PairQuestion {
            const PairFiles& files)
       : PairQuestion(asked, body_is_a ? object_of(body) : line.object_of(asked),
                      body_is_a ? line.object_of(asked) : object_of(body), files),
-        method_(method_by(asked.method, methods, " (with a line or a ray)")),
+        method_(method_by(asked.method, line_methods, " (with a line or a ray)")),
         body_(body),
         line_(line),
         other_(line_like(line.flat)),
@@ -168,7 +168,7 @@ class LinePair : public PairQuestion {
   }
 
  private:
-  Method* method_;
+  LineMethod* method_;
   const PlacedBody& body_;
   const PlacedFlat& line_;
   LineLike other_;
@@ -198,6 +198,6 @@ int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat
   return answer(question);
 }
 
-std::string line_method_names() { return method_names(methods); }
+std::string line_method_names() { return method_names(line_methods); }
 
 }  // namespace sunder::ask

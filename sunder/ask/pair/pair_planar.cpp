@@ -19,19 +19,18 @@ namespace sunder::ask {
 namespace {
 
 using planar::ConvexPolygon;
-using planar::Pose;
 
-using Method = PairAnswer(const ConvexPolygon&, const Pose&, const ConvexPolygon&, const Pose&);
-constexpr std::array<Named<Method>, 6> methods{{{"automatic", planar::polygon_polygon},
-                                                {"difference", planar::polygon_polygon_by_difference},
-                                                {"halving", planar::polygon_polygon_by_halving},
-                                                {"triangles", planar::polygon_polygon_by_triangles},
-                                                {"gjk", planar::polygon_polygon_by_gjk},
-                                                {"scan", planar::polygon_polygon_by_scan}}};
+using PolygonMethod = PairAnswer(const ConvexPolygon&, const planar::Pose&, const ConvexPolygon&, const planar::Pose&);
+constexpr std::array<Named<PolygonMethod>, 6> polygon_methods{{{"automatic", planar::polygon_polygon},
+                                                               {"difference", planar::polygon_polygon_by_difference},
+                                                               {"halving", planar::polygon_polygon_by_halving},
+                                                               {"triangles", planar::polygon_polygon_by_triangles},
+                                                               {"gjk", planar::polygon_polygon_by_gjk},
+                                                               {"scan", planar::polygon_polygon_by_scan}}};
 
 class BoundedPair : public PairQuestion {
  public:
-  BoundedPair(const PairCall& asked, Method* method, const PlanarBody& a, const PlanarBody& b, double least,
+  BoundedPair(const PairCall& asked, PolygonMethod* method, const PlanarBody& a, const PlanarBody& b, double least,
               const PairFiles& files)
       : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {
     for (const PlanarBody* body : {&a, &b}) {
@@ -43,7 +42,7 @@ class BoundedPair : public PairQuestion {
 
   void ask() {
     const ConvexPolygon &a = of_a_.polygon, &b = of_b_.polygon;
-    const Pose &pose_a = of_a_.pose, &pose_b = of_b_.pose;
+    const planar::Pose &pose_a = of_a_.pose, &pose_b = of_b_.pose;
     answer_ = method_(a, pose_a, b, pose_b);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify) contact_ = planar::polygon_polygon_contact(a, pose_a, b, pose_b);
@@ -92,7 +91,7 @@ class BoundedPair : public PairQuestion {
     }
     return json;
   }
-  Method* method_;
+  PolygonMethod* method_;
   const PlanarBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   PairAnswer answer_;
@@ -118,12 +117,12 @@ int run_planar_pair(const PairCall& call) {
                       std::array{io::SystemOfFile{object.system, fmt::format("feature {}", io::quote(object.name))}});
   }
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
-  Method* const method = method_by(call.method, methods, " (for planar objects)");
+  PolygonMethod* const method = method_by(call.method, polygon_methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
   BoundedPair question(call, method, a, b, least_clearance(call), files);
   return answer(question);
 }
 
-std::string planar_method_names() { return method_names(methods); }
+std::string planar_method_names() { return method_names(polygon_methods); }
 
 }  // namespace sunder::ask

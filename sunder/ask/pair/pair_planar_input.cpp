@@ -22,10 +22,9 @@ namespace {
 
 using io::PlanarObject;
 using planar::ConvexPolygon;
-using planar::Pose;
 
 // "x=1,y=2,angle=0.5", in any order; what is missing is 0.
-Pose parse_named_pose(std::string_view text, const std::string& place) {
+planar::Pose parse_named_pose(std::string_view text, const std::string& place) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "angle"};
   std::array<std::optional<double>, 3> values;
   const auto refuse = [&](std::string_view part, const char* why) {
@@ -46,16 +45,16 @@ Pose parse_named_pose(std::string_view text, const std::string& place) {
     const char* const problem = io::parse_number(io::trimmed(part.substr(equals + 1)), *value);
     if (problem != nullptr) refuse(part, problem);
   }
-  return Pose::from_angle(values[2].value_or(0), {values[0].value_or(0), values[1].value_or(0)});
+  return planar::Pose::from_angle(values[2].value_or(0), {values[0].value_or(0), values[1].value_or(0)});
 }
 
-Pose parse_planar_pose(const std::string& text, const std::string& place) {
+planar::Pose parse_planar_pose(const std::string& text, const std::string& place) {
   if (text.empty()) return {};
   if (text.find('=') != std::string::npos) return parse_named_pose(text, place);
   const std::vector<double> n = parse_numbers(text, place);
   try {
     switch (n.size()) {
-      case 2: return Pose::from_matrix({1, 0, 0, 1}, {n[0], n[1]});
+      case 2: return planar::Pose::from_matrix({1, 0, 0, 1}, {n[0], n[1]});
       case 3:
         throw Error(ErrorCode::bad_call,
                     "three numbers do not say which is the angle; write x=..,y=..,angle=.. (radians)");
@@ -64,7 +63,7 @@ Pose parse_planar_pose(const std::string& text, const std::string& place) {
           throw Error(ErrorCode::bad_pose, "the last row of the 3 x 3 matrix is not 0 0 1; give rows, not columns");
         }
         [[fallthrough]];
-      case 6: return Pose::from_matrix({n[0], n[1], n[3], n[4]}, {n[2], n[5]});
+      case 6: return planar::Pose::from_matrix({n[0], n[1], n[3], n[4]}, {n[2], n[5]});
       default: break;
     }
   } catch (const Error& error) {

@@ -19,9 +19,7 @@ namespace {
 using solid::PlacedRound;
 using solid::RoundBody;
 using solid::RoundVerdict;
-using Kind = io::SpaceObject::Kind;
-
-std::string exact_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+using RoundObjectKind = io::SpaceObject::Kind;
 
 // A body that is bounded, as one with a radius.
 PlacedRoundBody rounded(const PlacedBody& body) {

@@ -28,6 +28,7 @@ struct PlacedBody {
 
 // As the answer tells of it; keeps a view of its vertices.
 PairObject object_of(const PlacedBody& placed);
+std::string exact_text(const Point3& p);  // as (1, 2, 3)
 
 // A line, a ray or a plane in its place, in doubles.
 struct PlacedFlat {

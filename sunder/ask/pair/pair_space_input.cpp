@@ -14,13 +14,13 @@
 
 namespace sunder::ask {
 
+std::string exact_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+
 namespace {
 
 using io::SpaceObject;
 using solid::Exact3;
-using Kind = SpaceObject::Kind;
-
-std::string exact_text(const Point3& p) { return fmt::format("({}, {}, {})", p.x, p.y, p.z); }
+using SpaceKind = SpaceObject::Kind;
 
 solid::Frame parse_frame(const std::string& text) {
   const std::vector<double> n = parse_numbers(text, "--project");
@@ -87,7 +87,7 @@ std::optional<Point3> exact_normal(const solid::Pose& pose, const Point3& normal
   return in_doubles({image.x.scaled(-top), image.y.scaled(-top), image.z.scaled(-top)});
 }
 
-[[noreturn]] void refuse_image(Kind kind, const std::string& what, const PairSide& side) {
+[[noreturn]] void refuse_image(SpaceKind kind, const std::string& what, const PairSide& side) {
   throw Error(
       ErrorCode::bad_pose,
       fmt::format("the image of the {1}'s {0} is not of doubles, and is not rounded; give the {1} in its place, "
@@ -104,7 +104,7 @@ SpaceObject placed(SpaceObject object, const solid::Pose& pose, const PairSide& 
     if (!image) refuse_image(object.kind, fmt::format("point {}", exact_text(p)), side);
     p = *image;
   }
-  if (object.kind != Kind::plane) return object;
+  if (object.kind != SpaceKind::plane) return object;
   solid::Plane& plane = object.plane;
   const auto on = solid::exact_point_of(plane);
   const auto normal = exact_normal(pose, plane.normal);
@@ -116,15 +116,15 @@ SpaceObject placed(SpaceObject object, const solid::Pose& pose, const PairSide& 
 }
 
 solid::Flat flat_of(const SpaceObject& object) {
-  if (object.kind == Kind::plane) return object.plane;
-  if (object.kind == Kind::ray) return solid::Ray::from(object.points[0], object.points[1]);
+  if (object.kind == SpaceKind::plane) return object.plane;
+  if (object.kind == SpaceKind::ray) return solid::Ray::from(object.points[0], object.points[1]);
   return solid::Line::through(object.points[0], object.points[1]);
 }
 
 // A polygon is convex where its mesh is; a point and a segment always are.
 PlacedBody bounded(SpaceObject object, const solid::Pose& pose, const PairCall& call, const PairSide& side) {
   PlacedBody result{io::body_of_mesh(io::mesh_of(object), side.file, call.require_convex), pose, {}};
-  if (object.kind != Kind::polygon) result.mesh.shape = io::BodyShape::convex;
+  if (object.kind != SpaceKind::polygon) result.mesh.shape = io::BodyShape::convex;
   if (object.frame) {
     const auto in_world = exactly_composed(pose, object.frame->pose());
     if (!in_world) {
@@ -235,7 +235,7 @@ void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInp
 
 PairObject object_of(const PlacedBody& placed) {
   const MeshBody& mesh = placed.mesh;
-  const bool is_polygon = placed.object && placed.object->kind == Kind::polygon;
+  const bool is_polygon = placed.object && placed.object->kind == SpaceKind::polygon;
   const char* shape = mesh.shape == io::BodyShape::convex ? ""
                       : placed.is_hull()                  ? is_polygon ? ", hull of the polygon" : ", hull of the mesh"
                                                           : ", hull of the points";
@@ -291,7 +291,7 @@ PairObject PlacedFlat::object_of(const PairCall& call) const {
   } else {
     const Point3 &p = object.points[0], &q = object.points[1];
     result.json["points"] = {to_json(p), to_json(q)};
-    result.text = object.kind == Kind::ray
+    result.text = object.kind == SpaceKind::ray
                       ? fmt::format("{}: ray from {} through {}", name, exact_text(p), exact_text(q))
                       : fmt::format("{}: line through {} and {}", name, exact_text(p), exact_text(q));
   }

@@ -20,29 +20,28 @@ namespace sunder::ask {
 namespace {
 
 using planar::CommonKind;
-using planar::CutEnd;
-using planar::OwnEnd;
 using planar::Place;
 using planar::PolygonCut;
-using planar::Pose;
-using Kind = io::PlanarObject::Kind;
+using PlanarKind = io::PlanarObject::Kind;
 
-using Method = planar::PolygonCommon(const planar::ConvexPolygon&, const Pose&, const planar::Unbounded&);
+using UnboundedMethod = planar::PolygonCommon(const planar::ConvexPolygon&, const planar::Pose&,
+                                              const planar::Unbounded&);
 
 // The last one is for lines alone.
-constexpr std::array<Named<Method>, 3> methods{{{"automatic", planar::polygon_unbounded},
-                                                {"scan", planar::polygon_unbounded_by_scan},
-                                                {"fibonacci", planar::polygon_unbounded_by_fibonacci}}};
+constexpr std::array<Named<UnboundedMethod>, 3> unbounded_methods{
+    {{"automatic", planar::polygon_unbounded},
+     {"scan", planar::polygon_unbounded_by_scan},
+     {"fibonacci", planar::polygon_unbounded_by_fibonacci}}};
 
-Method* method_of(const std::string& name, Kind kind) {
-  const std::span<const Named<Method>> all = methods;
-  return method_by(name, kind == Kind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
+UnboundedMethod* method_of(const std::string& name, PlanarKind kind) {
+  const std::span<const Named<UnboundedMethod>> all = unbounded_methods;
+  return method_by(name, kind == PlanarKind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
 }
 
-std::string exact_text(const planar::ExactFraction& t) { return fraction_text(t.numerator, t.denominator); }
+std::string exact_text(const ExactFraction& t) { return fraction_text(t.numerator, t.denominator); }
 
 // As a fraction where that is short.
-std::string short_text(const planar::ExactFraction& t) {
+std::string short_fraction(const ExactFraction& t) {
   const std::string text = exact_text(t);
   return text.size() <= 20 ? text : "about " + about(t.nearest());
 }
@@ -64,22 +63,22 @@ planar::Line placed(const PlanarInput& input, const PairSide& side) {
     }
     *p = *image;
   }
-  if (input.object.kind == Kind::half_plane && input.pose.reflects()) std::swap(line.a, line.b);
+  if (input.object.kind == PlanarKind::half_plane && input.pose.reflects()) std::swap(line.a, line.b);
   return line;
 }
 
-planar::Unbounded unbounded_of(Kind kind, const planar::Line& line) {
-  if (kind == Kind::line) return planar::Line::through(line.a, line.b);
-  if (kind == Kind::ray) return planar::Ray::from(line.a, line.b);
+planar::Unbounded unbounded_of(PlanarKind kind, const planar::Line& line) {
+  if (kind == PlanarKind::line) return planar::Line::through(line.a, line.b);
+  if (kind == PlanarKind::ray) return planar::Ray::from(line.a, line.b);
   return planar::HalfPlane::left_of(line.a, line.b);
 }
 
 PairObject object_of(const PlanarInput& input, const planar::Line& line, const planar::UnboundedBody& body) {
   const auto point = [](const Point2& p) { return fmt::format("({}, {})", p.x, p.y); };
-  const Kind kind = input.object.kind;
-  const char* form = kind == Kind::line  ? "{}: line through {} and {}"
-                     : kind == Kind::ray ? "{}: ray from {} through {}"
-                                         : "{}: half-plane to the left of the way from {} to {}";
+  const PlanarKind kind = input.object.kind;
+  const char* form = kind == PlanarKind::line  ? "{}: line through {} and {}"
+                     : kind == PlanarKind::ray ? "{}: ray from {} through {}"
+                                               : "{}: half-plane to the left of the way from {} to {}";
   return {.file = input.file,
           .name = input.name,
           .text = fmt::format(fmt::runtime(form), input.name, point(line.a), point(line.b)),
@@ -107,7 +106,7 @@ struct Mixed {
 
   bool body_is_a;
   const PlanarInput& other;
-  Method* method;
+  UnboundedMethod* method;
   PlanarBody body;
   planar::Line line;
   planar::Unbounded unbounded;
@@ -133,7 +132,7 @@ class UnboundedPair : public PairQuestion {
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
     if (meet_) not_proved_.emplace_back("the common part");
-    if (kind_ == Kind::half_plane || (kind_ == Kind::line && !meet_)) {
+    if (kind_ == PlanarKind::half_plane || (kind_ == PlanarKind::line && !meet_)) {
       not_proved_.emplace_back(meet_ ? "the furthest vertex" : "the nearest vertex");
     }
   }
@@ -167,17 +166,18 @@ class UnboundedPair : public PairQuestion {
  private:
   const char* letter() const { return mixed_.body_is_a ? "A" : "B"; }
   std::string vertex(std::uint32_t v) const { return body_.feature_text(letter(), v, false); }
-  planar::ExactEnd exact(const CutEnd& end) const {
+  planar::ExactEnd exact(const planar::CutEnd& end) const {
     return planar::exact_end(body_.polygon, body_.pose, mixed_.line.a, mixed_.line.b, end);
   }
 
-  std::string end_text(const CutEnd& end) const {
+  std::string end_text(const planar::CutEnd& end) const {
     const planar::ExactEnd e = exact(end);
     const std::string place = end.place == Place::inside
                                   ? fmt::format("inside {}", letter())
                                   : body_.feature_text(letter(), end.feature, end.place == Place::edge);
-    if (end.own == OwnEnd::a) return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
-    return fmt::format("about {}, {}, t = {}", about(e.rounded()), place, short_text(e.along_line));
+    if (end.own == planar::OwnEnd::a)
+      return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
+    return fmt::format("about {}, {}, t = {}", about(e.rounded()), place, short_fraction(e.along_line));
   }
 
   std::string common_text() const {
@@ -185,9 +185,9 @@ class UnboundedPair : public PairQuestion {
     const auto ends = [&] { return fmt::format("from {}\nto {}", end_text(cut.first), end_text(cut.last)); };
     switch (common_.kind) {
       case CommonKind::nothing:
-        return kind_ == Kind::line         ? fmt::format("nothing; {} is nearest to the line", vertex(cut.nearest))
-               : kind_ == Kind::half_plane ? fmt::format("nothing; {} is nearest to it", vertex(common_.witness))
-                                           : "nothing";
+        return kind_ == PlanarKind::line ? fmt::format("nothing; {} is nearest to the line", vertex(cut.nearest))
+               : kind_ == PlanarKind::half_plane ? fmt::format("nothing; {} is nearest to it", vertex(common_.witness))
+                                                 : "nothing";
       case CommonKind::point: return "one point, " + end_text(cut.first);
       case CommonKind::along: {
         const bool all = cut.first.place == Place::vertex && cut.last.place == Place::vertex;
@@ -203,7 +203,7 @@ class UnboundedPair : public PairQuestion {
     return "";
   }
 
-  Json end_json(const CutEnd& end) const {
+  Json end_json(const planar::CutEnd& end) const {
     const planar::ExactEnd e = exact(end);
     const Point2 p = e.rounded();
     Json json{{"point", {p.x, p.y}}, {"along_line", exact_text(e.along_line)}};
@@ -213,15 +213,15 @@ class UnboundedPair : public PairQuestion {
       json.update(body_.feature_json(end.feature, end.place == Place::edge));
       if (end.place == Place::edge) json["along_edge"] = exact_text(e.along_edge);
     }
-    if (end.own == OwnEnd::a) json["beginning"] = true;
+    if (end.own == planar::OwnEnd::a) json["beginning"] = true;
     return json;
   }
 
   Json common_json() const {
     Json json{{"kind", name_of(common_.kind)}};
-    if (kind_ == Kind::half_plane) {
+    if (kind_ == PlanarKind::half_plane) {
       json[common_.meet() ? "furthest" : "nearest"] = common_.witness;
-    } else if (kind_ == Kind::line && !common_.meet()) {
+    } else if (kind_ == PlanarKind::line && !common_.meet()) {
       json["nearest"] = common_.cut.nearest;
     }
     if (common_.kind == CommonKind::nothing || common_.kind == CommonKind::whole) return json;
@@ -233,7 +233,7 @@ class UnboundedPair : public PairQuestion {
 
   const Mixed& mixed_;
   const PlanarBody& body_ = mixed_.body;
-  const Kind kind_ = mixed_.other.object.kind;
+  const PlanarKind kind_ = mixed_.other.object.kind;
   planar::PolygonCommon common_;
 };
 
@@ -254,6 +254,6 @@ int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarI
   return answer(question);
 }
 
-std::string planar_line_method_names() { return method_names(methods); }
+std::string planar_line_method_names() { return method_names(unbounded_methods); }
 
 }  // namespace sunder::ask

@@ -27,10 +27,10 @@ using planar::DiscIntersection;
 using planar::DiscIntersectionKind;
 using planar::Discs;
 
-using Method = DiscIntersection(const Discs&);
-constexpr std::array<Named<Method>, 3> methods{{{"automatic", planar::disc_intersection},
-                                                {"division", planar::disc_intersection_by_division},
-                                                {"scan", planar::disc_intersection_by_scan}}};
+using CirclesMethod = DiscIntersection(const Discs&);
+constexpr std::array<Named<CirclesMethod>, 3> circles_methods{{{"automatic", planar::disc_intersection},
+                                                               {"division", planar::disc_intersection_by_division},
+                                                               {"scan", planar::disc_intersection_by_scan}}};
 
 // The middle of what holds it.
 Point2 rounded(const DiscCrossing& crossing) {
@@ -43,7 +43,7 @@ class CirclesQuestion final : public RegionQuestion {
   static constexpr const char* drawn_noun = "circle";
 
   explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked), method_(method_by(asked.method, methods)), read_(read(asked, origin_)) {
+      : RegionQuestion(asked), method_(method_by(asked.method, circles_methods)), read_(read(asked, origin_)) {
     system_ = {io::system_beside(asked.file, asked.proves() ? &origin_.inputs : nullptr), {}};
     systems_.add(asked.file, std::span(&system_, 1));
   }
@@ -170,7 +170,7 @@ class CirclesQuestion final : public RegionQuestion {
     return points;
   }
 
-  Method* method_;
+  CirclesMethod* method_;
   Origin origin_;
   io::SystemOfFile system_;
   io::CoordinateSystems systems_;
@@ -188,6 +188,6 @@ int run_region_circles(const RegionCall& call) {
   return answer(question);
 }
 
-std::string circle_method_names() { return method_names(methods); }
+std::string circle_method_names() { return method_names(circles_methods); }
 
 }  // namespace sunder::ask

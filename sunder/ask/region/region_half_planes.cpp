@@ -26,17 +26,17 @@ namespace {
 
 using planar::Constraints;
 using planar::Objective;
-using planar::Optimum;
 using planar::Region;
 using planar::RegionKind;
 
-using Method = Region(const Constraints&, const planar::RegionOptions&);
-constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::half_plane_intersection<Constraints>},
-                                                {"sort", planar::half_plane_intersection_by_sort<Constraints>},
-                                                {"division", planar::half_plane_intersection_by_division<Constraints>},
-                                                {"scan", planar::half_plane_intersection_by_scan<Constraints>}}};
+using HalfPlanesMethod = Region(const Constraints&, const planar::RegionOptions&);
+constexpr std::array<Named<HalfPlanesMethod>, 4> half_planes_methods{
+    {{"automatic", planar::half_plane_intersection<Constraints>},
+     {"sort", planar::half_plane_intersection_by_sort<Constraints>},
+     {"division", planar::half_plane_intersection_by_division<Constraints>},
+     {"scan", planar::half_plane_intersection_by_scan<Constraints>}}};
 
-io::TripleFile read(const RegionCall& call, Origin& origin) {
+io::TripleFile read_half_planes(const RegionCall& call, Origin& origin) {
   Progress progress("reading");
   return io::read_triples(call.file, io::half_plane_rows,
                           {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
@@ -92,9 +92,9 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   explicit HalfPlanesQuestion(const RegionCall& asked)
       : RegionQuestion(asked),
-        method_(method_by(asked.method, methods)),
+        method_(method_by(asked.method, half_planes_methods)),
         objective_(objective_of(asked.maximize)),
-        file_(read(asked, origin_)),
+        file_(read_half_planes(asked, origin_)),
         constraints_(constraints_of(file_, asked.file)) {}
 
   std::uint64_t drawn() const { return constraints_.size(); }
@@ -140,7 +140,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
     if (!objective_) return;
     json["best"] = {{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.outcome)}};
     for (const auto& [key, k] : tight()) {
-      if (k != planar::no_half_plane && best_.outcome != Optimum::all) json["best"][key] = k;
+      if (k != planar::no_half_plane && best_.outcome != planar::Optimum::all) json["best"][key] = k;
     }
     if (best_.feasible()) {
       const Point2 p = best_point();
@@ -150,7 +150,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   std::string picture() const {
     picture::RegionPicture picture{constraints_, region_, file_.name};
-    if (objective_ && best_.feasible() && best_.outcome != Optimum::unbounded) {
+    if (objective_ && best_.feasible() && best_.outcome != planar::Optimum::unbounded) {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};
     }
@@ -195,8 +195,8 @@ class HalfPlanesQuestion final : public RegionQuestion {
   std::string best_text() const {
     const std::string aim = form_text(objective_->p, objective_->q);
     if (!best_.feasible()) return "";
-    if (best_.outcome == Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
-    if (best_.outcome == Optimum::all) {
+    if (best_.outcome == planar::Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
+    if (best_.outcome == planar::Optimum::all) {
       return fmt::format("{} is zero everywhere: every common point is an optimum; they are {}\n", aim,
                          shape_of(region_.kind));
     }
@@ -204,14 +204,14 @@ class HalfPlanesQuestion final : public RegionQuestion {
     std::string text = fmt::format(
         "{} is greatest, {}, {} about {}\n", aim,
         std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
-        best_.outcome == Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
+        best_.outcome == planar::Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
     for (const auto& [key, k] : tight()) {
       if (k != planar::no_half_plane) text += fmt::format("    held by {}\n", thing_text(k));
     }
     return text;
   }
 
-  Method* method_;
+  HalfPlanesMethod* method_;
   std::optional<Objective> objective_;
   Origin origin_;
   io::TripleFile file_;
@@ -228,6 +228,6 @@ int run_region_half_planes(const RegionCall& call) {
   return answer(question);
 }
 
-std::string half_plane_method_names() { return method_names(methods); }
+std::string half_plane_method_names() { return method_names(half_planes_methods); }
 
 }  // namespace sunder::ask

@@ -28,16 +28,15 @@ namespace {
 using polytope::ExactEvidence;
 using polytope::HalfSpaceRegion;
 using polytope::LinearProgramAnswer;
-using polytope::Optimum;
 using polytope::Polytope;
 using polytope::RowWeights;
 
-using Method = LinearProgramAnswer(const Polytope&, std::span<const double>);
-constexpr std::array<Named<Method>, 3> methods{{{"automatic", polytope::linear_program},
-                                                {"seidel", polytope::linear_program_by_seidel},
-                                                {"scan", polytope::linear_program_by_scan}}};
+using ProgramMethod = LinearProgramAnswer(const Polytope&, std::span<const double>);
+constexpr std::array<Named<ProgramMethod>, 3> program_methods{{{"automatic", polytope::linear_program},
+                                                               {"seidel", polytope::linear_program_by_seidel},
+                                                               {"scan", polytope::linear_program_by_scan}}};
 
-Polytope read(const RegionCall& call, Origin& origin) {
+Polytope read_half_spaces(const RegionCall& call, Origin& origin) {
   Progress progress("reading");
   Polytope polytope = io::read_polytope(call.file, call.proves() ? &origin.inputs : nullptr);
   if (polytope.is_of_points()) {
@@ -107,12 +106,12 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
 
   explicit HalfSpacesQuestion(const RegionCall& asked)
       : FeasibilityQuestion(asked),
-        method_(method_by(asked.method, methods, ", for half-spaces")),
-        half_spaces_(read(asked, origin_)),
+        method_(method_by(asked.method, program_methods, ", for half-spaces")),
+        half_spaces_(read_half_spaces(asked, origin_)),
         d_(half_spaces_.dimension()),
         objective_(objective_of(asked.maximize, d_)) {
     if (objective_.empty() && method_ != polytope::linear_program) {
-      throw Error(ErrorCode::bad_call, "methods of half-spaces are for --maximize; leave it out", "--method");
+      throw Error(ErrorCode::bad_call, "program_methods of half-spaces are for --maximize; leave it out", "--method");
     }
     counted_ = "half-space";
   }
@@ -224,23 +223,23 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
 
   std::string best_text() const {
     const std::string aim = form_text(objective_);
-    if (best_.outcome == Optimum::unbounded) {
+    if (best_.outcome == polytope::Optimum::unbounded) {
       return fmt::format("{} is as great as one likes, from {} on along the direction of about {}\n", aim,
                          numbers_text(point_of(best_.point)), numbers_text(direction_about(best_.direction)));
     }
-    if (best_.outcome == Optimum::all) {
+    if (best_.outcome == polytope::Optimum::all) {
       return fmt::format("{} is zero everywhere: every common point is an optimum, such as about {}\n", aim,
                          numbers_text(point_of(best_.point)));
     }
     const double value = best_value();
     return fmt::format("{} is greatest, {}, {} about {}\n", aim,
                        std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
-                       best_.outcome == Optimum::one ? "at" : "at more points than one, such as",
+                       best_.outcome == polytope::Optimum::one ? "at" : "at more points than one, such as",
                        numbers_text(point_of(best_.point))) +
            rows_text("held by ");
   }
 
-  Method* method_;
+  ProgramMethod* method_;
   Origin origin_;
   Polytope half_spaces_;
   std::size_t d_;
@@ -262,6 +261,6 @@ int run_region_half_spaces(const RegionCall& call) {
   return answer(question);
 }
 
-std::string half_space_method_names() { return method_names(methods); }
+std::string half_space_method_names() { return method_names(program_methods); }
 
 }  // namespace sunder::ask

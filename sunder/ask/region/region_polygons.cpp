@@ -28,11 +28,11 @@ using planar::PolygonsCorner;
 using planar::PolygonsPart;
 using planar::PolygonsPartKind;
 
-using Method = PolygonsPart(std::span<const ConvexPolygon>);
-constexpr std::array<Named<Method>, 4> methods{{{"automatic", planar::convex_polygon_intersection},
-                                                {"division", planar::convex_polygon_intersection_by_division},
-                                                {"edges", planar::convex_polygon_intersection_by_edges},
-                                                {"scan", planar::convex_polygon_intersection_by_scan}}};
+using PartMethod = PolygonsPart(std::span<const ConvexPolygon>);
+constexpr std::array<Named<PartMethod>, 4> part_methods{{{"automatic", planar::convex_polygon_intersection},
+                                                         {"division", planar::convex_polygon_intersection_by_division},
+                                                         {"edges", planar::convex_polygon_intersection_by_edges},
+                                                         {"scan", planar::convex_polygon_intersection_by_scan}}};
 
 planar::EitherWay convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
@@ -105,7 +105,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   explicit PolygonsQuestion(const RegionCall& asked)
       : RegionQuestion(asked),
-        method_(method_by(asked.method, methods)),
+        method_(method_by(asked.method, part_methods)),
         input_(read_with_progress(asked.request())),
         polygons_(convex_polygons(asked, input_, changed_)) {}
 
@@ -201,7 +201,7 @@ class PolygonsQuestion final : public RegionQuestion {
     return {{"edges", {{a.polygon, a.number}, {b.polygon, b.number}}}};
   }
 
-  Method* method_;
+  PartMethod* method_;
   PolygonsInput input_;
   std::uint64_t changed_ = 0;  // polygons that --mend changed
   std::vector<ConvexPolygon> polygons_;
@@ -216,6 +216,6 @@ int run_region_polygons(const RegionCall& call) {
   return answer(question);
 }
 
-std::string polygon_method_names() { return method_names(methods); }
+std::string polygon_method_names() { return method_names(part_methods); }
 
 }  // namespace sunder::ask

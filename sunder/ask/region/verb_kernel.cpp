@@ -34,7 +34,7 @@ constexpr std::array<Named<KernelMethod>, 4> methods{{{"automatic", planar::kern
                                                       {"lee-preparata", planar::kernel_by_lee_preparata},
                                                       {"scan", planar::kernel_by_scan}}};
 
-struct Result {
+struct KernelResult {
   std::uint32_t polygon = 0;
   Region kernel;
   std::vector<Point2> corners;
@@ -73,11 +73,11 @@ class KernelQuestion : public FeasibilityQuestion {
 
   std::uint64_t drawn() const {
     return std::accumulate(results_.begin(), results_.end(), std::uint64_t{0},
-                           [this](std::uint64_t sum, const Result& r) { return sum + polygon(r).size(); });
+                           [this](std::uint64_t sum, const KernelResult& r) { return sum + polygon(r).size(); });
   }
   void ask() {
     note_systems(input_.systems);
-    for (Result& result : results_) {
+    for (KernelResult& result : results_) {
       const PolygonSides sides(polygon(result));
       result.kernel = method_(sides, {call.proves()});
       cost_.probes += result.kernel.cost.probes;
@@ -100,7 +100,7 @@ class KernelQuestion : public FeasibilityQuestion {
 
   std::string text() const {
     std::string text;
-    for (const Result& result : results_) {
+    for (const KernelResult& result : results_) {
       text += fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result));
     }
     text += fmt::format("{}: {}\n", io::one_line(call.file), verdict());
@@ -108,7 +108,7 @@ class KernelQuestion : public FeasibilityQuestion {
   }
 
   void add_to(Json& json) const {
-    for (const Result& result : results_) {
+    for (const KernelResult& result : results_) {
       const PolygonSource& source = input_.source[result.polygon];
       Json object = {{"file", io::one_line(call.file)},
                      {"feature", source.feature + 1},
@@ -126,12 +126,12 @@ class KernelQuestion : public FeasibilityQuestion {
 
   std::string picture() const {
     std::vector<Point2> seen;
-    for (const Result& result : results_) {
+    for (const KernelResult& result : results_) {
       const auto& vertices = polygon(result).vertices();
       seen.insert(seen.end(), vertices.begin(), vertices.end());
     }
     PlanePicture drawing(seen);
-    for (const Result& result : results_) {
+    for (const KernelResult& result : results_) {
       drawing.polygon(polygon(result).vertices(), Ink::calm);
       if (result.kernel.empty()) {
         for (const std::uint32_t k : result.kernel.sides) {
@@ -151,7 +151,7 @@ class KernelQuestion : public FeasibilityQuestion {
   // "1 of 2 polygons have a kernel, among these only: skipped: 1 invalid feature"
   std::string verdict() const {
     const auto seen =
-        std::count_if(results_.begin(), results_.end(), [](const Result& r) { return !r.kernel.empty(); });
+        std::count_if(results_.begin(), results_.end(), [](const KernelResult& r) { return !r.kernel.empty(); });
     const std::string without = input_.left_out_words();
     return fmt::format("{} of {} {} a kernel{}", seen, count_of(results_.size(), "polygon"),
                        results_.size() == 1 ? "has" : "have", without.empty() ? "" : ", among these only: " + without);
@@ -176,9 +176,9 @@ class KernelQuestion : public FeasibilityQuestion {
     return request;
   }
 
-  const planar::Polygon& polygon(const Result& result) const { return input_.polygons[result.polygon]; }
+  const planar::Polygon& polygon(const KernelResult& result) const { return input_.polygons[result.polygon]; }
 
-  std::string text_of(const Result& result) const {
+  std::string text_of(const KernelResult& result) const {
     if (result.kernel.empty()) {
       std::string text = "no kernel: no point sees the inner sides of these edges\n";
       for (const std::uint32_t k : result.kernel.sides) text += "  " + edge_text(polygon(result), k) + "\n";
@@ -195,10 +195,10 @@ class KernelQuestion : public FeasibilityQuestion {
 
   KernelMethod* method_;
   PolygonsInput input_;
-  std::vector<Result> results_;
+  std::vector<KernelResult> results_;
 };
 
-int run(const RegionCall& call) {
+int run_kernel(const RegionCall& call) {
   KernelQuestion question(call);
   return answer(question);
 }
@@ -224,7 +224,7 @@ Verb kernel_verb() {
            {"--drop-z", &call->polygons.drop_z, "ignore the third coordinate of each point"},
            {"--mixed-crs", &call->polygons.mixed_crs, mixed_crs_help},
            json_option(call->json)},
-          [call] { return run(*call); }};
+          [call] { return run_kernel(*call); }};
 }
 
 }  // namespace sunder::ask

@@ -14,7 +14,7 @@ namespace sunder::ask {
 
 namespace {
 
-int run(const RegionCall& call) {
+int run_region(const RegionCall& call) {
   const bool of_half_planes = call.of == "half-planes", of_polygons = call.of == "polygons";
   const bool of_half_spaces = is_of_half_spaces(call);
   if (!of_half_planes && !of_half_spaces && !of_polygons && call.of != "circles") {
@@ -80,7 +80,7 @@ Verb region_verb() {
        {"--drop-z", &call->polygons.drop_z, "polygons: ignore the third coordinate of each point"},
        {"--mixed-crs", &call->polygons.mixed_crs, fmt::format("polygons: {}", mixed_crs_help)},
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call] { return run_region(*call); }};
 }
 
 }  // namespace sunder::ask

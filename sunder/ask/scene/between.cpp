@@ -32,12 +32,12 @@ using scene::Body;
 using scene::SweptAnswer;
 using scene::SweptPair;
 
-constexpr const char* option = "--between";
+constexpr const char* between_option = "--between";
 
 // What is said of a step. With every_pair the answers have pairs that are apart; these are for proofs alone.
-class Lines {
+class StepLines {
  public:
-  Lines(const SceneInput& input, std::span<const Body> bodies) : input_(input), bodies_(bodies) {}
+  StepLines(const SceneInput& input, std::span<const Body> bodies) : input_(input), bodies_(bodies) {}
 
   // "3 to 4: hand and link1 meet from about 0.25 of the way on; hand and post undecided"
   void add_text(std::size_t step, const SweptAnswer& answer, std::string& out) const {
@@ -110,8 +110,9 @@ class Lines {
 };
 
 // What all steps have in common: the first line of JSON lines.
-std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
-                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
+std::string steps_header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
+                              const io::JointTable& table, std::span<const AllowedPair> allowed,
+                              const PlacementsCall& call) {
   Json json{{"verb", "scene"}, {"between", true}, {"joints", table.joints}, {"placements", table.rows()}};
   json["bodies"] = Json::array();
   for (const Body& body : bodies) {
@@ -144,8 +145,8 @@ struct Totals {
   }
 };
 
-struct Chain {
-  explicit Chain(const std::vector<Body>& bodies) : last(bodies), next(bodies) {}
+struct StepChain {
+  explicit StepChain(const std::vector<Body>& bodies) : last(bodies), next(bodies) {}
 
   std::size_t begin = 0, end = 0;  // steps
   std::vector<Body> last, next;
@@ -164,7 +165,7 @@ class Between {
         input_(input),
         table_(table),
         question_(question),
-        motion_(input.robot(option), table.joints),
+        motion_(input.robot(between_option), table.joints),
         bodies_(input.bodies({})),
         lines_(input, bodies_),
         steps_(table.rows() - 1),
@@ -175,7 +176,7 @@ class Between {
   int run() {
     open(call_.json_lines, json_);
     open(call_.csv, csv_);
-    if (json_) json_->write(header_line(input_, question_, bodies_, table_, allowed_, call_));
+    if (json_) json_->write(steps_header_line(input_, question_, bodies_, table_, allowed_, call_));
     if (csv_) csv_->write("step,answer,meeting,pairs\n");
     Progress progress("placements");
     const auto report = progress.reporter();
@@ -202,7 +203,7 @@ class Between {
     for (Body& body : bodies) {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
-    std::vector<Affine3> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(between_option).links.size());
     try {
       motion_.place(table_.row(row), links);
       input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
@@ -214,13 +215,13 @@ class Between {
   bool begin(std::size_t place) {
     if (next_ == steps_) return false;
     auto& chain = chains_[place];
-    if (!chain) chain = std::make_unique<Chain>(bodies_);
+    if (!chain) chain = std::make_unique<StepChain>(bodies_);
     chain->begin = next_;
     next_ = chain->end = std::min(next_ + scene::chain_length, steps_);
     return true;
   }
 
-  void run(Chain& chain) const {
+  void run(StepChain& chain) const {
     for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
     chain.stated.clear();
     chain.totals = {};
@@ -248,7 +249,7 @@ class Between {
     }
   }
 
-  bool end(Chain& chain, const std::function<void(double)>& report) {
+  bool end(StepChain& chain, const std::function<void(double)>& report) {
     if (prints_text_) print_for_people(chain.text);
     if (json_) json_->write(chain.json);
     if (csv_) csv_->write(chain.csv);
@@ -308,11 +309,11 @@ class Between {
   scene::Question question_;
   const io::RobotMotion motion_;
   const std::vector<Body> bodies_;
-  const Lines lines_;
+  const StepLines lines_;
   const std::size_t steps_;
   const bool prints_text_;
   std::optional<io::OutputFile> json_, csv_, certificate_;
-  std::vector<std::unique_ptr<Chain>> chains_;
+  std::vector<std::unique_ptr<StepChain>> chains_;
   std::vector<Stated> stated_;  // where there is to be a certificate
   std::size_t next_ = 0, asked_ = 0;
   Totals totals_;
@@ -324,10 +325,10 @@ int answer_between(const PlacementsCall& call, const SceneInput& input, const sc
                    const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed) {
   if (question.contacts) {
     throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; leave out --classify and --allow touch",
-                option);
+                between_option);
   }
   if (table.rows() < 2) {
-    throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", option);
+    throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", between_option);
   }
   return Between(call, input, question, table, inputs, allowed).run();
 }

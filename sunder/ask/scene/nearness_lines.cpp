@@ -16,7 +16,7 @@ namespace {
 
 using scene::PartDistance;
 
-std::string distance_text(const PartDistance& pair) {
+std::string short_distance_text(const PartDistance& pair) {
   return pair.meet() ? "they meet" : about_length(pair.distance) + " apart";
 }
 
@@ -67,16 +67,16 @@ void NearnessLines::add_text(const Nearness& found, std::string& text) const {
     if (closer->empty()) piece += undecided->empty() ? "; none are closer" : "; none are known to be closer";
     for (const PartDistance& pair : *closer) {
       fmt::format_to(std::back_inserter(piece), "; {} are closer than {}{}: {}", names_of(pair), pair.least,
-                     hulls(pair), distance_text(pair));
+                     hulls(pair), short_distance_text(pair));
     }
     for (const PartDistance& pair : *undecided) {
       fmt::format_to(std::back_inserter(piece), "; undecided whether {} are closer than {}{}: {}", names_of(pair),
-                     pair.least, hulls(pair), distance_text(pair));
+                     pair.least, hulls(pair), short_distance_text(pair));
     }
   }
   if (question_.nearest) {
     piece += found.nearest ? fmt::format("; nearest: {}{}: {}", names_of(*found.nearest), hulls(*found.nearest),
-                                         distance_text(*found.nearest))
+                                         short_distance_text(*found.nearest))
                            : "; nearest: no pair is asked about";
   }
   insert("\n", piece, text);

@@ -32,7 +32,7 @@ namespace {
 
 using scene::PartPair;
 
-constexpr const char *option = "--placements", *names_option = "--joint-names";
+constexpr const char *placements_option = "--placements", *names_option = "--joint-names";
 
 std::vector<std::string> split_at_commas(std::string_view text) {
   std::vector<std::string> names;
@@ -260,7 +260,7 @@ class Placements {
         near_(near),
         input_(input),
         table_(table),
-        motion_(input.robot(option), table.joints),
+        motion_(input.robot(placements_option), table.joints),
         start_(input.bodies({}), question),
         lines_(input, question, start_.bodies()),
         near_lines_(near, input, start_.bodies(), question.allowed),
@@ -329,7 +329,7 @@ class Placements {
   bool begin(std::size_t place) {
     if (next_ == table_.rows()) return false;
     auto& chain = chains_[place];
-    if (!chain) chain = std::make_unique<Chain>(start_, input_.robot(option).links.size());
+    if (!chain) chain = std::make_unique<Chain>(start_, input_.robot(placements_option).links.size());
     chain->begin = next_;
     next_ = chain->end = std::min(next_ + scene::chain_length, table_.rows());
     return true;
@@ -382,7 +382,7 @@ class Placements {
   // that nothing depends on threads; and evidence of other placements mostly serves.
   void practise() {
     if (table_.rows() < 4 * scene::chain_length) return;
-    std::vector<Affine3> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(placements_option).links.size());
     try {
       for (std::size_t k = 0; k < scene::chain_length; ++k) {
         motion_.place(table_.row(k), links);
@@ -403,7 +403,7 @@ class Placements {
     for (scene::Body& body : bodies) {
       for (scene::Part& part : body.parts) parts.push_back(&part);
     }
-    std::vector<Affine3> links(input_.robot(option).links.size());
+    std::vector<Affine3> links(input_.robot(placements_option).links.size());
     const Met nothing{};
     const auto placement_of = [&](std::size_t row, const Met& met) {
       motion_.place(table_.row(row), links);
@@ -485,7 +485,7 @@ std::vector<std::string> not_proved(const PlacementsCall& call) {
 }
 
 io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
-  const io::Robot& robot = input.robot(option);
+  const io::Robot& robot = input.robot(placements_option);
   io::JointTable table = io::read_joint_table(call.table, inputs, scene::thread_count(call.threads));
   if (!table.joints.empty()) {
     if (!call.joint_names.empty()) {

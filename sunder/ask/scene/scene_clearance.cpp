@@ -17,7 +17,7 @@ namespace {
 
 using scene::PartDistance;
 
-constexpr std::size_t most_listed = 20;  // pairs of one placement
+constexpr std::size_t most_listed_closer = 20;  // pairs of one placement
 
 double distance_of(std::string_view text, const char* option, bool may_be_zero) {
   const std::vector<double> numbers = parse_numbers(text, option);
@@ -73,21 +73,22 @@ std::string distance_text(const PartDistance& pair) {
 std::string closer_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
   const scene::ClearanceAnswer& answer = *placed.near.clearance;
   std::string text;
-  for (std::size_t k = 0; k < answer.closer.size() && k < most_listed; ++k) {
+  for (std::size_t k = 0; k < answer.closer.size() && k < most_listed_closer; ++k) {
     const PartDistance& pair = answer.closer[k];
     text += fmt::format("{}{} and {} are closer than {}{}: {}\n", prefix, name_a(placed, pair), name_b(placed, pair),
                         pair.least, is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair));
   }
-  if (answer.closer.size() > most_listed) {
-    text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed, "pair"));
+  if (answer.closer.size() > most_listed_closer) {
+    text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed_closer, "pair"));
   }
-  for (std::size_t k = 0; k < answer.undecided.size() && k < most_listed; ++k) {
+  for (std::size_t k = 0; k < answer.undecided.size() && k < most_listed_closer; ++k) {
     const PartDistance& pair = answer.undecided[k];
     text += fmt::format("{}undecided: it is not known whether {} and {} are closer than {}: {}\n", prefix,
                         name_a(placed, pair), name_b(placed, pair), pair.least, distance_text(pair));
   }
-  if (answer.undecided.size() > most_listed) {
-    text += fmt::format("{}and {} more undecided\n", prefix, count_of(answer.undecided.size() - most_listed, "pair"));
+  if (answer.undecided.size() > most_listed_closer) {
+    text += fmt::format("{}and {} more undecided\n", prefix,
+                        count_of(answer.undecided.size() - most_listed_closer, "pair"));
   }
   const std::size_t count = answer.closer.size(), undecided = answer.undecided.size();
   const std::string known = count == 0 ? undecided == 0 ? "none" : "none that is known" : std::to_string(count);

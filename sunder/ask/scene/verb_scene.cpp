@@ -29,8 +29,8 @@ namespace sunder::ask {
 
 namespace {
 
-struct Call : QuestionCall {
-  Call() { svg_limit = 200'000; }  // facets
+struct SceneCall : QuestionCall {
+  SceneCall() { svg_limit = 200'000; }  // facets
 
   std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
   std::string srdf, gltf;
@@ -48,10 +48,12 @@ struct Call : QuestionCall {
 constexpr std::size_t most_held = 10'000;
 constexpr std::uint64_t most_facets = 5'000'000;  // in a file of --gltf: some hundred MB
 
-bool wants_lines(const Call& call) { return !call.json && !call.proves() && call.svg.empty() && call.gltf.empty(); }
+bool wants_lines(const SceneCall& call) {
+  return !call.json && !call.proves() && call.svg.empty() && call.gltf.empty();
+}
 
 // table: what --placements names, to be held; srdf, input: for --state.
-std::vector<io::JointValues> joints_of(const Call& call, const io::JointTable& table, const io::Srdf& srdf,
+std::vector<io::JointValues> joints_of(const SceneCall& call, const io::JointTable& table, const io::Srdf& srdf,
                                        const SceneInput& input, InputFiles* inputs) {
   if (table.rows() > most_held) {
     throw Error(ErrorCode::bad_call,
@@ -87,7 +89,7 @@ Placed ask(const SceneReport& report, const io::JointValues& joints, const std::
 }
 
 // What the call names is compared before anything is read; what a robot's file names, here.
-void require_apart(const Call& call, const SceneInput& input) {
+void require_apart(const SceneCall& call, const SceneInput& input) {
   std::vector<NamedFile> meshes, outputs;
   for (const std::filesystem::path& mesh : input.meshes_read()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
@@ -101,7 +103,7 @@ void require_apart(const Call& call, const SceneInput& input) {
   ask::require_apart(meshes, outputs);
 }
 
-void require_drawable(const Call& call, const SceneInput& input, std::size_t placements) {
+void require_drawable(const SceneCall& call, const SceneInput& input, std::size_t placements) {
   if (call.svg.empty() && call.gltf.empty()) return;
   std::uint64_t facets = 0;
   for (const io::BodyPart* part : input.parts()) facets += picture::drawn_as(part->shape()).facet_count();
@@ -149,7 +151,7 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
   return pairs;
 }
 
-void draw(const Call& call, const SceneReport& report) {
+void draw(const SceneCall& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
   const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.input.is_hull(body, part); };
   for (const Placed& placed : report.placements) {
@@ -162,7 +164,7 @@ void draw(const Call& call, const SceneReport& report) {
       call.gltf, picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
-int run(const Call& call) {
+int run(const SceneCall& call) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
@@ -254,7 +256,7 @@ int run(const Call& call) {
 }  // namespace
 
 Verb scene_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<SceneCall>();
   return {
       "scene",
       "Which of many bodies meet? Meshes, scenes, and the links of a robot.",

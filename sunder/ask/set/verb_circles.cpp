@@ -11,7 +11,7 @@ namespace {
 
 using planar::Discs;
 
-using AnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
+using DiscsAnyMethod = planar::DiscsAnswer(const Discs&, const SetOptions&);
 
 struct Circles {
   using Members = Discs;
@@ -19,10 +19,10 @@ struct Circles {
   static constexpr const char* about_verb = "Do any two discs (circles with their interiors) in a file meet?";
   static constexpr const char* file_help =
       "circles: CSV, one in each row: x,y,r (center and radius), and optionally a name";
-  static constexpr std::array<Named<AnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
-                                                                {"grid", planar::discs_any_by_grid},
-                                                                {"sweep", planar::discs_any_by_sweep},
-                                                                {"scan", planar::discs_any_by_scan}}};
+  static constexpr std::array<Named<DiscsAnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
+                                                                     {"grid", planar::discs_any_by_grid},
+                                                                     {"sweep", planar::discs_any_by_sweep},
+                                                                     {"scan", planar::discs_any_by_scan}}};
   static constexpr std::array<Named<planar::DiscsMethod>, 4> all_methods{{{"automatic", planar::discs_visit},
                                                                           {"grid", planar::discs_all_by_grid},
                                                                           {"sweep", planar::discs_all_by_sweep},

@@ -18,24 +18,24 @@ namespace {
 using planar::Polygon;
 using planar::PolygonsContact;
 
-struct Call : SetCall {
+struct PolygonsCall : SetCall {
   bool skip_invalid = false, mend = false, self_touch = false;
 };
 
-using AnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
-constexpr std::array<Named<AnyMethod>, 5> any_methods{{{"automatic", planar::polygons_any},
-                                                       {"boxes", planar::polygons_any_by_boxes},
-                                                       {"grid", planar::polygons_any_by_grid},
-                                                       {"sweep", planar::polygons_any_by_sweep},
-                                                       {"scan", planar::polygons_any_by_scan}}};
+using PolygonsAnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
+constexpr std::array<Named<PolygonsAnyMethod>, 5> polygons_any_methods{{{"automatic", planar::polygons_any},
+                                                                        {"boxes", planar::polygons_any_by_boxes},
+                                                                        {"grid", planar::polygons_any_by_grid},
+                                                                        {"sweep", planar::polygons_any_by_sweep},
+                                                                        {"scan", planar::polygons_any_by_scan}}};
 constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", planar::find_contacts_by_boxes},
                                                                 {"boxes", planar::find_contacts_by_boxes},
                                                                 {"grid", planar::find_contacts_by_grid},
                                                                 {"sweep", planar::find_contacts_by_sweep},
                                                                 {"scan", planar::find_contacts_by_scan}}};
 
-constexpr std::uint64_t most_proved = 10'000'000;    // pairs
-constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some 0.8 GB
+constexpr std::uint64_t most_proved_pairs = 10'000'000;  // pairs
+constexpr std::uint64_t most_numbers = 100'000'000;      // of a sweep: at most some 0.8 GB
 
 [[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
   const std::size_t digits = std::to_string(input.edges()).size();
@@ -47,8 +47,8 @@ constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some
 
 // The sweep that proves all answers but `some`.
 planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
-  if (pairs > most_proved) {
-    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
+  if (pairs > most_proved_pairs) {
+    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved_pairs), 2 * pairs);
   }
   Progress progress("proving");
   const std::uint64_t most = std::max(most_numbers, 8 * input.edges());  // six for an edge, where none cross
@@ -89,7 +89,7 @@ const std::string& group_of(const PolygonsInput& input, std::uint32_t polygon) {
   return input.files.front().groups[input.groups[polygon]];
 }
 
-PolygonsRequest request_of(const Call& call) {
+PolygonsRequest request_of(const PolygonsCall& call) {
   return {.files = call.files,
           .drop_z = call.drop_z,
           .leave_out = call.leave_out,
@@ -105,14 +105,14 @@ PolygonsRequest request_of(const Call& call) {
 
 class PolygonsSet {
  public:
-  using Call = ask::Call;
+  using Call = ask::PolygonsCall;
   using Contact = PolygonsContact;
   using Result = SetResult<PolygonsSet>;
   static constexpr std::string_view verb = "polygons", noun = "polygon", drawn_noun = "edge";
   static constexpr std::array kinds{sunder::Contact::overlapping, sunder::Contact::touching};
 
-  static void check(const Call& call) {
-    method_by(call.method, any_methods);
+  static void check(const PolygonsCall& call) {
+    method_by(call.method, polygons_any_methods);
     allowed_by(call.allow);
     if (call.files.size() > 2) {
       throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
@@ -120,7 +120,7 @@ class PolygonsSet {
     require_other_than_scan(call);
   }
 
-  explicit PolygonsSet(const Call& call) : call_(call), input_(read_with_progress(request_of(call))) {
+  explicit PolygonsSet(const PolygonsCall& call) : call_(call), input_(read_with_progress(request_of(call))) {
     options_.allowed = allowed_by(call.allow);
     options_.groups = input_.groups;
   }
@@ -133,7 +133,7 @@ class PolygonsSet {
     SetOptions options = options_;
     options.progress = progress.reporter();
     if (!call_.counts()) {
-      const planar::PolygonsAnswer answer = method_by(call_.method, any_methods)(input_.polygons, options);
+      const planar::PolygonsAnswer answer = method_by(call_.method, polygons_any_methods)(input_.polygons, options);
       result.cost = answer.cost;
       return result.found(answer.found);
     }
@@ -275,7 +275,7 @@ class PolygonsSet {
     drawing.polygon(rings, ink);
   }
 
-  const Call& call_;
+  const PolygonsCall& call_;
   PolygonsInput input_;
   SetOptions options_;
 };
@@ -283,7 +283,7 @@ class PolygonsSet {
 }  // namespace
 
 Verb polygons_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<PolygonsCall>();
   Verb verb = set_verb<PolygonsSet>(
       call, {"polygons", "Do any two polygons (with their interiors) in a file meet? Do they touch or overlap?",
              "polygons, possibly with holes and several parts: WKT, GeoJSON. With two files, only polygons of "
@@ -291,7 +291,7 @@ Verb polygons_verb() {
              "are compared",
              "polygons", "nothing, shared-endpoint, or touch",
              "features with the same value of FIELD, a property of the GeoJSON, may meet", name_help,
-             method_names(any_methods), 0});
+             method_names(polygons_any_methods), 0});
   add_file_options(verb, *call);
   verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
   verb.options.push_back({"--self-touch", &call->self_touch, "accept rings that touch themselves in points"});

@@ -28,7 +28,7 @@ using planar::Segments;
 using planar::SegmentsAnswer;
 using planar::SegmentsContact;
 
-struct Call : SetCall {
+struct SegmentsCall : SetCall {
   std::string layer;
   bool across_layers = false, centre_lines = false;
 };
@@ -41,22 +41,23 @@ struct Sheet {
   std::string layer;  // where it is one of several sheets, its name as it stands in those of files
 };
 
-constexpr std::uint64_t most_proved = 10'000'000;  // pairs that a proof tells of
+constexpr std::uint64_t most_proved_contacts = 10'000'000;  // pairs that a proof tells of
 
-using AnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
-constexpr std::array<Named<AnyMethod>, 5> any_methods{{{"automatic", planar::segments_any},
-                                                       {"grid", planar::segments_any_by_grid},
-                                                       {"sweep", planar::segments_any_by_sweep},
-                                                       {"bentley-ottmann", planar::segments_any_by_bentley_ottmann},
-                                                       {"scan", planar::segments_any_by_scan}}};
-constexpr std::array<Named<planar::SegmentsMethod>, 5> all_methods{
+using SegmentsAnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
+constexpr std::array<Named<SegmentsAnyMethod>, 5> segments_any_methods{
+    {{"automatic", planar::segments_any},
+     {"grid", planar::segments_any_by_grid},
+     {"sweep", planar::segments_any_by_sweep},
+     {"bentley-ottmann", planar::segments_any_by_bentley_ottmann},
+     {"scan", planar::segments_any_by_scan}}};
+constexpr std::array<Named<planar::SegmentsMethod>, 5> segments_all_methods{
     {{"automatic", planar::segments_visit},
      {"grid", planar::segments_all_by_grid},
      {"bentley-ottmann", planar::segments_all_by_bentley_ottmann},
      {"balaban", planar::segments_all_by_balaban},
      {"scan", planar::segments_all_by_scan}}};
 planar::SegmentsMethod* contact_method(const std::string& name) {
-  return method_by(name, all_methods, " (for lists and counts)");
+  return method_by(name, segments_all_methods, " (for lists and counts)");
 }
 
 // The name as a part of a file's name, other than those of the sheets: "F.Cu", "top_copper", "top_copper-2".
@@ -76,7 +77,7 @@ std::string layer_in_files(const std::string& layer, const std::vector<Sheet>& s
 }
 
 // The layers that are asked about, each a sheet; or one sheet of all.
-std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
+std::vector<Sheet> sheets_of(const SegmentsCall& call, const io::LineFile& file) {
   const bool has_layers = !file.layers.empty();
   if (!has_layers && (!call.layer.empty() || call.across_layers)) {
     throw Error(ErrorCode::bad_call, fmt::format("{} has no layers; leave it out", call.files[0]),
@@ -113,7 +114,7 @@ std::vector<Sheet> sheets_of(const Call& call, const io::LineFile& file) {
 bool is_board(const io::LineFile& file) { return file.format == "KiCad board"; }
 
 // Tracks are copper, and there is more copper than tracks: their lines are asked about by those who say so.
-void check_centre_lines(const Call& call, const io::LineFile& file) {
+void check_centre_lines(const SegmentsCall& call, const io::LineFile& file) {
   if (is_board(file) == call.centre_lines) return;
   if (call.centre_lines) throw Error(ErrorCode::bad_call, "is for boards; leave it out", "--centre-lines");
   io::fail_file(call.files[0], fmt::format("copper is not read ({}); to ask about the tracks' centre lines alone, say "
@@ -135,7 +136,7 @@ std::vector<std::string> remarks_of(const io::LineFile& file) {
 LeftOutList left_out_of(const io::LineFile& file) { return {"", file.left_out}; }
 
 // "proof.json", or of a layer among others "proof.F.Cu.json".
-std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
+std::filesystem::path certificate_of(const SegmentsCall& call, const Sheet& sheet) {
   std::filesystem::path path = call.certificate;
   if (sheet.layer.empty()) return path;
   const std::string ending = path.extension().string();
@@ -143,7 +144,7 @@ std::filesystem::path certificate_of(const Call& call, const Sheet& sheet) {
 }
 
 // The names of certificates are known by now.
-void require_apart(const Call& call, const std::vector<Sheet>& sheets) {
+void require_apart(const SegmentsCall& call, const std::vector<Sheet>& sheets) {
   std::vector<NamedFile> outputs;
   if (call.certificate == "-" && !sheets[0].layer.empty()) {
     throw Error(ErrorCode::bad_call,
@@ -176,19 +177,19 @@ Block in_sheet(const Sheet& sheet, const Block& block) {
 void require_provable(const Sheet& sheet, SetOptions options) {
   options.transcript = false;
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
-  if (count <= most_proved) return;
+  if (count <= most_proved_contacts) return;
   const std::size_t digits = std::to_string(sheet.segments.size()).size();
   const double gigabytes = static_cast<double>(count) * static_cast<double>(5 * digits + 30) / 1e9;
   throw Error(ErrorCode::bad_call,
               fmt::format("{} pairs meet, and the proof would have about {:.1f} GB; of more than {} pairs none is "
                           "written; leave it out, or ask about less",
-                          count, gigabytes, most_proved),
+                          count, gigabytes, most_proved_contacts),
               "--certificate");
 }
 
 // What proves how many pairs meet, or that none do: the events alone, few where many meet in one place.
 planar::SweepEvents events_of(const Sheet& sheet) {
-  const std::uint64_t most = std::max(4 * most_proved, 8 * std::uint64_t{sheet.segments.size()});
+  const std::uint64_t most = std::max(4 * most_proved_contacts, 8 * std::uint64_t{sheet.segments.size()});
   std::optional<planar::SweepEvents> events = planar::sweep_events(sheet.segments, most);
   if (events) return std::move(*events);
   const std::size_t digits = std::to_string(sheet.segments.size()).size();
@@ -213,7 +214,7 @@ std::string source_of(const io::LineFile& file, std::uint32_t i) {
   return place;
 }
 
-io::LineFile read(const Call& call, InputFiles* inputs) {
+io::LineFile read(const SegmentsCall& call, InputFiles* inputs) {
   Progress progress("reading");
   return io::read_lines(call.files[0], {.drop_z = call.drop_z,
                                         .group = call.group,
@@ -226,19 +227,19 @@ io::LineFile read(const Call& call, InputFiles* inputs) {
 
 class SegmentsSet {
  public:
-  using Call = ask::Call;
+  using Call = ask::SegmentsCall;
   using Contact = SegmentsContact;
   using Result = SetResult<SegmentsSet>;
   static constexpr std::string_view verb = "segments", noun = "segment", drawn_noun = noun;
   static constexpr std::array kinds{ContactKind::overlap, ContactKind::crossing, ContactKind::touch,
                                     ContactKind::shared_endpoint};
 
-  static void check(const Call& call) {
+  static void check(const SegmentsCall& call) {
     allowed_by(call.allow);
     if (call.counts()) {
       contact_method(call.method);
     } else {
-      method_by(call.method, any_methods);
+      method_by(call.method, segments_any_methods);
     }
     if (call.proves() && call.counts() && call.method != "automatic" && call.method != "bentley-ottmann") {
       throw Error(ErrorCode::bad_call, call.method + " proves no lists; give automatic or bentley-ottmann", "--method");
@@ -246,7 +247,8 @@ class SegmentsSet {
     require_other_than_scan(call);
   }
 
-  explicit SegmentsSet(const Call& call) : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
+  explicit SegmentsSet(const SegmentsCall& call)
+      : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
     check_centre_lines(call, file_);
     systems_ = io::CoordinateSystems(call.mixed_crs);
     systems_.add(call.files[0], file_.systems);
@@ -431,7 +433,7 @@ class SegmentsSet {
   void find_any(Result& result) {
     for (const Sheet& sheet : sheets_) {
       SegmentsAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
-        return method_by(call_.method, any_methods)(sheet.segments, options);
+        return method_by(call_.method, segments_any_methods)(sheet.segments, options);
       });
       result.cost.probes += answer.cost.probes;
       const bool some = answer.meet();
@@ -478,7 +480,7 @@ class SegmentsSet {
     result.hold(std::move(all));
   }
 
-  const Call& call_;
+  const SegmentsCall& call_;
   Origin origin_;
   io::LineFile file_;
   io::CoordinateSystems systems_;
@@ -490,7 +492,7 @@ class SegmentsSet {
 }  // namespace
 
 Verb segments_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<SegmentsCall>();
   Verb verb = set_verb<SegmentsSet>(
       call,
       {"segments", "Do any two segments in a file meet?",
@@ -500,7 +502,8 @@ Verb segments_verb() {
        "segments with the same value of FIELD may meet: feature, ring, a column of the CSV, or a property of the "
        "GeoJSON; for a board: net (the default) or layer",
        "the column or property that holds the names of features (default: name, NAME or id)",
-       fmt::format("for --any: {}; for --all and --count: {}", method_names(any_methods), method_names(all_methods))});
+       fmt::format("for --any: {}; for --all and --count: {}", method_names(segments_any_methods),
+                   method_names(segments_all_methods))});
   add_file_options(verb, *call);
   verb.options.push_back({"--layer", &call->layer, "board: use this layer only", "NAME"});
   verb.options.push_back({.name = "--across-layers",

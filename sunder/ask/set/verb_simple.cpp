@@ -32,7 +32,7 @@ using planar::PolygonRings;
 using planar::PolygonRule;
 using planar::RingPlace;
 
-struct Call : QuestionCall {  // svg_limit: of segments and defects
+struct SimpleCall : QuestionCall {  // svg_limit: of segments and defects
   std::string file, name, geojson;
   std::vector<std::string> properties;
   bool strict = false, self_touch = false;
@@ -47,7 +47,7 @@ struct Call : QuestionCall {  // svg_limit: of segments and defects
 };
 
 // A feature: its polygons are the parts of one.
-struct Result {
+struct SimpleResult {
   std::uint32_t feature = 0, line = 0;
   std::vector<std::uint32_t> rings_of_part;
   std::uint32_t first_ring = 0;  // of the file; they follow each other
@@ -62,9 +62,9 @@ struct Result {
   bool valid() const { return count == 0; }
 };
 
-constexpr std::size_t most_held = 1 << 16;         // defects, of all features
-constexpr std::uint64_t most_proved = 10'000'000;  // defects
-constexpr std::size_t most_listed = 20;            // of a feature, and features
+constexpr std::size_t most_held = 1 << 16;                 // defects, of all features
+constexpr std::uint64_t most_proved_defects = 10'000'000;  // defects
+constexpr std::size_t most_listed = 20;                    // of a feature, and features
 
 using VisitDefects = std::function<void(const PolygonDefectVisitor&)>;
 
@@ -102,7 +102,7 @@ Json at_json(const PolygonDefect& defect) {
 
 class ValidQuestion {
  public:
-  explicit ValidQuestion(const Call& call) : call_(call) {
+  explicit ValidQuestion(const SimpleCall& call) : call_(call) {
     input_.systems = io::CoordinateSystems(call.mixed_crs);
     input_.read_file(call.file,
                      {.drop_z = call.drop_z,
@@ -130,10 +130,10 @@ class ValidQuestion {
 
  private:
   const io::LineFile& file() const { return input_.files.front(); }
-  const std::string& name(const Result& result) const { return file().features[result.feature]; }
+  const std::string& name(const SimpleResult& result) const { return file().features[result.feature]; }
 
   // Those that --property asks for.
-  void add_properties(const Result& result, Json& json) const {
+  void add_properties(const SimpleResult& result, Json& json) const {
     for (std::size_t k = 0; k < call_.properties.size(); ++k) {
       json["properties"][call_.properties[k]] = Json::written(value_json(file().properties[result.feature][k]));
     }
@@ -157,7 +157,7 @@ class ValidQuestion {
     io::PolygonPartsReader reader(file());
     std::size_t held = 0;
     for (io::PolygonParts parts; reader.next(parts);) {
-      Result& result = results_.emplace_back();
+      SimpleResult& result = results_.emplace_back();
       result.feature = parts.feature;
       result.line = parts.line;
       result.first_ring = parts.first_ring;
@@ -204,7 +204,7 @@ class ValidQuestion {
   void for_each_feature(const OfFeature& of_feature) const {
     io::PolygonPartsReader reader(file());
     io::PolygonParts parts;
-    for (const Result& result : results_) {
+    for (const SimpleResult& result : results_) {
       reader.next(parts);
       if (call_.mend) mend(parts);
       if (result.skipped) continue;
@@ -220,23 +220,23 @@ class ValidQuestion {
 
   // A statement for each feature that is valid, and for each defect that is listed.
   void prove() const {
-    if (defects_ > most_proved) {
+    if (defects_ > most_proved_defects) {
       throw Error(ErrorCode::bad_call,
                   fmt::format("{} defects, and their proofs would have about {:.1f} GB; leave out --all", defects_,
                               static_cast<double>(defects_) * 150 / 1e9),
                   "--certificate");
     }
     std::uint64_t entries = 0;
-    for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
+    for_each_feature([&](const SimpleResult&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
     write_proof(
         call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
           claims.begin_table("polygons");
-          for_each_feature([&](const Result&, const auto& parts, const VisitDefects&) {
+          for_each_feature([&](const SimpleResult&, const auto& parts, const VisitDefects&) {
             if (!parts.empty()) planar::write_parts(claims, parts);
           });
           claims.end_table();
           std::uint32_t first = 0;
-          for_each_feature([&](const Result& result, const auto& parts, const VisitDefects& visit) {
+          for_each_feature([&](const SimpleResult& result, const auto& parts, const VisitDefects& visit) {
             if (parts.empty()) return;
             if (!result.open.empty()) {
               throw Error(
@@ -268,7 +268,7 @@ class ValidQuestion {
   }
 
   // The first defects of a feature.
-  std::string defects_text(const Result& result, const VisitDefects& visit) const {
+  std::string defects_text(const SimpleResult& result, const VisitDefects& visit) const {
     std::string text = fmt::format("{}: {}\n", feature_text(result), call_.answer(false));
     std::size_t listed = 0;
     for (const io::OpenRing& open : result.open) {
@@ -291,7 +291,7 @@ class ValidQuestion {
   std::string text() const {
     std::string text;
     std::uint64_t listed = 0, mended = 0;
-    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+    for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       if (result.mended.all() > 0 && ++mended <= most_listed) {
         text += fmt::format("{}: mended: {}\n", feature_text(result), text_of(result.mended));
       }
@@ -334,7 +334,7 @@ class ValidQuestion {
     add_systems(input_.systems, json);
     if (call_.proves()) json["not_proved"] = not_proved();
     ListReport objects(json, "objects");
-    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+    for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       const auto& rings = result.rings_of_part;
       Json object = {{"file", io::one_line(call_.file)},
                      {"format", file().format},
@@ -362,7 +362,7 @@ class ValidQuestion {
   // Each defect as a point, or a line where a piece is in common; a line of the text for each.
   void write_geojson() const {
     GeojsonFile geojson(call_.geojson, input_.systems);
-    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+    for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       const auto add = [&](const auto& defect) {
         const Json at = at_json(defect);
         Json geometry = {{"type", "Point"}, {"coordinates", at[0]}};
@@ -384,7 +384,7 @@ class ValidQuestion {
   std::string picture() const {
     const planar::Segments segments(file().segments);
     std::vector<picture::PicturedDefect> defects;
-    for_each_feature([&](const Result& result, const auto&, const VisitDefects& visit) {
+    for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       const auto edge = [&](const RingPlace& place) {
         const auto parts = result.rings_of_part.begin();
         const std::uint32_t ring = std::accumulate(parts, parts + place.part, result.first_ring + place.ring);
@@ -407,17 +407,17 @@ class ValidQuestion {
     return fmt::format("{} of {} {}", valid_, count_of(asked_, "feature"), call_.answer(true));
   }
 
-  const Call& call_;
+  const SimpleCall& call_;
   PolygonsInput input_;  // without the polygons themselves
-  std::vector<Result> results_;
+  std::vector<SimpleResult> results_;
   std::uint64_t asked_ = 0, valid_ = 0, edges_ = 0, defects_ = 0;
   Cost cost_;
 };
 
-constexpr const char* methods = "automatic, scan";
+constexpr const char* simple_methods = "automatic, scan";
 
-int run(const Call& call) {
-  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, methods);
+int run(const SimpleCall& call) {
+  if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, simple_methods);
   require_different(call.properties);
   return ValidQuestion(call).answer();
 }
@@ -425,7 +425,7 @@ int run(const Call& call) {
 }  // namespace
 
 Verb simple_verb() {
-  const auto call = std::make_shared<Call>();
+  const auto call = std::make_shared<SimpleCall>();
   return {
       "simple",
       "Are the polygons in a file valid? If not, what is wrong, and where?",
@@ -438,7 +438,7 @@ Verb simple_verb() {
         .value = &call->self_touch,
         .help = "allow a ring to touch itself in points",
         .excludes = {"--strict"}},
-       {"--method", &call->method, methods, "NAME"},
+       {"--method", &call->method, simple_methods, "NAME"},
        certificate_option(call->certificate,
                           "write a proof for each feature to FILE: that it is valid, or has the listed defects"),
        {"--geojson", &call->geojson, "write all defects to FILE, as points and lines", "FILE"},

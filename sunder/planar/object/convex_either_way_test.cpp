@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<Point2>;
 
-std::string refusal(const Points& vertices) {
+std::string refusal_either_way(const Points& vertices) {
   try {
     convex_either_way(vertices);
   } catch (const Error& error) {
@@ -36,12 +36,12 @@ TEST(ConvexEitherWayTest, ClockwiseVerticesAreReversed) {
 // What is wrong is named by the vertex as it was given, in both directions.
 TEST(ConvexEitherWayTest, FaultsKeepTheirNumbers) {
   const Points dented{{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, straight{{0, 0}, {2, 0}, {4, 0}, {4, 4}};
-  EXPECT_EQ(refusal(dented).substr(0, 16), "vertex 3: reflex");
-  EXPECT_EQ(refusal(straight).substr(0, 19), "vertex 1: collinear");
-  EXPECT_EQ(refusal(Points(dented.rbegin(), dented.rend())).substr(0, 16), "vertex 1: reflex");
-  EXPECT_EQ(refusal(Points(straight.rbegin(), straight.rend())).substr(0, 19), "vertex 2: collinear");
-  EXPECT_NE(refusal({{0, 0}, {0, 1.0 / 0.0}, {1, 1}}), "accepted");
-  EXPECT_NE(refusal({}), "accepted");
+  EXPECT_EQ(refusal_either_way(dented).substr(0, 16), "vertex 3: reflex");
+  EXPECT_EQ(refusal_either_way(straight).substr(0, 19), "vertex 1: collinear");
+  EXPECT_EQ(refusal_either_way(Points(dented.rbegin(), dented.rend())).substr(0, 16), "vertex 1: reflex");
+  EXPECT_EQ(refusal_either_way(Points(straight.rbegin(), straight.rend())).substr(0, 19), "vertex 2: collinear");
+  EXPECT_NE(refusal_either_way({{0, 0}, {0, 1.0 / 0.0}, {1, 1}}), "accepted");
+  EXPECT_NE(refusal_either_way({}), "accepted");
 }
 
 }  // namespace

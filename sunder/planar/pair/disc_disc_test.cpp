@@ -10,31 +10,31 @@
 namespace sunder::planar {
 namespace {
 
-DiscContact kind(const Disc& c, const Disc& d) {
+DiscContact disc_contact(const Disc& c, const Disc& d) {
   EXPECT_EQ(disc_disc(c, d), disc_disc(d, c));
   return disc_disc(c, d);
 }
 
 TEST(DiscDiscTest, EachKind) {
   const Disc unit{{0, 0}, 5};
-  EXPECT_EQ(kind(unit, {{6, 8}, 4}), DiscContact::none);
-  EXPECT_EQ(kind(unit, {{6, 8}, 5}), DiscContact::touching);
-  EXPECT_EQ(kind(unit, {{6, 8}, 6}), DiscContact::overlapping);
-  EXPECT_EQ(kind(unit, {{6, 8}, 14}), DiscContact::overlapping);
-  EXPECT_EQ(kind(unit, {{6, 8}, 15}), DiscContact::inside);  // touching it from inside
-  EXPECT_EQ(kind(unit, {{6, 8}, 16}), DiscContact::inside);
-  EXPECT_EQ(kind(unit, {{0, 0}, 1}), DiscContact::inside);
-  EXPECT_EQ(kind(unit, unit), DiscContact::inside);
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 4}), DiscContact::none);
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 5}), DiscContact::touching);
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 6}), DiscContact::overlapping);
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 14}), DiscContact::overlapping);
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 15}), DiscContact::inside);  // touching it from inside
+  EXPECT_EQ(disc_contact(unit, {{6, 8}, 16}), DiscContact::inside);
+  EXPECT_EQ(disc_contact(unit, {{0, 0}, 1}), DiscContact::inside);
+  EXPECT_EQ(disc_contact(unit, unit), DiscContact::inside);
 }
 
 TEST(DiscDiscTest, Points) {
   const Disc disc{{0, 0}, 5};
-  EXPECT_EQ(kind(disc, {{3, 4}, 0}), DiscContact::touching);
-  EXPECT_EQ(kind(disc, {{3, 3}, 0}), DiscContact::inside);
-  EXPECT_EQ(kind(disc, {{0, 0}, 0}), DiscContact::inside);
-  EXPECT_EQ(kind(disc, {{4, 4}, 0}), DiscContact::none);
-  EXPECT_EQ(kind({{1, 1}, 0}, {{1, 1}, 0}), DiscContact::touching);
-  EXPECT_EQ(kind({{1, 1}, 0}, {{1, 2}, 0}), DiscContact::none);
+  EXPECT_EQ(disc_contact(disc, {{3, 4}, 0}), DiscContact::touching);
+  EXPECT_EQ(disc_contact(disc, {{3, 3}, 0}), DiscContact::inside);
+  EXPECT_EQ(disc_contact(disc, {{0, 0}, 0}), DiscContact::inside);
+  EXPECT_EQ(disc_contact(disc, {{4, 4}, 0}), DiscContact::none);
+  EXPECT_EQ(disc_contact({{1, 1}, 0}, {{1, 1}, 0}), DiscContact::touching);
+  EXPECT_EQ(disc_contact({{1, 1}, 0}, {{1, 2}, 0}), DiscContact::none);
 }
 
 TEST(DiscDiscTest, Names) {
@@ -62,7 +62,7 @@ TEST(DiscDiscTest, TheCommonPointIsInBoth) {
     };
     const Disc c{{scale * number(), scale * number()}, scale * std::fabs(number())};
     const Disc d{{scale * number(), scale * number()}, scale * std::fabs(number())};
-    const DiscContact met = kind(c, d);
+    const DiscContact met = disc_contact(c, d);
     ++kinds[met];
     if (met == DiscContact::none) continue;
     for (const ExactPoint2& p : {common_point(c, d), common_point(d, c)}) {

@@ -134,7 +134,7 @@ bool cut_on_one_side(const P& p, Chain& chain, std::uint32_t i, const typename P
 }
 
 // Where does the line through two points cross a polygon?
-struct Crossing {
+struct LineCrossing {
   enum class Place : std::uint8_t {
     right,   // nowhere: the polygon is strictly to the right of the arrow; vertex `edge` is nearest
     left,    // nowhere: it is strictly to the left
@@ -150,9 +150,9 @@ struct Crossing {
 // Cost: log2 n + O(1) probes for `right`, and as many more for `ahead`, and for `behind` and `within` again; twice that
 // much again at most where vertex 0 of q is not to the right of the line.
 template <class Q>
-Crossing cross_line(const typename Q::Vertex& tail, const typename Q::Vertex& head, const Q& q, Cost& cost,
-                    StageTally& tally) {
-  using enum Crossing::Place;
+LineCrossing cross_line(const typename Q::Vertex& tail, const typename Q::Vertex& head, const Q& q, Cost& cost,
+                        StageTally& tally) {
+  using enum LineCrossing::Place;
   const std::uint32_t n = q.size();
   const auto side = [&](std::uint32_t k) {
     ++cost.probes;
@@ -207,7 +207,7 @@ struct Proposals {
     return holds(Swapped ? apart_by_edge_of_a(edge, near) : apart_by_edge_of_b(near, edge));
   }
   // The segment from vertex i to vertex j meets the other one, as cross_line says.
-  bool meet(std::uint32_t i, std::uint32_t j, const Crossing& within) const {
+  bool meet(std::uint32_t i, std::uint32_t j, const LineCrossing& within) const {
     const std::uint32_t entry = within.edge, exit = within.exit;
     return meet(std::array{i, j}, std::array{entry, entry + 1}) || meet({&i, 1}, std::array{entry, entry + 1, exit}) ||
            meet({&i, 1}, std::array{entry, exit, exit + 1});
@@ -217,14 +217,14 @@ struct Proposals {
 // Theorem 4, when own chain is short. `view` is what own vertex 0 sees of the other polygon.
 template <class About>
 bool propose_short(const About& about, const Chain& chain, const View& view, Cost& cost, StageTally& tally) {
-  using enum Crossing::Place;
+  using enum LineCrossing::Place;
   const auto& own = about.own;
   const auto cross = [&](std::uint32_t i, std::uint32_t j) {
     return cross_line(vertex_at(own, i), vertex_at(own, j), about.other, cost, tally);
   };
   const auto meets = [&](std::uint32_t i, std::uint32_t j) {
     if (i == j) return false;
-    const Crossing c = cross(i, j);
+    const LineCrossing c = cross(i, j);
     return c.place == within && about.meet(i, j, c);
   };
   const std::uint32_t first = chain.low - 1, last = chain.high;
@@ -232,7 +232,7 @@ bool propose_short(const About& about, const Chain& chain, const View& view, Cos
   std::uint32_t facing = 0;  // an edge of the other that faces vertex low, or vertex high
   while (low < high) {
     const std::uint32_t i = low + (high - low) / 2;
-    const Crossing c = cross(i, position(own, i) + 1);
+    const LineCrossing c = cross(i, position(own, i) + 1);
     if (c.place == right) return about.apart_by_own(i, c.edge);
     if (c.place == within) return about.meet(i, position(own, i) + 1, c);
     // All of the other on the left: the segment between its two tangents is before an end of the edge, seen from vertex

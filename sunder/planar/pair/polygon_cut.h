@@ -10,6 +10,7 @@
 #include <sunder/planar/object/pose.h>
 #include <sunder/planar/pair/polygon_point.h>
 #include <sunder/predicate/crossing.h>
+#include <sunder/predicate/exact_point.h>
 
 #include <cstdint>
 #include <string_view>
@@ -50,12 +51,6 @@ struct [[nodiscard]] PolygonCut {
   Cost cost;
 
   bool meet() const { return kind != CutKind::nothing; }
-};
-
-// numerator / denominator, not in lowest terms; the denominator is positive.
-struct ExactFraction {
-  Dyadic numerator, denominator{1.0};
-  double nearest() const { return nearest_ratio(numerator, denominator); }  // ties to even
 };
 
 // Where an end is, exactly.

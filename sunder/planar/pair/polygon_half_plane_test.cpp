@@ -8,7 +8,8 @@
 namespace sunder::planar {
 namespace {
 
-PolygonHalfPlane ask(const ConvexPolygon& polygon, const Pose& pose, const HalfPlane& h, bool with_scan = true) {
+PolygonHalfPlane meets_half_plane(const ConvexPolygon& polygon, const Pose& pose, const HalfPlane& h,
+                                  bool with_scan = true) {
   const PolygonHalfPlane found = polygon_half_plane(polygon, pose, h);
   // The line meets the polygon iff this half-plane and the other one do.
   const PolygonHalfPlane other = polygon_half_plane(polygon, pose, HalfPlane::left_of(h.b, h.a));
@@ -30,14 +31,15 @@ PolygonHalfPlane ask(const ConvexPolygon& polygon, const Pose& pose, const HalfP
 
 TEST(PolygonHalfPlaneTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-  const auto at = [&](double y) { return ask(square, Pose(), HalfPlane::left_of({0, y}, {1, y})); };
+  const auto at = [&](double y) { return meets_half_plane(square, Pose(), HalfPlane::left_of({0, y}, {1, y})); };
   EXPECT_TRUE(at(2).meet);
   EXPECT_FALSE(at(2).touching);
   EXPECT_EQ(at(2).witness, 2u);
   EXPECT_TRUE(at(3).meet);
   EXPECT_TRUE(at(3).touching);
   EXPECT_FALSE(at(std::nextafter(3, 4)).meet);
-  EXPECT_TRUE(ask(ConvexPolygon::from_vertices({{1, 1}}), Pose(), HalfPlane::left_of({0, 0}, {3, 3})).touching);
+  EXPECT_TRUE(
+      meets_half_plane(ConvexPolygon::from_vertices({{1, 1}}), Pose(), HalfPlane::left_of({0, 0}, {3, 3})).touching);
 }
 
 TEST(PolygonHalfPlaneTest, AgreesWithScanOnNastyCases) {
@@ -47,7 +49,7 @@ TEST(PolygonHalfPlaneTest, AgreesWithScanOnNastyCases) {
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
-    const PolygonHalfPlane answer = ask(c.polygon, c.pose, HalfPlane::left_of(a, b));
+    const PolygonHalfPlane answer = meets_half_plane(c.polygon, c.pose, HalfPlane::left_of(a, b));
     if (HasFailure()) FAIL() << "instance " << i;
     meets += answer.meet ? 1 : 0;
     touches += answer.touching ? 1 : 0;
@@ -66,7 +68,8 @@ TEST(PolygonHalfPlaneTest, LargePolygonsAndComplexity) {
       for (int i = 0; i < 100; ++i) {
         const auto j = static_cast<std::uint32_t>(random.below(n)), k = static_cast<std::uint32_t>(random.below(n - 1));
         const std::uint32_t to = i % 2 == 0 ? (j + 1) % n : k + (k >= j ? 1 : 0);
-        const PolygonHalfPlane answer = ask(p, Pose(), HalfPlane::left_of(p[to], p[j]), n < 300000 && i < 4);
+        const PolygonHalfPlane answer =
+            meets_half_plane(p, Pose(), HalfPlane::left_of(p[to], p[j]), n < 300000 && i < 4);
         if (i % 2 == 0) {
           EXPECT_TRUE(answer.touching);
         }

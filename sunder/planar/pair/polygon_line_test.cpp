@@ -10,7 +10,7 @@
 namespace sunder::planar {
 namespace {
 
-PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Line& line, bool with_scan = true) {
+PolygonCut cut_by_line(const ConvexPolygon& polygon, const Pose& pose, const Line& line, bool with_scan = true) {
   const PolygonCut found = polygon_line(polygon, pose, line);
   expect_same(found, polygon_line_by_fibonacci(polygon, pose, line), true);
   if (!with_scan) return found;
@@ -46,7 +46,7 @@ TEST(LineTest, FactoriesRefuse) {
 
 TEST(PolygonLineTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-  const auto cut = [&](const Point2& a, const Point2& b) { return ask(square, Pose(), Line::through(a, b)); };
+  const auto cut = [&](const Point2& a, const Point2& b) { return cut_by_line(square, Pose(), Line::through(a, b)); };
   PolygonCut c = cut({-1, 1}, {9, 1});
   EXPECT_EQ(c.kind, CutKind::across);
   EXPECT_EQ(c.first, (CutEnd{Place::edge, 3}));
@@ -75,18 +75,18 @@ TEST(PolygonLineTest, ByHand) {
 
 TEST(PolygonLineTest, OfSegmentsAndPoints) {
   const ConvexPolygon segment = ConvexPolygon::from_vertices({{0, 0}, {4, 2}});
-  PolygonCut c = ask(segment, Pose(), Line::through({0, 2}, {4, 0}));
+  PolygonCut c = cut_by_line(segment, Pose(), Line::through({0, 2}, {4, 0}));
   EXPECT_EQ(c.kind, CutKind::point);
   EXPECT_EQ(c.first, (CutEnd{Place::edge, 0}));
   EXPECT_EQ(exact_end(segment, Pose(), {0, 2}, {4, 0}, c.first).rounded(), (Point2{2, 1}));
-  c = ask(segment, Pose(), Line::through({6, 3}, {-2, -1}));
+  c = cut_by_line(segment, Pose(), Line::through({6, 3}, {-2, -1}));
   EXPECT_EQ(c.kind, CutKind::along);
   EXPECT_EQ(c.first.feature, 1u);
-  EXPECT_EQ(ask(segment, Pose(), Line::through({4, 2}, {4, 3})).first, (CutEnd{Place::vertex, 1}));
-  EXPECT_EQ(ask(segment, Pose(), Line::through({5, 2}, {5, 3})).nearest, 1u);
+  EXPECT_EQ(cut_by_line(segment, Pose(), Line::through({4, 2}, {4, 3})).first, (CutEnd{Place::vertex, 1}));
+  EXPECT_EQ(cut_by_line(segment, Pose(), Line::through({5, 2}, {5, 3})).nearest, 1u);
   const ConvexPolygon point = ConvexPolygon::from_vertices({{1, 1}});
-  EXPECT_EQ(ask(point, Pose(), Line::through({0, 0}, {4, 4})).kind, CutKind::point);
-  EXPECT_EQ(ask(point, Pose(), Line::through({0, 0}, {4, 5})).kind, CutKind::nothing);
+  EXPECT_EQ(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 4})).kind, CutKind::point);
+  EXPECT_EQ(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 5})).kind, CutKind::nothing);
 }
 
 TEST(PolygonLineTest, AgreesWithScanOnNastyCases) {
@@ -96,7 +96,7 @@ TEST(PolygonLineTest, AgreesWithScanOnNastyCases) {
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
-    counts.add(c, ask(c.polygon, c.pose, Line::through(a, b)));
+    counts.add(c, cut_by_line(c.polygon, c.pose, Line::through(a, b)));
     if (::testing::Test::HasFailure()) FAIL() << "instance " << i;
   }
   counts.expect_all(count, false);
@@ -109,7 +109,7 @@ TEST(PolygonLineTest, AgreesWithScanOnWildNumbers) {
     const NastyCase c = wild_case(random);
     const Point2 a = wild_point(c, random), b = wild_point(c, random);
     if (a == b) continue;
-    counts.add(c, ask(c.polygon, c.pose, Line::through(a, b)));
+    counts.add(c, cut_by_line(c.polygon, c.pose, Line::through(a, b)));
     if (::testing::Test::HasFailure()) FAIL() << "instance " << i;
   }
   for (const int k : counts.kinds) EXPECT_GT(k, 10);
@@ -127,7 +127,8 @@ TEST(PolygonLineTest, AgreesWithScanOnLargePolygons) {
         const double stretch = 1 + random.uniform(-1, 1) * random.log_uniform(1e-17, 1);
         const Point2 a = p[j], b = i % 3 == 0 ? p[(j + 1) % n] : Point2{p[k].x * stretch, p[k].y * stretch};
         if (a != b)
-          static_cast<void>(ask(p, i % 2 == 0 ? Pose() : mirrored, Line::through(a, b), n < 2000 || radius == 1));
+          static_cast<void>(
+              cut_by_line(p, i % 2 == 0 ? Pose() : mirrored, Line::through(a, b), n < 2000 || radius == 1));
       }
     }
   }

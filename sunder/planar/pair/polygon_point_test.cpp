@@ -22,7 +22,8 @@ CheckResult check(const PolygonPoint& answer, const ConvexPolygon& polygon, cons
 }
 
 // Asks both ways, and for the tangents.
-PolygonPoint ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& point, bool with_scan = true) {
+PolygonPoint place_of_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point,
+                            bool with_scan = true) {
   const PolygonPoint found = polygon_point(polygon, pose, point);
   EXPECT_EQ(found.evidence.verdict == Verdict::meet, found.place != Place::outside);
   const Tangents t = tangents(polygon, pose, point);
@@ -48,7 +49,7 @@ PolygonPoint ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& p
 TEST(PolygonPointTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   const auto at = [&](const Point2& p) {
-    const PolygonPoint answer = ask(square, Pose(), p);
+    const PolygonPoint answer = place_of_point(square, Pose(), p);
     return std::pair(answer.place, answer.feature);
   };
   EXPECT_EQ(at({0, 0}), std::pair(Place::vertex, 0u));
@@ -60,8 +61,8 @@ TEST(PolygonPointTest, ByHand) {
   EXPECT_EQ(at({std::nextafter(2, 3), 0}).first, Place::outside);
   // The numbers of features are the polygon's own, also where the pose turns their order round.
   const Pose mirrored = Pose::from_matrix({-1, 0, 0, 1}, {0, 0});
-  EXPECT_EQ(ask(square, mirrored, {-2, 1}).feature, 1u);
-  EXPECT_EQ(ask(square, mirrored, {-2, 2}).feature, 2u);
+  EXPECT_EQ(place_of_point(square, mirrored, {-2, 1}).feature, 1u);
+  EXPECT_EQ(place_of_point(square, mirrored, {-2, 2}).feature, 2u);
   // From (1, -3), the corners below; from (4, 0), in line with two of them, the nearer one.
   Tangents t = tangents(square, {1, -3});
   EXPECT_EQ(t.vertices, (TangentVertices{0, 1}));
@@ -74,15 +75,15 @@ TEST(PolygonPointTest, ByHand) {
 
 TEST(PolygonPointTest, OfSegmentsAndPoints) {
   const ConvexPolygon segment = ConvexPolygon::from_vertices({{0, 0}, {4, 2}});
-  EXPECT_EQ(ask(segment, Pose(), {2, 1}).place, Place::edge);
-  EXPECT_EQ(ask(segment, Pose(), {4, 2}).feature, 1u);
-  EXPECT_EQ(ask(segment, Pose(), {6, 3}).place, Place::outside);
-  EXPECT_EQ(ask(segment, Pose(), {-2, -1}).place, Place::outside);
-  EXPECT_EQ(ask(segment, Pose(), {2, 0}).place, Place::outside);
-  EXPECT_EQ(ask(segment, Pose(), {2, 3}).place, Place::outside);
+  EXPECT_EQ(place_of_point(segment, Pose(), {2, 1}).place, Place::edge);
+  EXPECT_EQ(place_of_point(segment, Pose(), {4, 2}).feature, 1u);
+  EXPECT_EQ(place_of_point(segment, Pose(), {6, 3}).place, Place::outside);
+  EXPECT_EQ(place_of_point(segment, Pose(), {-2, -1}).place, Place::outside);
+  EXPECT_EQ(place_of_point(segment, Pose(), {2, 0}).place, Place::outside);
+  EXPECT_EQ(place_of_point(segment, Pose(), {2, 3}).place, Place::outside);
   const ConvexPolygon point = ConvexPolygon::from_vertices({{0, 0}});
-  EXPECT_EQ(ask(point, Pose(), {0, -0.0}).place, Place::vertex);
-  EXPECT_EQ(ask(point, Pose(), {5e-324, 0}).place, Place::outside);
+  EXPECT_EQ(place_of_point(point, Pose(), {0, -0.0}).place, Place::vertex);
+  EXPECT_EQ(place_of_point(point, Pose(), {5e-324, 0}).place, Place::outside);
 }
 
 TEST(PolygonPointTest, AgreesWithScanOnNastyCases) {
@@ -92,7 +93,7 @@ TEST(PolygonPointTest, AgreesWithScanOnNastyCases) {
   const int count = tests::scaled_count(40000, 1000);
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
-    const PolygonPoint answer = ask(c.polygon, c.pose, nasty_point(c, random));
+    const PolygonPoint answer = place_of_point(c.polygon, c.pose, nasty_point(c, random));
     if (HasFailure()) FAIL() << "instance " << i;
     ++counts[answer.place];
     reflected_edges += c.pose.reflects() && answer.place == Place::edge ? 1 : 0;
@@ -109,7 +110,7 @@ TEST(PolygonPointTest, AgreesWithScanOnWildNumbers) {
   std::map<Place, int> counts;
   for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
-    ++counts[ask(c.polygon, c.pose, wild_point(c, random)).place];
+    ++counts[place_of_point(c.polygon, c.pose, wild_point(c, random)).place];
     if (HasFailure()) FAIL() << "instance " << i;
   }
   for (const auto& [place, times] : counts) EXPECT_GT(times, 10) << name_of(place);
@@ -126,8 +127,8 @@ TEST(PolygonPointTest, AgreesWithScanOnLargePolygons) {
         const Point2 v = p[static_cast<std::uint32_t>(random.below(n))];
         const double stretch = random.below(2) == 0 ? 1 : 1 + random.uniform(-1, 1) * random.log_uniform(1e-17, 1);
         // Beyond the range of filters, a scan of many vertices takes long.
-        const PolygonPoint answer =
-            ask(p, random.below(2) == 0 ? Pose() : mirrored, {v.x * stretch, v.y * stretch}, n < 2000 || radius == 1);
+        const PolygonPoint answer = place_of_point(p, random.below(2) == 0 ? Pose() : mirrored,
+                                                   {v.x * stretch, v.y * stretch}, n < 2000 || radius == 1);
         if (stretch == 1 && answer.decided_by == DecidedBy::filter) {
           EXPECT_NE(answer.place, Place::inside);
         }

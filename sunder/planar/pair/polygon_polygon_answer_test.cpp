@@ -13,10 +13,9 @@
 #include <map>
 #include <string>
 
-namespace sunder::planar {
+namespace sunder::planar::proposal_test {
 namespace {
 
-using namespace proposal_test;
 using Claim = Proposal::Claim;
 
 // A 4-square, and a unit square to the right of it whose leftmost corner, number 0, is on the level of its middle.
@@ -212,4 +211,4 @@ TEST(PolygonPolygonAnswer, HitRateByFamily) {
 }
 
 }  // namespace
-}  // namespace sunder::planar
+}  // namespace sunder::planar::proposal_test

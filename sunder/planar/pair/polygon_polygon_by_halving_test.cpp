@@ -25,7 +25,7 @@ namespace sunder::planar {
 
 namespace {
 
-using halving::Crossing;
+using halving::LineCrossing;
 using halving::View;
 using tests::PlanarFamily;
 using tests::scaled_count;
@@ -214,7 +214,7 @@ TEST(PolygonPolygonByHalving, ViewFromEveryPointOfAGrid) {
 // Where a line crosses a polygon, against the meaning of each answer.
 TEST(PolygonPolygonByHalving, CrossLineOfAGrid) {
   Random random(tests::chosen_seed(102));
-  std::map<Crossing::Place, int> seen;
+  std::map<LineCrossing::Place, int> seen;
   const int count = scaled_count(20000);
   for (int i = 0; i < count; ++i) {
     const ConvexPolygon polygon = lattice_polygon(random, 3 + i % 12);
@@ -224,31 +224,31 @@ TEST(PolygonPolygonByHalving, CrossLineOfAGrid) {
     if (tail == head) continue;
     Cost cost;
     StageTally tally;
-    const Crossing c = halving::cross_line(tail, head, q, cost, tally);
+    const LineCrossing c = halving::cross_line(tail, head, q, cost, tally);
     ++seen[c.place];
     const ConvexPolygon segment = ConvexPolygon::hull_of(std::array{tail, head});
-    ASSERT_EQ(c.place == Crossing::Place::within, polygon_polygon_by_difference(segment, {}, polygon, {}).meet());
+    ASSERT_EQ(c.place == LineCrossing::Place::within, polygon_polygon_by_difference(segment, {}, polygon, {}).meet());
     const auto beyond = [&](std::uint32_t edge, const Point2& point) {
       return cross_2d(q[edge], vertex_at(q, edge + 1), q[edge], point) == Sign::negative;
     };
     const auto side = [&](std::uint32_t k) { return cross_2d(tail, head, tail, vertex_at(q, k)); };
     switch (c.place) {
-      case Crossing::Place::right:
+      case LineCrossing::Place::right:
         for (std::uint32_t k = 0; k < q.size(); ++k) {
           ASSERT_EQ(side(k), Sign::negative);
           ASSERT_NE(cross_2d(tail, head, q[c.edge], q[k]), Sign::positive);
         }
         break;
-      case Crossing::Place::left:
+      case LineCrossing::Place::left:
         for (std::uint32_t k = 0; k < q.size(); ++k) ASSERT_EQ(side(k), Sign::positive);
         break;
-      case Crossing::Place::ahead:
+      case LineCrossing::Place::ahead:
         ASSERT_TRUE(beyond(c.edge, head) && side(c.edge) != Sign::negative && side(c.edge + 1) != Sign::positive);
         break;
-      case Crossing::Place::behind:
+      case LineCrossing::Place::behind:
         ASSERT_TRUE(beyond(c.edge, tail) && side(c.edge) != Sign::positive && side(c.edge + 1) != Sign::negative);
         break;
-      case Crossing::Place::within: break;
+      case LineCrossing::Place::within: break;
     }
   }
   for (const auto& [place, times] : seen) EXPECT_GT(times, count / 40) << static_cast<int>(place);

@@ -12,7 +12,7 @@ namespace sunder::planar {
 namespace {
 
 // Counts what it looks at.
-struct Scan {
+struct PairScan {
   const ConvexPolygon &a, &b;
   const Pose &pose_a, &pose_b;
   PairAnswer answer{};
@@ -144,7 +144,7 @@ struct Scan {
 
 PairAnswer polygon_polygon_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
                                    const ConvexPolygon& b, const Pose& pose_b) {
-  Scan scan{a, b, pose_a, pose_b};
+  PairScan scan{a, b, pose_a, pose_b};
   if (!scan.apart()) scan.meet();
   scan.answer.cost.exact = scan.tally.exact;
   scan.answer.decided_by = DecidedBy::scan;

@@ -1,30 +1,32 @@
 #include <sunder/planar/pair/proposal_test.h>
 
-namespace sunder::planar {
+namespace sunder::planar::proposal_test {
 
 namespace {
 
-using namespace proposal_test;
+constexpr Method by_triangles = polygon_polygon_by_triangles;
 
-constexpr Method method = polygon_polygon_by_triangles;
+TEST(PolygonPolygonByTriangles, AgreesWithTheScanOnGrids) { agrees_on_grids(by_triangles, 1, 1, 10500); }
 
-TEST(PolygonPolygonByTriangles, AgreesWithTheScanOnGrids) { agrees_on_grids(method, 1, 1, 10500); }
+TEST(PolygonPolygonByTriangles, AgreesWithTheScanOnMoreGrids) { agrees_on_grids(by_triangles, 11, 1, 10500); }
 
-TEST(PolygonPolygonByTriangles, AgreesWithTheScanOnMoreGrids) { agrees_on_grids(method, 11, 1, 10500); }
+TEST(PolygonPolygonByTriangles, SeldomFinishes) { seldom_finishes(by_triangles, 2, 300, 0.01, 1e-17, 1500, 1); }
 
-TEST(PolygonPolygonByTriangles, SeldomFinishes) { seldom_finishes(method, 2, 300, 0.01, 1e-17, 1500, 1); }
-
-TEST(PolygonPolygonByTriangles, SeldomFinishesWithSlivers) { seldom_finishes(method, 3, 300, 1e-8, 1e-17, 1500, 8); }
-
-TEST(PolygonPolygonByTriangles, SeldomFinishesWithManyVertices) { seldom_finishes(method, 4, 1e5, 0.01, 1e-17, 30, 0); }
-
-TEST(PolygonPolygonByTriangles, DoesNotDependOnScale) {
-  for (const int exponent : {900, -900}) scales(method, 5, exponent, true);
-  scales(method, 5, 1019, false);  // products with the pose overflow
-  scales(method, 5, -1070, false);
+TEST(PolygonPolygonByTriangles, SeldomFinishesWithSlivers) {
+  seldom_finishes(by_triangles, 3, 300, 1e-8, 1e-17, 1500, 8);
 }
 
-TEST(PolygonPolygonByTriangles, SurvivesAnything) { survives_anything(method, 6); }
+TEST(PolygonPolygonByTriangles, SeldomFinishesWithManyVertices) {
+  seldom_finishes(by_triangles, 4, 1e5, 0.01, 1e-17, 30, 0);
+}
+
+TEST(PolygonPolygonByTriangles, DoesNotDependOnScale) {
+  for (const int exponent : {900, -900}) scales(by_triangles, 5, exponent, true);
+  scales(by_triangles, 5, 1019, false);  // products with the pose overflow
+  scales(by_triangles, 5, -1070, false);
+}
+
+TEST(PolygonPolygonByTriangles, SurvivesAnything) { survives_anything(by_triangles, 6); }
 
 TEST(PolygonPolygonByTriangles, LeavesPointsAndSegmentsToTheExactSearch) {
   const ConvexPolygon point = ConvexPolygon::from_vertices({{1, 1}}),
@@ -32,10 +34,10 @@ TEST(PolygonPolygonByTriangles, LeavesPointsAndSegmentsToTheExactSearch) {
                       square = ConvexPolygon::from_vertices({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   for (const ConvexPolygon* a : {&point, &segment}) {
     for (const ConvexPolygon* b : {&point, &segment, &square}) {
-      const PairAnswer answer = method(*a, Pose(), *b, Pose());
+      const PairAnswer answer = by_triangles(*a, Pose(), *b, Pose());
       EXPECT_TRUE(answer.meet());
       EXPECT_NE(answer.decided_by, DecidedBy::finishing);
-      EXPECT_FALSE(method(*a, Pose(), *b, Pose::from_matrix({1, 0, 0, 1}, {9, 9})).meet());
+      EXPECT_FALSE(by_triangles(*a, Pose(), *b, Pose::from_matrix({1, 0, 0, 1}, {9, 9})).meet());
     }
   }
 }
@@ -59,7 +61,7 @@ TEST(PolygonPolygonByTriangles, TakesLogarithmicallyManyProbes) {
       for (const Regime regime : regimes) {
         for (int t = 0; t < (n < 1u << 14 ? 40 : 4); ++t) {
           const Pose pose_a = turned(1, random), pose_b = pose_in(regime, a, pose_a, b, 1e-16, random);
-          for (const PairAnswer& answer : {method(a, pose_a, b, pose_b), method(b, pose_b, a, pose_a)}) {
+          for (const PairAnswer& answer : {by_triangles(a, pose_a, b, pose_b), by_triangles(b, pose_b, a, pose_a)}) {
             const bool finished = answer.decided_by == DecidedBy::finishing;
             const double probes = static_cast<double>(answer.cost.probes);
             ASSERT_LE(probes, (finished ? most_with_finishing : most_probes) * logs + more_probes);
@@ -73,4 +75,4 @@ TEST(PolygonPolygonByTriangles, TakesLogarithmicallyManyProbes) {
 }
 
 }  // namespace
-}  // namespace sunder::planar
+}  // namespace sunder::planar::proposal_test

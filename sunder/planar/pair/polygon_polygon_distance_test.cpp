@@ -16,14 +16,14 @@ namespace {
 
 using tests::PlanarFamily;
 
-const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+const ConvexPolygon two_square = ConvexPolygon::from_vertices({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
 
 PolygonDistance distance(const ConvexPolygon& a, const ConvexPolygon& b) {
   return polygon_polygon_distance(a, Pose(), b, Pose());
 }
 
 TEST(PolygonPolygonDistanceTest, Features) {
-  const PolygonDistance corner = distance(square, ConvexPolygon::from_vertices({{5, 6}, {9, 6}, {9, 9}}));
+  const PolygonDistance corner = distance(two_square, ConvexPolygon::from_vertices({{5, 6}, {9, 6}, {9, 9}}));
   ASSERT_TRUE(corner.closest);
   EXPECT_FALSE(corner.closest->edge_of_a || corner.closest->edge_of_b);
   EXPECT_EQ(corner.closest->a, 2u);
@@ -32,7 +32,7 @@ TEST(PolygonPolygonDistanceTest, Features) {
   EXPECT_EQ(compare_distance(corner, std::nextafter(5.0, 6)), Sign::negative);
   EXPECT_EQ(compare_distance(corner, std::nextafter(5.0, 4)), Sign::positive);
 
-  const PolygonDistance edge = distance(square, ConvexPolygon::from_vertices({{3, 1}, {9, 0}, {9, 9}}));
+  const PolygonDistance edge = distance(two_square, ConvexPolygon::from_vertices({{3, 1}, {9, 0}, {9, 9}}));
   ASSERT_TRUE(edge.closest);
   EXPECT_TRUE(edge.closest->edge_of_a);
   EXPECT_EQ(edge.closest->a, 1u);
@@ -47,7 +47,7 @@ TEST(PolygonPolygonDistanceTest, Features) {
 }
 
 TEST(PolygonPolygonDistanceTest, Meeting) {
-  const PolygonDistance touching = distance(square, ConvexPolygon::from_vertices({{2, 1}, {3, 0}, {3, 3}}));
+  const PolygonDistance touching = distance(two_square, ConvexPolygon::from_vertices({{2, 1}, {3, 0}, {3, 3}}));
   EXPECT_TRUE(touching.meet());
   EXPECT_FALSE(touching.closest);
   EXPECT_EQ(touching.distance().high, 0);

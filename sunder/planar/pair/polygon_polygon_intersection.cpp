@@ -10,7 +10,7 @@ namespace sunder::planar {
 namespace {
 
 // A piece of edge `edge` of P that is in Q.
-struct Piece {
+struct CutEdge {
   std::uint32_t edge;
   PolygonCut cut;
 };
@@ -25,7 +25,7 @@ class Cutter {
   // Where the interiors meet. Requires three vertices of each at least. No corner is straight: where edges overlap,
   // both polygons are on their left, so that an end of one inside the other is a corner of the common part.
   void overlapping() {
-    std::vector<Piece> pieces;
+    std::vector<CutEdge> pieces;
     for (std::uint32_t i = 0; i < p_.size(); ++i) {
       const PolygonCut cut = cut_of(i);
       if (cut.kind == CutKind::along || cut.kind == CutKind::across) pieces.push_back({i, cut});
@@ -35,7 +35,7 @@ class Cutter {
       return;
     }
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-      const Piece &piece = pieces[k], &next = pieces[k + 1 == pieces.size() ? 0 : k + 1];
+      const CutEdge &piece = pieces[k], &next = pieces[k + 1 == pieces.size() ? 0 : k + 1];
       add(piece, piece.cut.first);
       const CutEnd &leaves = piece.cut.last, &enters = next.cut.first;
       const bool goes_on = leaves.own == OwnEnd::b && enters.own == OwnEnd::a &&  //
@@ -50,10 +50,10 @@ class Cutter {
   // piece. Requires that all common points are on the boundary of P.
   void thin() {
     if (p_.size() == 1) return add_vertex_of_p(0);
-    Piece point{};
+    CutEdge point{};
     bool has_point = false;
     for (std::uint32_t i = 0; i < (p_.size() == 2 ? 1 : p_.size()); ++i) {
-      const Piece piece{i, cut_of(i)};
+      const CutEdge piece{i, cut_of(i)};
       if (piece.cut.kind == CutKind::along || piece.cut.kind == CutKind::across) {
         add(piece, piece.cut.first);
         add(piece, piece.cut.last);
@@ -95,7 +95,7 @@ class Cutter {
   void add_vertex_of_p(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_a, p_.number(position(p_, k)), 0); }
   void add_vertex_of_q(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_b, 0, q_.number(position(q_, k))); }
 
-  void add(const Piece& piece, const CutEnd& end) {
+  void add(const CutEdge& piece, const CutEnd& end) {
     if (end.own == OwnEnd::a) return add_vertex_of_p(piece.edge);
     if (end.own == OwnEnd::b) return add_vertex_of_p(piece.edge + 1);
     if (end.place == Place::vertex) return add_vertex_of_q(end.feature);

@@ -37,7 +37,7 @@ struct At {
   Fraction x, y;
   friend bool operator==(const At&, const At&) = default;
 };
-int turn(const At& a, const At& b, const At& c) {
+int orientation(const At& a, const At& b, const At& c) {
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();
 }
 
@@ -57,7 +57,7 @@ std::vector<At> clipped(const std::vector<At>& p, const At& a, const At& b) {
   std::vector<At> out;
   for (std::size_t k = 0; k < p.size(); ++k) {
     const At &q = p[k], &r = p[(k + 1) % p.size()];
-    const int of_q = turn(a, b, q), of_r = turn(a, b, r);
+    const int of_q = orientation(a, b, q), of_r = orientation(a, b, r);
     if (of_q >= 0) out.push_back(q);
     if (of_q * of_r >= 0) continue;
     const Fraction t = ((b.x - a.x) * (q.y - a.y) - (b.y - a.y) * (q.x - a.x)) /
@@ -74,14 +74,15 @@ std::vector<At> corners_of(std::vector<At> p) {
   while (p.size() > 1 && p.front() == p.back()) p.pop_back();
   if (p.empty()) return p;
   std::rotate(p.begin(), std::min_element(p.begin(), p.end(), less), p.end());
-  if (std::all_of(p.begin(), p.end(),
-                  [&](const At& q) { return turn(p[0], *std::max_element(p.begin(), p.end(), less), q) == 0; })) {
+  if (std::all_of(p.begin(), p.end(), [&](const At& q) {
+        return orientation(p[0], *std::max_element(p.begin(), p.end(), less), q) == 0;
+      })) {
     const At last = *std::max_element(p.begin(), p.end(), less);
     return last == p[0] ? std::vector<At>{p[0]} : std::vector<At>{p[0], last};
   }
   std::vector<At> out;
   for (std::size_t k = 0; k < p.size(); ++k) {
-    if (turn(p[(k + p.size() - 1) % p.size()], p[k], p[(k + 1) % p.size()]) != 0) out.push_back(p[k]);
+    if (orientation(p[(k + p.size() - 1) % p.size()], p[k], p[(k + 1) % p.size()]) != 0) out.push_back(p[k]);
   }
   return out;
 }

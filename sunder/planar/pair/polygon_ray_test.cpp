@@ -9,7 +9,7 @@
 namespace sunder::planar {
 namespace {
 
-PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Ray& ray, bool with_scan = true) {
+PolygonCut cut_by_ray(const ConvexPolygon& polygon, const Pose& pose, const Ray& ray, bool with_scan = true) {
   const PolygonCut found = polygon_ray(polygon, pose, ray);
   // Both rays of a line together, and the segment within, meet what the line meets.
   const PolygonCut line = polygon_line(polygon, pose, Line::through(ray.a, ray.b)),
@@ -27,7 +27,7 @@ PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Ray& ray, b
 
 TEST(PolygonRayTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-  const auto cut = [&](const Point2& a, const Point2& b) { return ask(square, Pose(), Ray::from(a, b)); };
+  const auto cut = [&](const Point2& a, const Point2& b) { return cut_by_ray(square, Pose(), Ray::from(a, b)); };
   PolygonCut c = cut({1, 1}, {2, 1});
   EXPECT_EQ(c.kind, CutKind::across);
   EXPECT_EQ(c.first, (CutEnd{Place::inside, 0, OwnEnd::a}));
@@ -53,7 +53,7 @@ TEST(PolygonRayTest, AgreesWithScanOnNastyCases) {
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const auto [a, b] = nasty_points(c, random);
-    counts.add(c, ask(c.polygon, c.pose, Ray::from(a, b)));
+    counts.add(c, cut_by_ray(c.polygon, c.pose, Ray::from(a, b)));
     if (HasFailure()) FAIL() << "instance " << i;
   }
   counts.expect_all(count, true);
@@ -73,7 +73,7 @@ TEST(PolygonRayTest, LargePolygonsAndComplexity) {
       };
       const Point2 a = near(), b = near();
       if (a == b) continue;
-      const PolygonCut c = ask(p, Pose(), Ray::from(a, b), i < (n < 3000 ? 40 : n < 300000 ? 3 : 0));
+      const PolygonCut c = cut_by_ray(p, Pose(), Ray::from(a, b), i < (n < 3000 ? 40 : n < 300000 ? 3 : 0));
       worst = std::max(worst, static_cast<double>(c.cost.probes));
     }
     EXPECT_LE(worst, 3.0 * e + 5) << n;

@@ -9,7 +9,7 @@
 namespace sunder::planar {
 namespace {
 
-PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Segment& s, bool with_scan = true) {
+PolygonCut cut_by_segment(const ConvexPolygon& polygon, const Pose& pose, const Segment& s, bool with_scan = true) {
   const PolygonCut found = polygon_segment(polygon, pose, s);
   const std::array<Point2, 2> ends{s.a, s.b};
   EXPECT_EQ(found.meet(), intersect(polygon, pose, ConvexPolygon::hull_of(ends), Pose()).meet());
@@ -30,7 +30,7 @@ PolygonCut ask(const ConvexPolygon& polygon, const Pose& pose, const Segment& s,
 
 TEST(PolygonSegmentTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
-  const auto cut = [&](const Point2& a, const Point2& b) { return ask(square, Pose(), {a, b}); };
+  const auto cut = [&](const Point2& a, const Point2& b) { return cut_by_segment(square, Pose(), {a, b}); };
   PolygonCut c = cut({-1, 1}, {9, 1});
   EXPECT_EQ(c.kind, CutKind::across);
   EXPECT_EQ(c.first, (CutEnd{Place::edge, 3}));
@@ -67,17 +67,17 @@ TEST(PolygonSegmentTest, ByHand) {
 
 TEST(PolygonSegmentTest, OfSegmentsAndPoints) {
   const ConvexPolygon segment = ConvexPolygon::from_vertices({{0, 0}, {4, 2}});
-  PolygonCut c = ask(segment, Pose(), {{2, 1}, {8, 4}});
+  PolygonCut c = cut_by_segment(segment, Pose(), {{2, 1}, {8, 4}});
   EXPECT_EQ(c.kind, CutKind::along);
   EXPECT_EQ(c.first, (CutEnd{Place::edge, 0, OwnEnd::a}));
-  c = ask(segment, Pose(), {{2, 1}, {2, 4}});
+  c = cut_by_segment(segment, Pose(), {{2, 1}, {2, 4}});
   EXPECT_EQ(c.kind, CutKind::point);
   EXPECT_EQ(c.first, (CutEnd{Place::edge, 0, OwnEnd::a}));
-  EXPECT_EQ(ask(segment, Pose(), {{2, 2}, {2, 4}}).kind, CutKind::nothing);
-  EXPECT_EQ(ask(segment, Pose(), {{6, 3}, {8, 4}}).kind, CutKind::nothing);
+  EXPECT_EQ(cut_by_segment(segment, Pose(), {{2, 2}, {2, 4}}).kind, CutKind::nothing);
+  EXPECT_EQ(cut_by_segment(segment, Pose(), {{6, 3}, {8, 4}}).kind, CutKind::nothing);
   const ConvexPolygon point = ConvexPolygon::from_vertices({{1, 1}});
-  EXPECT_EQ(ask(point, Pose(), {{0, 0}, {1, 1}}).first, (CutEnd{Place::vertex, 0, OwnEnd::b}));
-  EXPECT_EQ(ask(point, Pose(), {{0, 0}, {0.5, 0.5}}).kind, CutKind::nothing);
+  EXPECT_EQ(cut_by_segment(point, Pose(), {{0, 0}, {1, 1}}).first, (CutEnd{Place::vertex, 0, OwnEnd::b}));
+  EXPECT_EQ(cut_by_segment(point, Pose(), {{0, 0}, {0.5, 0.5}}).kind, CutKind::nothing);
 }
 
 TEST(PolygonSegmentTest, AgreesWithScanOnNastyCases) {
@@ -88,7 +88,7 @@ TEST(PolygonSegmentTest, AgreesWithScanOnNastyCases) {
   for (int i = 0; i < count; ++i) {
     const NastyCase c = nasty_case(random);
     const Point2 a = nasty_point(c, random), b = nasty_point(c, random);
-    counts.add(c, ask(c.polygon, c.pose, {a, b}));
+    counts.add(c, cut_by_segment(c.polygon, c.pose, {a, b}));
     short_ones += a == b ? 1 : 0;
     if (HasFailure()) FAIL() << "instance " << i;
   }
@@ -101,7 +101,7 @@ TEST(PolygonSegmentTest, AgreesWithScanOnWildNumbers) {
   CutCounts counts;
   for (int i = 0; i < tests::scaled_count(4000, 1000); ++i) {
     const NastyCase c = wild_case(random);
-    counts.add(c, ask(c.polygon, c.pose, {wild_point(c, random), wild_point(c, random)}));
+    counts.add(c, cut_by_segment(c.polygon, c.pose, {wild_point(c, random), wild_point(c, random)}));
     if (HasFailure()) FAIL() << "instance " << i;
   }
   for (const int k : counts.kinds) EXPECT_GT(k, 10);
@@ -121,7 +121,7 @@ TEST(PolygonSegmentTest, LargePolygonsAndComplexity) {
           const double stretch = random.below(3) == 0 ? 1 : 1 + random.uniform(-1, 1) * random.log_uniform(1e-17, 1);
           return Point2{v.x * stretch, v.y * stretch};
         };
-        const PolygonCut c = ask(p, Pose(), {near(), near()}, i < (n < 3000 ? 10 : n < 300000 ? 2 : 0));
+        const PolygonCut c = cut_by_segment(p, Pose(), {near(), near()}, i < (n < 3000 ? 10 : n < 300000 ? 2 : 0));
         worst = std::max(worst, static_cast<double>(c.cost.probes));
       }
     }

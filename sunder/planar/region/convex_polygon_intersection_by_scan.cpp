@@ -8,9 +8,9 @@ namespace sunder::planar {
 
 namespace {
 
-class Scan {
+class PolygonScan {
  public:
-  explicit Scan(std::span<const ConvexPolygon> polygons) : polygons_(polygons) {}
+  explicit PolygonScan(std::span<const ConvexPolygon> polygons) : polygons_(polygons) {}
 
   PolygonsPart run() {
     find_points();
@@ -163,7 +163,7 @@ class Scan {
 
 PolygonsPart convex_polygon_intersection_by_scan(std::span<const ConvexPolygon> polygons) {
   if (polygons.empty()) return {};
-  return Scan(polygons).run();
+  return PolygonScan(polygons).run();
 }
 
 }  // namespace sunder::planar

@@ -14,7 +14,7 @@ namespace {
 
 using tests::regular_polygon, tests::shuffle;
 
-using Kind = PolygonsPartKind;
+using PartKind = PolygonsPartKind;
 using Polygons = std::vector<ConvexPolygon>;
 using Points = std::vector<Point2>;
 
@@ -36,17 +36,17 @@ PolygonsPart common_part(const Polygons& set) {
     const PolygonsPart other = method(set);
     EXPECT_EQ(other.kind, front.kind);
     EXPECT_EQ(rounded(set, other), rounded(set, front));
-    EXPECT_EQ(other.kind == Kind::empty, is_contradiction(set, other.supports()));
+    EXPECT_EQ(other.kind == PartKind::empty, is_contradiction(set, other.supports()));
   }
   return front;
 }
 Points points(const Polygons& set) { return rounded(set, common_part(set)); }
-Kind kind(const Polygons& set) { return common_part(set).kind; }
+PartKind kind(const Polygons& set) { return common_part(set).kind; }
 
 TEST(ConvexPolygonsTest, FewPolygons) {
   const ConvexPolygon square = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}}),
                       diamond = polygon({{-1, 2}, {2, -1}, {5, 2}, {2, 5}});
-  EXPECT_EQ(kind({}), Kind::plane);
+  EXPECT_EQ(kind({}), PartKind::plane);
   EXPECT_EQ(points({square}), (Points{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   EXPECT_EQ(points({square, square}), (Points{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   EXPECT_EQ(points({square, diamond}), (Points{{0, 1}, {1, 0}, {3, 0}, {4, 1}, {4, 3}, {3, 4}, {1, 4}, {0, 3}}));
@@ -55,8 +55,8 @@ TEST(ConvexPolygonsTest, FewPolygons) {
   EXPECT_EQ(points({square, polygon({{1, 4}, {3, 4}, {2, 6}})}), (Points{{1, 4}, {3, 4}}));
   EXPECT_EQ(points({square, polygon({{2, 4}, {3, 6}, {1, 6}})}), (Points{{2, 4}}));
   EXPECT_EQ(points({square, polygon({{1, -2}, {3, -2}, {2, 0}})}), (Points{{2, 0}}));
-  EXPECT_EQ(kind({square, polygon({{5, 1}, {6, 0}, {6, 3}})}), Kind::empty);
-  EXPECT_EQ(kind({square, polygon({{1, 5}, {3, 5}, {2, 6}})}), Kind::empty);
+  EXPECT_EQ(kind({square, polygon({{5, 1}, {6, 0}, {6, 3}})}), PartKind::empty);
+  EXPECT_EQ(kind({square, polygon({{1, 5}, {3, 5}, {2, 6}})}), PartKind::empty);
   EXPECT_EQ(points({polygon({{0, 0}, {3, 0}, {0, 3}}), polygon({{1, 1}, {3, 3}, {1, 3}})}),
             (Points{{1, 1}, {1.5, 1.5}, {1, 2}}));
 }
@@ -78,9 +78,9 @@ TEST(ConvexPolygonsTest, PointsAndSegments) {
   const ConvexPolygon square = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   EXPECT_EQ(points({square, polygon({{1, 2}})}), (Points{{1, 2}}));
   EXPECT_EQ(points({square, polygon({{4, 4}})}), (Points{{4, 4}}));
-  EXPECT_EQ(kind({square, polygon({{5, 2}})}), Kind::empty);
-  EXPECT_EQ(kind({square, polygon({{2, 5}})}), Kind::empty);
-  EXPECT_EQ(kind({polygon({{2, 1}}), polygon({{2, 2}})}), Kind::empty);
+  EXPECT_EQ(kind({square, polygon({{5, 2}})}), PartKind::empty);
+  EXPECT_EQ(kind({square, polygon({{2, 5}})}), PartKind::empty);
+  EXPECT_EQ(kind({polygon({{2, 1}}), polygon({{2, 2}})}), PartKind::empty);
   EXPECT_EQ(points({polygon({{2, 1}}), polygon({{2, 1}}), square}), (Points{{2, 1}}));
   EXPECT_EQ(points({square, polygon({{-1, 1}, {6, 1}})}), (Points{{0, 1}, {4, 1}}));
   EXPECT_EQ(points({square, polygon({{2, -1}, {2, 9}})}), (Points{{2, 0}, {2, 4}}));
@@ -88,10 +88,10 @@ TEST(ConvexPolygonsTest, PointsAndSegments) {
   EXPECT_EQ(points({polygon({{0, 0}, {2, 2}}), polygon({{2, 2}, {5, 5}})}), (Points{{2, 2}}));
   EXPECT_EQ(points({polygon({{0, 0}, {2, 2}}), polygon({{0, 2}, {2, 0}})}), (Points{{1, 1}}));
   EXPECT_EQ(points({polygon({{0, 0}, {0, 2}}), polygon({{0, 1}, {0, 4}})}), (Points{{0, 1}, {0, 2}}));
-  EXPECT_EQ(kind({polygon({{0, 0}, {0, 2}}), polygon({{0, 3}, {0, 4}})}), Kind::empty);
-  EXPECT_EQ(kind({polygon({{0, 0}, {1, 1}}), polygon({{2, 2}, {5, 5}})}), Kind::empty);
-  EXPECT_EQ(kind({polygon({{0, 0}, {4, 4}}), polygon({{1, 0}, {4, 3}})}), Kind::empty);  // parallel
-  EXPECT_EQ(kind({polygon({{0, 0}, {0, 9}}), polygon({{-1, 1}, {1, 3}}), polygon({{-1, 3}, {1, 2}})}), Kind::empty);
+  EXPECT_EQ(kind({polygon({{0, 0}, {0, 2}}), polygon({{0, 3}, {0, 4}})}), PartKind::empty);
+  EXPECT_EQ(kind({polygon({{0, 0}, {1, 1}}), polygon({{2, 2}, {5, 5}})}), PartKind::empty);
+  EXPECT_EQ(kind({polygon({{0, 0}, {4, 4}}), polygon({{1, 0}, {4, 3}})}), PartKind::empty);  // parallel
+  EXPECT_EQ(kind({polygon({{0, 0}, {0, 9}}), polygon({{-1, 1}, {1, 3}}), polygon({{-1, 3}, {1, 2}})}), PartKind::empty);
   const double largest = 1.7976931348623157e308;
   EXPECT_EQ(points({polygon({{largest, 0}, {largest, 2}}), polygon({{0, 1}, {largest, 1}})}), (Points{{largest, 1}}));
 }
@@ -104,16 +104,16 @@ TEST(ConvexPolygonsTest, LastBit) {
                       polygon({{-4 * scale, 4 * scale}, {-4 * scale, -4 * scale}, {4 * scale, -4 * scale}}),  // y <= -x
                       polygon({{-4 * scale, y}, {4 * scale, y}, {0, 4 * scale}})};
     };
-    EXPECT_EQ(kind(set(0)), Kind::point);
-    EXPECT_EQ(kind(set(5e-324)), Kind::empty);
-    EXPECT_EQ(kind(set(-5e-324)), Kind::polygon);
+    EXPECT_EQ(kind(set(0)), PartKind::point);
+    EXPECT_EQ(kind(set(5e-324)), PartKind::empty);
+    EXPECT_EQ(kind(set(-5e-324)), PartKind::polygon);
   }
 }
 
 TEST(ConvexPolygonsTest, UntrueContradictionsAreRefused) {
   const Polygons set{polygon({{0, 0}, {2, 0}, {1, 1}}), polygon({{0, 2}, {2, 1}, {1, 2}})};
   const PolygonsPart part = common_part(set);
-  ASSERT_EQ(part.kind, Kind::empty);
+  ASSERT_EQ(part.kind, PartKind::empty);
   ASSERT_TRUE(is_contradiction(set, part.supports()));
   const auto is_refused = [&](const auto& change) {
     PolygonsPart other = part;
@@ -135,7 +135,7 @@ TEST(ConvexPolygonsTest, ContradictionsAreMinimal) {
   const Polygons above{polygon({{1, 0}, {2, 0}, {4, 1}, {2, 1}}), polygon({{0, 3}, {2, 3}, {3, 4}})};
   EXPECT_EQ(common_part(above).contradiction_size, 2u);
   const Polygons below{polygon({{1, 0}, {2, -1}, {4, -1}, {2, 0}}), polygon({{0, -3}, {3, -4}, {2, -3}})};
-  EXPECT_EQ(common_part(below).kind, Kind::empty);
+  EXPECT_EQ(common_part(below).kind, PartKind::empty);
 }
 
 // Wedges end where another polygon does, on a slanted edge: wherever in the order that one comes.
@@ -212,7 +212,7 @@ TEST(ConvexPolygonsTest, ProbesGrowAsTheTheoremSays) {
     const double edges = k * n, bound = edges * (1.2 * std::log2(n) + 4);
     const PolygonsPart few_left = convex_polygon_intersection_by_division(few),
                        all_left = convex_polygon_intersection_by_division(all);
-    EXPECT_EQ(few_left.kind, Kind::polygon);
+    EXPECT_EQ(few_left.kind, PartKind::polygon);
     EXPECT_LT(few_left.corners.size(), 60u);
     EXPECT_EQ(all_left.corners.size(), k * n);
     EXPECT_LE(static_cast<double>(few_left.cost.probes), bound) << n;
@@ -228,9 +228,9 @@ TEST(ConvexPolygonsTest, ProbesGrowAsTheTheoremSays) {
     EXPECT_LE(static_cast<double>(of_edges.cost.probes), edges * (1.2 * std::log2(edges) + 4)) << n;
     for (const auto method : {convex_polygon_intersection_by_division, convex_polygon_intersection_by_batches}) {
       const PolygonsPart part = method(none);
-      EXPECT_EQ(part.kind == Kind::empty, part.corners.empty());
+      EXPECT_EQ(part.kind == PartKind::empty, part.corners.empty());
       if (n < 1000) continue;
-      EXPECT_EQ(part.kind, Kind::empty);
+      EXPECT_EQ(part.kind, PartKind::empty);
       EXPECT_TRUE(is_contradiction(none, part.supports()));
     }
   }

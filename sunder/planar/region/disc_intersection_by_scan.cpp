@@ -15,9 +15,9 @@ namespace sunder::planar {
 
 namespace {
 
-class Scan {
+class DiscScan {
  public:
-  explicit Scan(const Discs& circles) : circles_(circles) {}
+  explicit DiscScan(const Discs& circles) : circles_(circles) {}
 
   DiscIntersection run() {
     if (circles_.size() == 0) return out_;
@@ -209,6 +209,6 @@ class Scan {
 
 }  // namespace
 
-DiscIntersection disc_intersection_by_scan(const Discs& circles) { return Scan(circles).run(); }
+DiscIntersection disc_intersection_by_scan(const Discs& circles) { return DiscScan(circles).run(); }
 
 }  // namespace sunder::planar

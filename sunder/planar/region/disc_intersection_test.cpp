@@ -15,10 +15,10 @@
 namespace sunder::planar {
 namespace {
 
-using Kind = DiscIntersectionKind;
+using IntersectionKind = DiscIntersectionKind;
 using Arcs = std::vector<std::uint32_t>;
 
-DiscIntersection common_part(const std::vector<Disc>& given) {
+DiscIntersection common_part_of_discs(const std::vector<Disc>& given) {
   const Discs circles(given);
   const DiscIntersection front = disc_intersection(circles);
   for (const auto method : {disc_intersection_by_division, disc_intersection_by_batches, disc_intersection_by_scan}) {
@@ -29,32 +29,32 @@ DiscIntersection common_part(const std::vector<Disc>& given) {
   return front;
 }
 Arcs arcs(const std::vector<Disc>& given) {
-  const DiscIntersection part = common_part(given);
-  EXPECT_EQ(part.kind, Kind::region);
+  const DiscIntersection part = common_part_of_discs(given);
+  EXPECT_EQ(part.kind, IntersectionKind::region);
   return part.arcs;
 }
-Kind kind(const std::vector<Disc>& given) { return common_part(given).kind; }
+IntersectionKind kind_of_discs(const std::vector<Disc>& given) { return common_part_of_discs(given).kind; }
 
 TEST(DiscsTest, FewDiscs) {
-  EXPECT_EQ(kind({}), Kind::plane);
-  EXPECT_EQ(kind({{{1, 2}, 0}}), Kind::point);
+  EXPECT_EQ(kind_of_discs({}), IntersectionKind::plane);
+  EXPECT_EQ(kind_of_discs({{{1, 2}, 0}}), IntersectionKind::point);
   EXPECT_EQ(arcs({{{1, 2}, 3}}), (Arcs{0}));
   EXPECT_EQ(arcs({{{0, 0}, 5}, {{6, 0}, 5}}), (Arcs{0, 1}));
   EXPECT_EQ(arcs({{{0, 0}, 9}, {{1, 0}, 2}, {{0, 0}, 7}}), (Arcs{1}));
   EXPECT_EQ(arcs({{{0, 0}, 9}, {{1, 0}, 8}}), (Arcs{1}));               // touches from inside
   EXPECT_EQ(arcs({{{0, 0}, 2}, {{0, 0}, 1}, {{0, 0}, 1}}), (Arcs{1}));  // equal: the lowest
-  EXPECT_EQ(kind({{{0, 0}, 1}, {{3, 0}, 2}}), Kind::point);
-  EXPECT_EQ(kind({{{0, 0}, 1}, {{3, 0}, 1.5}}), Kind::empty);
-  EXPECT_EQ(kind({{{0, 0}, 5}, {{3, 4}, 0}}), Kind::point);  // a point on a circle
-  EXPECT_EQ(kind({{{3, 4}, 0}, {{3, 4}, 0}, {{0, 0}, 5}}), Kind::point);
-  EXPECT_EQ(kind({{{0, 0}, std::nextafter(5, 0)}, {{3, 4}, 0}}), Kind::empty);
+  EXPECT_EQ(kind_of_discs({{{0, 0}, 1}, {{3, 0}, 2}}), IntersectionKind::point);
+  EXPECT_EQ(kind_of_discs({{{0, 0}, 1}, {{3, 0}, 1.5}}), IntersectionKind::empty);
+  EXPECT_EQ(kind_of_discs({{{0, 0}, 5}, {{3, 4}, 0}}), IntersectionKind::point);  // a point on a circle
+  EXPECT_EQ(kind_of_discs({{{3, 4}, 0}, {{3, 4}, 0}, {{0, 0}, 5}}), IntersectionKind::point);
+  EXPECT_EQ(kind_of_discs({{{0, 0}, std::nextafter(5, 0)}, {{3, 4}, 0}}), IntersectionKind::empty);
 }
 
 // A small disc cut on both sides comes twice; corners go round.
 TEST(DiscsTest, OneDiscTwice) {
   const std::vector<Disc> given{{{0, 0}, 5}, {{-3, 0}, 5}, {{3, 0}, 5}, {{0, 0}, 3.5}};
   const Discs circles(given);
-  const DiscIntersection part = common_part(given);
+  const DiscIntersection part = common_part_of_discs(given);
   EXPECT_EQ(part.arcs, (Arcs{1, 3, 2, 3}));
   const Point2 first = nearest(corner(circles, part, 0)), second = nearest(corner(circles, part, 1)),
                third = nearest(corner(circles, part, 2)), last = nearest(corner(circles, part, 3));
@@ -70,8 +70,9 @@ TEST(DiscsTest, ThroughOnePoint) {
   // All through (0, 0); seen from there the centres are up.
   EXPECT_EQ(arcs({{{3, 4}, 5}, {{-3, 4}, 5}, {{0, 5}, 5}}), (Arcs{0, 1}));
   EXPECT_EQ(arcs({{{3, 4}, 5}, {{-3, 4}, 5}, {{0, 1}, 1}}), (Arcs{0, 1, 2}));
-  EXPECT_EQ(kind({{{4, 3}, 5}, {{-4, 3}, 5}, {{0, -5}, 5}}), Kind::point);
-  EXPECT_EQ(kind({{{4, 3}, 5}, {{-4, 3}, 5}, {{0, -5}, 5}, {{3, 4}, 5}, {{12, -5}, 13}}), Kind::point);
+  EXPECT_EQ(kind_of_discs({{{4, 3}, 5}, {{-4, 3}, 5}, {{0, -5}, 5}}), IntersectionKind::point);
+  EXPECT_EQ(kind_of_discs({{{4, 3}, 5}, {{-4, 3}, 5}, {{0, -5}, 5}, {{3, 4}, 5}, {{12, -5}, 13}}),
+            IntersectionKind::point);
 }
 
 // Barely empty, a point, barely not: three discs about a common point, one of them a unit in the last place smaller or
@@ -82,8 +83,8 @@ TEST(DiscsTest, LastBit) {
       return std::vector<Disc>{
           {{4 * scale, 3 * scale}, 5 * scale}, {{-4 * scale, 3 * scale}, 5 * scale}, {{0, -5 * scale}, r}};
     };
-    EXPECT_EQ(kind(set(5 * scale)), Kind::point);
-    EXPECT_EQ(kind(set(std::nextafter(5 * scale, 0))), Kind::empty);
+    EXPECT_EQ(kind_of_discs(set(5 * scale)), IntersectionKind::point);
+    EXPECT_EQ(kind_of_discs(set(std::nextafter(5 * scale, 0))), IntersectionKind::empty);
     EXPECT_EQ(arcs(set(std::nextafter(5 * scale, HUGE_VAL))), (Arcs{0, 1, 2}));
   }
 }
@@ -100,8 +101,8 @@ TEST(DiscsTest, NarrowerThanDoubles) {
   std::vector<Disc> more = lens;
   more.push_back({{x, 2 * part}, 3 * part});
   more.push_back({{x + part, -part}, 2 * part});
-  EXPECT_EQ(common_part(more).kind, Kind::region);
-  EXPECT_GT(common_part(more).arcs.size(), 2u);
+  EXPECT_EQ(common_part_of_discs(more).kind, IntersectionKind::region);
+  EXPECT_GT(common_part_of_discs(more).arcs.size(), 2u);
 }
 
 TEST(DiscsTest, Symmetries) {
@@ -113,7 +114,7 @@ TEST(DiscsTest, Symmetries) {
       given.push_back({{random.uniform(-1, 1), random.uniform(-1, 1)}, random.uniform(0.8, 2)});
     }
     const DiscIntersection part = disc_intersection(Discs(given));
-    regions += part.kind == Kind::region;
+    regions += part.kind == IntersectionKind::region;
     const auto changed = [&](const auto& change) {
       std::vector<Disc> other = given;
       for (Disc& c : other) c = change(c);
@@ -157,7 +158,7 @@ TEST(DiscsTest, ProbesGrowAsTheTheoremSays) {
     const DiscIntersection few_left = disc_intersection_by_division(Discs(few)),
                            all_left = disc_intersection_by_division(Discs(all)),
                            sizes = disc_intersection_by_division(Discs(many_sizes));
-    EXPECT_EQ(few_left.kind, Kind::region);
+    EXPECT_EQ(few_left.kind, IntersectionKind::region);
     EXPECT_EQ(all_left.arcs.size(), n);
     EXPECT_LT(few_left.arcs.size(), n / 2 + 1);
     for (const DiscIntersection& part : {few_left, all_left, sizes}) {

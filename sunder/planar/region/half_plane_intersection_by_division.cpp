@@ -7,7 +7,7 @@ namespace sunder::planar {
 
 namespace {
 
-constexpr std::size_t few = 8;
+constexpr std::size_t few_sides = 8;
 
 template <class Given>
 class Division {
@@ -18,7 +18,7 @@ class Division {
   Chains chains(std::uint32_t first, std::uint32_t last) {
     std::vector<std::uint32_t> sorted;
     const auto is_before = [&](std::uint32_t i, std::uint32_t j) { return signs_.is_before(i, j); };
-    if (last - first <= few) {
+    if (last - first <= few_sides) {
       for (std::uint32_t i = first; i < last; ++i) sorted.push_back(i);
       std::sort(sorted.begin(), sorted.end(), is_before);
     } else {

@@ -18,9 +18,9 @@ struct Left {
 };
 
 template <class Given>
-class Scan {
+class HalfPlaneScan {
  public:
-  explicit Scan(const Given& given) : given_(given) {}
+  explicit HalfPlaneScan(const Given& given) : given_(given) {}
 
   Region region() {
     Region region;
@@ -206,7 +206,7 @@ class Scan {
 
 template <class Given>
 Region half_plane_intersection_by_scan(const Given& given, const RegionOptions& options) {
-  Region region = Scan(given).region();
+  Region region = HalfPlaneScan(given).region();
   if (!options.evidence) region.cones.clear();
   return region;
 }

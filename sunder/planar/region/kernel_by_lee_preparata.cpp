@@ -24,9 +24,9 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-class Search {
+class KernelSearch {
  public:
-  explicit Search(Signs<PolygonSides>& signs)
+  explicit KernelSearch(Signs<PolygonSides>& signs)
       : signs_(signs),
         sides_(signs.given()),
         size_(sides_.size()),
@@ -298,7 +298,7 @@ bool accept(Signs<PolygonSides>& signs, Region& region) {
 
 Region kernel_by_lee_preparata(const PolygonSides& sides, const RegionOptions& options) {
   Signs<PolygonSides> signs(sides);
-  std::optional<Region> region = Search(signs).region();
+  std::optional<Region> region = KernelSearch(signs).region();
   const bool accepted = region && (region->empty() || accept(signs, *region));
   Region answer = accepted ? std::move(*region) : half_plane_intersection(sides, options);
   if (!options.evidence) answer.cones.clear();

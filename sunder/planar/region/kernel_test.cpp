@@ -18,18 +18,18 @@ namespace {
 
 using tests::SimplePolygons;
 
-constexpr RegionOptions with_evidence{true};
+constexpr RegionOptions with_cones{true};
 
 Polygon polygon_of(const std::vector<Point2>& ring) { return Polygon(std::vector<std::vector<Point2>>{ring}); }
 
 // K1, K2.
-Region by_all(const Polygon& polygon) {
+Region kernel_by_all(const Polygon& polygon) {
   const PolygonSides sides(polygon);
-  const Region scan = kernel_by_scan(sides, with_evidence);
+  const Region scan = kernel_by_scan(sides, with_cones);
   EXPECT_TRUE(check(sides, scan));
   for (const auto method :
        {kernel, kernel_by_half_plane_intersection, kernel_by_lee_preparata, half_plane_intersection<PolygonSides>}) {
-    const Region region = method(sides, with_evidence);
+    const Region region = method(sides, with_cones);
     EXPECT_EQ(name_of(region.kind), name_of(scan.kind));
     if (!scan.empty()) {
       EXPECT_EQ(region.sides, scan.sides) << name_of(scan.kind);
@@ -40,25 +40,25 @@ Region by_all(const Polygon& polygon) {
   return scan;
 }
 
-void expect(const std::vector<Point2>& ring, RegionKind kind, const std::vector<std::uint32_t>& sides) {
-  const Region region = by_all(polygon_of(ring));
+void expect_kernel(const std::vector<Point2>& ring, RegionKind kind, const std::vector<std::uint32_t>& sides) {
+  const Region region = kernel_by_all(polygon_of(ring));
   EXPECT_EQ(name_of(region.kind), name_of(kind));
   EXPECT_EQ(region.sides, sides);
 }
 
 TEST(KernelTest, Examples) {
-  expect({{0, 0}, {1, 0}, {0, 1}}, RegionKind::bounded, {1, 2, 0});
-  expect({{0, 0}, {0, 1}, {1, 0}}, RegionKind::bounded, {1, 0, 2});
-  expect({{0, 0}, {1, 0}, {2, 0}, {0, 1}}, RegionKind::bounded, {2, 3, 0});
+  expect_kernel({{0, 0}, {1, 0}, {0, 1}}, RegionKind::bounded, {1, 2, 0});
+  expect_kernel({{0, 0}, {0, 1}, {1, 0}}, RegionKind::bounded, {1, 0, 2});
+  expect_kernel({{0, 0}, {1, 0}, {2, 0}, {0, 1}}, RegionKind::bounded, {2, 3, 0});
   // An L: the square at its bend.
-  expect({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, RegionKind::bounded, {3, 2, 5, 0});
+  expect_kernel({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, RegionKind::bounded, {3, 2, 5, 0});
   // A battlement: nothing sees into both of its outer parts.
-  const Region u = by_all(polygon_of({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
+  const Region u = kernel_by_all(polygon_of({{0, 0}, {3, 0}, {3, 2}, {2, 2}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}));
   EXPECT_TRUE(u.empty());
   EXPECT_EQ(u.sides.size(), 2u);
   // A pinwheel whose blades have an edge each on one of the axes: its kernel is the origin.
   const Region point =
-      by_all(polygon_of({{0, 0.5}, {-2, 1}, {-0.5, 0}, {-1, -2}, {0, -0.5}, {2, -1}, {0.5, 0}, {1, 2}}));
+      kernel_by_all(polygon_of({{0, 0.5}, {-2, 1}, {-0.5, 0}, {-1, -2}, {0, -0.5}, {2, -1}, {0.5, 0}, {1, 2}}));
   EXPECT_EQ(point.kind, RegionKind::bounded);
 }
 
@@ -86,7 +86,7 @@ TEST(KernelTest, MethodsAgreeWithTheScan) {
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     const Polygon polygon = polygons.next();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(polygons.family())));
-    const Region region = by_all(polygon);
+    const Region region = kernel_by_all(polygon);
     ++kinds[region.kind];
     const bool is_flat = region.kind == RegionKind::point || region.kind == RegionKind::segment;
     if (region.empty()) continue;  // it may be flat in between
@@ -112,7 +112,7 @@ TEST(KernelTest, WhatIsNotSimpleDoesNoHarm) {
       continue;
     }
     ++tried;
-    static_cast<void>(by_all(polygon));
+    static_cast<void>(kernel_by_all(polygon));
   }
   if (count >= 3000) {
     EXPECT_GT(tried, count / 4);
@@ -149,7 +149,7 @@ TEST(KernelTest, SignsGrowAsN) {
       Random random(20261211);
       const Polygon polygon = large(family, 1u << power, random);
       const PolygonSides sides(polygon);
-      const Region lee = kernel_by_lee_preparata(sides, with_evidence), front = kernel(sides, with_evidence);
+      const Region lee = kernel_by_lee_preparata(sides, with_cones), front = kernel(sides, with_cones);
       EXPECT_EQ(name_of(lee.kind), name_of(front.kind)) << family << " " << power;
       if (!front.empty()) {
         EXPECT_EQ(lee.sides, front.sides) << family << " " << power;

@@ -32,10 +32,10 @@ ExactPoint2 point_of(const Given& given, const LinearProgramAnswer& answer) {
 namespace {
 
 template <class Given>
-class Checker {
+class OptimumChecker {
  public:
   using Half = typename Given::Half;
-  Checker(const Given& given, const Objective& objective, const LinearProgramAnswer& answer)
+  OptimumChecker(const Given& given, const Objective& objective, const LinearProgramAnswer& answer)
       : given_(given), objective_(objective), answer_(answer), no_objective_(objective.p == 0 && objective.q == 0) {
     if (!no_objective_) up_ = through_origin<Half>(objective.p, objective.q);
   }
@@ -149,7 +149,7 @@ class Checker {
 
 template <class Given>
 bool check(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
-  return Checker(given, objective, answer).holds();
+  return OptimumChecker(given, objective, answer).holds();
 }
 
 template LinearProgramAnswer linear_program(const Constraints&, const Objective&);

@@ -6,10 +6,10 @@ namespace sunder::planar {
 namespace {
 
 template <class Given>
-class Scan {
+class ProgramScan {
  public:
   using Half = typename Given::Half;
-  Scan(const Given& given, const Objective& objective)
+  ProgramScan(const Given& given, const Objective& objective)
       : given_(given), size_(given.size()), is_zero_(objective.p == 0 && objective.q == 0) {
     if (!is_zero_) up_ = through_origin<Half>(objective.p, objective.q);
   }
@@ -146,7 +146,7 @@ class Scan {
 
 template <class Given>
 LinearProgramAnswer linear_program_by_scan(const Given& given, const Objective& objective) {
-  return Scan(given, objective).answer();
+  return ProgramScan(given, objective).answer();
 }
 
 template LinearProgramAnswer linear_program_by_scan(const Constraints&, const Objective&);

@@ -53,7 +53,7 @@ void expect_same(const Given& given, const LinearProgramAnswer& answer, const Li
 
 // L1, L2: all methods, which must agree.
 template <class Given>
-LinearProgramAnswer by_all(const Given& given, const Objective& objective) {
+LinearProgramAnswer optimum_by_all(const Given& given, const Objective& objective) {
   const LinearProgramAnswer scan = linear_program_by_scan(given, objective);
   EXPECT_TRUE(check(given, objective, scan)) << name_of(scan.outcome);
   const Region region = half_plane_intersection(given);
@@ -69,7 +69,7 @@ LinearProgramAnswer by_all(const Given& given, const Objective& objective) {
 }
 
 LinearProgramAnswer of(const std::vector<Constraint>& given, const Objective& objective) {
-  return by_all(Constraints(given), objective);
+  return optimum_by_all(Constraints(given), objective);
 }
 
 TEST(LinearProgramTest, EachOutcome) {
@@ -116,13 +116,13 @@ TEST(LinearProgramTest, MethodsAgreeWithTheScan) {
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     const std::vector<Constraint> given = sets.constraints();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(sets.family())));
-    ++outcomes[by_all(Constraints(given), objective_for(given, sets.random(), i)).outcome];
+    ++outcomes[optimum_by_all(Constraints(given), objective_for(given, sets.random(), i)).outcome];
     const std::vector<HalfPlane> arrows = sets.arrows();
     std::vector<Constraint> differences;
     for (const HalfPlane& h : arrows) differences.push_back({h.b.y - h.a.y, h.a.x - h.b.x, 0});
     const Objective objective = objective_for(differences, sets.random(), i);
     if (!std::isfinite(objective.p) || !std::isfinite(objective.q)) continue;
-    ++outcomes[by_all(HalfPlanes(arrows), objective).outcome];
+    ++outcomes[optimum_by_all(HalfPlanes(arrows), objective).outcome];
   }
   if (count < 2000) return;
   for (const auto& [outcome, times] : outcomes)

@@ -57,9 +57,9 @@ std::vector<Dyadic> multipliers(const Given& given, const Region& region) {
 namespace {
 
 template <class Given>
-class Checker {
+class RegionChecker {
  public:
-  Checker(const Given& given, const Region& region) : given_(given), kind_(region.kind), sides_(region.sides) {}
+  RegionChecker(const Given& given, const Region& region) : given_(given), kind_(region.kind), sides_(region.sides) {}
 
   bool holds(const std::vector<std::uint32_t>& cones) const {
     for (const std::uint32_t side : sides_) {
@@ -175,7 +175,7 @@ class Checker {
 
 template <class Given>
 bool check(const Given& given, const Region& region) {
-  return Checker(given, region).holds(region.cones);
+  return RegionChecker(given, region).holds(region.cones);
 }
 
 template ExactPoint2 point_of(const Constraints&, const Region&);

@@ -24,47 +24,49 @@ ConvexPolygon box(double left, double bottom, double right, double top) {
   return ConvexPolygon::from_vertices(tests::box_ring(left, bottom, right, top));
 }
 
-CheckResult check(const PairCertificate& certificate, const ConvexPolygon& a, const ConvexPolygon& b) {
+CheckResult check_convex_pair(const PairCertificate& certificate, const ConvexPolygon& a, const ConvexPolygon& b) {
   const std::vector<Point3> in_a = tests::in_space(a), in_b = tests::in_space(b);
   const Affine3 in_place;
   return check_absolutely(certificate, {in_a, in_place, false}, {in_b, in_place, false});
 }
 
-using Method = ConvexPolygonsAnswer(std::span<const ConvexPolygon>, const SetOptions&);
-constexpr std::array<Method*, 4> methods{convex_polygons_any_by_scan, convex_polygons_any_by_sweep,
-                                         convex_polygons_any_by_grid, convex_polygons_any};
+using ConvexMethod = ConvexPolygonsAnswer(std::span<const ConvexPolygon>, const SetOptions&);
+constexpr std::array<ConvexMethod*, 4> convex_methods{convex_polygons_any_by_scan, convex_polygons_any_by_sweep,
+                                                      convex_polygons_any_by_grid, convex_polygons_any};
 
-Contact contact_in(const ConvexPolygonsAnswer& answer) { return answer.meet() ? answer.found->kind : Contact::none; }
+Contact convex_contact_in(const ConvexPolygonsAnswer& answer) {
+  return answer.meet() ? answer.found->kind : Contact::none;
+}
 
-Contact contact(const Polygons& polygons, Allowed allowed = Allowed::nothing) {
-  const Contact by_scan = contact_in(convex_polygons_any_by_scan(polygons, {allowed, {}, nullptr}));
-  for (Method* method : methods) {
+Contact convex_contact(const Polygons& polygons, Allowed allowed = Allowed::nothing) {
+  const Contact by_scan = convex_contact_in(convex_polygons_any_by_scan(polygons, {allowed, {}, nullptr}));
+  for (ConvexMethod* method : convex_methods) {
     const ConvexPolygonsAnswer answer = method(polygons, {allowed, {}, nullptr});
     EXPECT_EQ(answer.meet(), by_scan != Contact::none);
     if (polygons.size() == 2) {
-      EXPECT_EQ(contact_in(answer), by_scan);
+      EXPECT_EQ(convex_contact_in(answer), by_scan);
     }
   }
   return by_scan;
 }
 
 TEST(ConvexPolygonsAny, KnownCases) {
-  EXPECT_EQ(contact({}), Contact::none);
-  EXPECT_EQ(contact({box(0, 0, 1, 1)}), Contact::none);
-  EXPECT_EQ(contact({box(0, 0, 1, 1), box(2, 0, 3, 1)}), Contact::none);
-  EXPECT_EQ(contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}), Contact::touching);
-  EXPECT_EQ(contact({box(0, 0, 1, 1), box(1, 1, 3, 3)}), Contact::touching);
-  EXPECT_EQ(contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}, Allowed::touch), Contact::none);
-  EXPECT_EQ(contact({box(0, 0, 4, 4), box(1, 1, 2, 2)}, Allowed::touch), Contact::overlapping);  // inside
-  EXPECT_EQ(contact({box(0, 0, 4, 4), box(0, 0, 4, 4)}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(contact({box(0, 0, 4, 4), hull({{2, 2}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(contact({box(0, 0, 4, 4), hull({{4, 2}})}), Contact::touching);
-  EXPECT_EQ(contact({hull({{1, 1}}), hull({{1, 1}})}, Allowed::touch), Contact::overlapping);  // equal points
-  EXPECT_EQ(contact({hull({{1, 1}}), hull({{0, 0}, {2, 2}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(contact({hull({{2, 2}}), hull({{0, 0}, {2, 2}})}), Contact::touching);
-  EXPECT_EQ(contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 3}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(contact({hull({{0, 0}, {2, 2}}), hull({{2, 2}, {3, 3}})}), Contact::touching);
-  EXPECT_EQ(contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 2}})}), Contact::touching);
+  EXPECT_EQ(convex_contact({}), Contact::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1)}), Contact::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(2, 0, 3, 1)}), Contact::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}), Contact::touching);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 1, 3, 3)}), Contact::touching);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}, Allowed::touch), Contact::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(1, 1, 2, 2)}, Allowed::touch), Contact::overlapping);  // inside
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(0, 0, 4, 4)}, Allowed::touch), Contact::overlapping);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{2, 2}})}, Allowed::touch), Contact::overlapping);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{4, 2}})}), Contact::touching);
+  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{1, 1}})}, Allowed::touch), Contact::overlapping);  // equal points
+  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{0, 0}, {2, 2}})}, Allowed::touch), Contact::overlapping);
+  EXPECT_EQ(convex_contact({hull({{2, 2}}), hull({{0, 0}, {2, 2}})}), Contact::touching);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 3}})}, Allowed::touch), Contact::overlapping);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{2, 2}, {3, 3}})}), Contact::touching);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 2}})}), Contact::touching);
 }
 
 // Where a point is, by orientations against all edges.
@@ -118,7 +120,7 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
       const SetOptions options{allowed, groups, nullptr};
       const bool some = convex_polygons_any_by_scan(polygons, options).meet();
       if (groups.empty()) meet[static_cast<std::size_t>(family)][allowed == Allowed::touch] += some;
-      for (Method* method : {convex_polygons_any_by_sweep, convex_polygons_any_by_grid}) {
+      for (ConvexMethod* method : {convex_polygons_any_by_sweep, convex_polygons_any_by_grid}) {
         const ConvexPolygonsAnswer answer = method(polygons, options);
         ASSERT_EQ(answer.meet(), some) << k << " family " << family << " " << name_of(allowed);
         if (!answer.meet()) continue;
@@ -128,7 +130,7 @@ TEST(ConvexPolygonsAny, MethodsAgreeWithTheScan) {
         ASSERT_FALSE(may_meet(groups, answer.found->i, answer.found->j));
         ASSERT_TRUE(counts(answer.found->kind, allowed));
         if (k % 4 != 0) continue;
-        ASSERT_EQ(check(answer.found->evidence, polygons[answer.found->i], polygons[answer.found->j]),
+        ASSERT_EQ(check_convex_pair(answer.found->evidence, polygons[answer.found->i], polygons[answer.found->j]),
                   CheckResult::accepted);
         const Polygons pair{polygons[answer.found->i], polygons[answer.found->j]};
         ASSERT_EQ(answer.found->kind, convex_polygons_any_by_scan(pair, {allowed, {}, nullptr}).found->kind);

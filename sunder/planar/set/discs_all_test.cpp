@@ -17,18 +17,18 @@ namespace {
 
 using tests::discs_in_square;
 
-constexpr std::array methods{&discs_all_by_scan, &discs_all_by_sweep, &discs_all_by_grid, &discs_visit};
+constexpr std::array disc_methods{&discs_all_by_scan, &discs_all_by_sweep, &discs_all_by_grid, &discs_visit};
 
-using Kinds = std::map<DiscContact, std::size_t>;
+using DiscKinds = std::map<DiscContact, std::size_t>;
 
 // What all methods list, kind by kind.
-Kinds kinds_of(const std::vector<Disc>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
+DiscKinds disc_kinds_of(const std::vector<Disc>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
   const Discs circles(given);
   const SetOptions options{allowed, groups, nullptr};
   std::set<DiscsContact> first;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
+  for (std::size_t m = 0; m < disc_methods.size(); ++m) {
     std::set<DiscsContact> contacts;
-    methods[m](circles, options, [&](const DiscsContact& contact) {
+    disc_methods[m](circles, options, [&](const DiscsContact& contact) {
       EXPECT_LT(contact.i, contact.j);
       EXPECT_TRUE(contacts.insert(contact).second) << m << ": " << contact.i << ", " << contact.j;
       return true;
@@ -38,15 +38,15 @@ Kinds kinds_of(const std::vector<Disc>& given, Allowed allowed = Allowed::nothin
     EXPECT_EQ(discs_all(circles, options).contacts.size(), first.size());
     EXPECT_EQ(discs_count(circles, options).count, first.size());
   }
-  Kinds kinds;
+  DiscKinds kinds;
   for (const DiscsContact& contact : first) ++kinds[contact.kind];
   return kinds;
 }
 
 TEST(DiscsAllTest, NoneAndOne) {
-  EXPECT_EQ(kinds_of({}), Kinds{});
-  EXPECT_EQ(kinds_of({{{0, 0}, 1}}), Kinds{});
-  EXPECT_EQ(kinds_of({{{0, 0}, 1}, {{3, 0}, 1}}), Kinds{});
+  EXPECT_EQ(disc_kinds_of({}), DiscKinds{});
+  EXPECT_EQ(disc_kinds_of({{{0, 0}, 1}}), DiscKinds{});
+  EXPECT_EQ(disc_kinds_of({{{0, 0}, 1}, {{3, 0}, 1}}), DiscKinds{});
 }
 
 TEST(DiscsAllTest, KnownSets) {
@@ -63,32 +63,35 @@ TEST(DiscsAllTest, KnownSets) {
       const double t = 6.28 * static_cast<double>(k) / static_cast<double>(n);
       ring.push_back({{9 * std::cos(t), 9 * std::sin(t)}, 9.5});  // all hold the middle
     }
-    const auto only = [](DiscContact kind, std::size_t count) { return count == 0 ? Kinds{} : Kinds{{kind, count}}; };
-    EXPECT_EQ(kinds_of(touching), only(DiscContact::touching, near));
-    EXPECT_EQ(kinds_of(touching, Allowed::touch), Kinds{});
-    EXPECT_EQ(kinds_of(nested), only(DiscContact::inside, pairs));
-    EXPECT_EQ(kinds_of(nested, Allowed::touch), only(DiscContact::inside, pairs));
-    EXPECT_EQ(kinds_of(same), only(DiscContact::inside, pairs));
-    EXPECT_EQ(kinds_of(points), only(DiscContact::touching, pairs));
-    EXPECT_EQ(kinds_of(ring), only(DiscContact::overlapping, pairs));
+    const auto only = [](DiscContact kind, std::size_t count) {
+      return count == 0 ? DiscKinds{} : DiscKinds{{kind, count}};
+    };
+    EXPECT_EQ(disc_kinds_of(touching), only(DiscContact::touching, near));
+    EXPECT_EQ(disc_kinds_of(touching, Allowed::touch), DiscKinds{});
+    EXPECT_EQ(disc_kinds_of(nested), only(DiscContact::inside, pairs));
+    EXPECT_EQ(disc_kinds_of(nested, Allowed::touch), only(DiscContact::inside, pairs));
+    EXPECT_EQ(disc_kinds_of(same), only(DiscContact::inside, pairs));
+    EXPECT_EQ(disc_kinds_of(points), only(DiscContact::touching, pairs));
+    EXPECT_EQ(disc_kinds_of(ring), only(DiscContact::overlapping, pairs));
   }
 }
 
 // Boxes that reach beyond the doubles, below what ordinates there are, and on both sides.
 TEST(DiscsAllTest, BeyondTheDoubles) {
   constexpr double greatest = 0x1.fffffffffffffp1023;
-  EXPECT_EQ(kinds_of({{{0, -greatest}, greatest}, {{1, 0}, 0}, {{2, greatest}, greatest}, {{greatest, 0}, greatest}}),
-            (Kinds{{DiscContact::overlapping, 2}, {DiscContact::inside, 1}}));
-  EXPECT_EQ(kinds_of({{{0, 5}, 1}, {{0, -greatest}, greatest}, {{9, 9}, 1}, {{0, -greatest}, greatest}}),
-            (Kinds{{DiscContact::inside, 1}}));
+  EXPECT_EQ(
+      disc_kinds_of({{{0, -greatest}, greatest}, {{1, 0}, 0}, {{2, greatest}, greatest}, {{greatest, 0}, greatest}}),
+      (DiscKinds{{DiscContact::overlapping, 2}, {DiscContact::inside, 1}}));
+  EXPECT_EQ(disc_kinds_of({{{0, 5}, 1}, {{0, -greatest}, greatest}, {{9, 9}, 1}, {{0, -greatest}, greatest}}),
+            (DiscKinds{{DiscContact::inside, 1}}));
 }
 
 TEST(DiscsAllTest, Groups) {
   const std::vector<Disc> discs{{{0, 0}, 2}, {{1, 0}, 2}, {{0, 1}, 2}};
   const std::vector<std::uint32_t> all_one{4, 4, 4}, two{0, 9, 0}, own{0, 1, 2};
-  EXPECT_EQ(kinds_of(discs, Allowed::nothing, all_one), Kinds{});
-  EXPECT_EQ(kinds_of(discs, Allowed::nothing, two), (Kinds{{DiscContact::overlapping, 2}}));
-  EXPECT_EQ(kinds_of(discs, Allowed::nothing, own), (Kinds{{DiscContact::overlapping, 3}}));
+  EXPECT_EQ(disc_kinds_of(discs, Allowed::nothing, all_one), DiscKinds{});
+  EXPECT_EQ(disc_kinds_of(discs, Allowed::nothing, two), (DiscKinds{{DiscContact::overlapping, 2}}));
+  EXPECT_EQ(disc_kinds_of(discs, Allowed::nothing, own), (DiscKinds{{DiscContact::overlapping, 3}}));
 }
 
 // Many in one place, which the grid leaves to the sweep, with such as reach out of it, and all too large for a grid.
@@ -97,13 +100,14 @@ TEST(DiscsAllTest, Crowds) {
   std::vector<Disc> discs = discs_in_square(800, {0, 0}, 1, 0.02, random);
   for (const Disc& c : discs_in_square(300, {0.5, 0.5}, 0.01, 0.002, random)) discs.push_back(c);
   for (const Disc& c : discs_in_square(100, {0.47, 0.47}, 0.06, 0.03, random)) discs.push_back(c);
-  const Kinds kinds = kinds_of(discs);
+  const DiscKinds kinds = disc_kinds_of(discs);
   EXPECT_GT(kinds.at(DiscContact::overlapping), 5000u);
   EXPECT_GT(kinds.at(DiscContact::inside), 500u);
   std::vector<std::uint32_t> groups;
   for (std::size_t k = 0; k < discs.size(); ++k) groups.push_back(static_cast<std::uint32_t>(k % 3));
-  EXPECT_LT(kinds_of(discs, Allowed::nothing, groups).at(DiscContact::overlapping), kinds.at(DiscContact::overlapping));
-  EXPECT_GT(kinds_of(discs_in_square(500, {0, 0}, 1, 1, random)).at(DiscContact::overlapping), 10000u);
+  EXPECT_LT(disc_kinds_of(discs, Allowed::nothing, groups).at(DiscContact::overlapping),
+            kinds.at(DiscContact::overlapping));
+  EXPECT_GT(disc_kinds_of(discs_in_square(500, {0, 0}, 1, 1, random)).at(DiscContact::overlapping), 10000u);
 }
 
 // After the visitor says so, it is not called again.
@@ -113,7 +117,7 @@ TEST(DiscsAllTest, Stops) {
   for (const Disc& c : discs_in_square(300, {0.5, 0.5}, 0.01, 0.002, random)) discs.push_back(c);
   const Discs circles(discs);
   const std::uint64_t count = discs_count(circles).count;
-  for (const auto method : methods) {
+  for (const auto method : disc_methods) {
     for (const std::uint64_t most : {std::uint64_t{1}, count / 2, count - 1}) {
       std::uint64_t calls = 0;
       method(circles, {}, [&](const DiscsContact&) { return ++calls < most; });

@@ -11,7 +11,7 @@
 namespace sunder::planar {
 namespace {
 
-bool meet(const std::vector<Disc>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
+bool discs_meet(const std::vector<Disc>& given, Allowed allowed = Allowed::nothing, Groups groups = {}) {
   const Discs circles(given);
   const DiscsAnswer scan = discs_any_by_scan(circles, {allowed, groups});
   for (const auto method : {&discs_any, &discs_any_by_sweep, &discs_any_by_grid}) {
@@ -29,23 +29,23 @@ bool meet(const std::vector<Disc>& given, Allowed allowed = Allowed::nothing, Gr
 TEST(DiscsAnyTest, EachKindUnderEachRule) {
   const Disc c{{0, 0}, 5};
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-    EXPECT_FALSE(meet({c, {{9, 12}, 9}}, allowed));
-    EXPECT_EQ(meet({c, {{9, 12}, 10}}, allowed), allowed == Allowed::nothing);
-    EXPECT_TRUE(meet({c, {{9, 12}, 11}}, allowed));
-    EXPECT_TRUE(meet({c, {{3, 0}, 1}}, allowed));
-    EXPECT_TRUE(meet({c, {{3, 0}, 2}}, allowed));  // touching from inside
-    EXPECT_TRUE(meet({c, c}, allowed));
-    EXPECT_TRUE(meet({c, {{1, 1}, 0}}, allowed));
-    EXPECT_EQ(meet({c, {{3, 4}, 0}}, allowed), allowed == Allowed::nothing);
-    EXPECT_EQ(meet({{{1, 1}, 0}, {{1, 1}, 0}}, allowed), allowed == Allowed::nothing);
+    EXPECT_FALSE(discs_meet({c, {{9, 12}, 9}}, allowed));
+    EXPECT_EQ(discs_meet({c, {{9, 12}, 10}}, allowed), allowed == Allowed::nothing);
+    EXPECT_TRUE(discs_meet({c, {{9, 12}, 11}}, allowed));
+    EXPECT_TRUE(discs_meet({c, {{3, 0}, 1}}, allowed));
+    EXPECT_TRUE(discs_meet({c, {{3, 0}, 2}}, allowed));  // touching from inside
+    EXPECT_TRUE(discs_meet({c, c}, allowed));
+    EXPECT_TRUE(discs_meet({c, {{1, 1}, 0}}, allowed));
+    EXPECT_EQ(discs_meet({c, {{3, 4}, 0}}, allowed), allowed == Allowed::nothing);
+    EXPECT_EQ(discs_meet({{{1, 1}, 0}, {{1, 1}, 0}}, allowed), allowed == Allowed::nothing);
   }
 }
 
 TEST(DiscsAnyTest, NoneAndOne) {
-  EXPECT_FALSE(meet({}));
-  EXPECT_FALSE(meet({{{1, 1}, 1}}));
-  EXPECT_FALSE(meet({{{1, 1}, 0}}));
-  EXPECT_FALSE(meet({{{-1e308, 0}, 1e308}}));
+  EXPECT_FALSE(discs_meet({}));
+  EXPECT_FALSE(discs_meet({{{1, 1}, 1}}));
+  EXPECT_FALSE(discs_meet({{{1, 1}, 0}}));
+  EXPECT_FALSE(discs_meet({{{-1e308, 0}, 1e308}}));
 }
 
 // Touching in the sweep's own directions, where one ends and another begins, or has its lowest or highest point.
@@ -53,48 +53,48 @@ TEST(DiscsAnyTest, TouchingAlongTheAxes) {
   for (const Point2 along : {Point2{2, 0}, Point2{0, 2}, Point2{-2, 0}, Point2{0, -2}}) {
     std::vector<Disc> row;
     for (int k = 0; k < 9; ++k) row.push_back({{k * along.x, k * along.y}, 1});
-    EXPECT_TRUE(meet(row));
-    EXPECT_FALSE(meet(row, Allowed::touch));
+    EXPECT_TRUE(discs_meet(row));
+    EXPECT_FALSE(discs_meet(row, Allowed::touch));
     for (int k = 0; k < 9; ++k) row.push_back({{(k + 0.5) * along.x, (k + 0.5) * along.y}, 0});  // points between
-    EXPECT_FALSE(meet(row, Allowed::touch));
+    EXPECT_FALSE(discs_meet(row, Allowed::touch));
     for (int k = 0; k < 9; ++k) row.push_back({{(k + 0.5) * along.x, (k + 0.5) * along.y}, 0});  // twice
-    EXPECT_FALSE(meet(row, Allowed::touch));
+    EXPECT_FALSE(discs_meet(row, Allowed::touch));
     row.push_back({{8.5 * along.x, 8.5 * along.y}, 0x1p-50});
-    EXPECT_TRUE(meet(row, Allowed::touch));
+    EXPECT_TRUE(discs_meet(row, Allowed::touch));
   }
 }
 
 // Neighbours only once what stood between them is over; one below all.
 TEST(DiscsAnyTest, MetWhenAnotherEnds) {
   std::vector<Disc> discs{{{1.25, 0}, 0.75}, {{5, -4}, 4.25}, {{5, 4}, 4}};
-  EXPECT_TRUE(meet(discs));
+  EXPECT_TRUE(discs_meet(discs));
   discs[1].radius = 3.75;
-  EXPECT_FALSE(meet(discs));
+  EXPECT_FALSE(discs_meet(discs));
   discs = {{{0, 0}, 1}, {{4, 3}, 1}, {{8, 6}, 1}, {{4, -200}, 199}};
-  EXPECT_FALSE(meet(discs));
+  EXPECT_FALSE(discs_meet(discs));
   discs[3].radius = 200;
-  EXPECT_TRUE(meet(discs));
+  EXPECT_TRUE(discs_meet(discs));
 }
 
 TEST(DiscsAnyTest, BeyondTheDoubles) {
   constexpr double greatest = 0x1.fffffffffffffp1023;
-  EXPECT_TRUE(meet({{{greatest, 0}, greatest}, {{-greatest, 0}, greatest}}));
-  EXPECT_FALSE(meet({{{greatest, 0}, greatest}, {{-greatest, 0}, greatest}}, Allowed::touch));
-  EXPECT_FALSE(meet({{{greatest, 0}, greatest}, {{-greatest, 0}, 0x1.ffffffffffffep1023}}));
-  EXPECT_FALSE(meet({{{greatest, greatest}, greatest}, {{-greatest, -greatest}, greatest}}));
-  EXPECT_TRUE(meet({{{0, greatest}, greatest}, {{0, 0}, 5e-324}}));
-  EXPECT_FALSE(meet({{{5e-324, 0}, 0}, {{0, 0}, 0}, {{0, 1e-323}, 0}}));
-  EXPECT_TRUE(meet({{{5e-324, 0}, 0}, {{0, 0}, 5e-324}}));
+  EXPECT_TRUE(discs_meet({{{greatest, 0}, greatest}, {{-greatest, 0}, greatest}}));
+  EXPECT_FALSE(discs_meet({{{greatest, 0}, greatest}, {{-greatest, 0}, greatest}}, Allowed::touch));
+  EXPECT_FALSE(discs_meet({{{greatest, 0}, greatest}, {{-greatest, 0}, 0x1.ffffffffffffep1023}}));
+  EXPECT_FALSE(discs_meet({{{greatest, greatest}, greatest}, {{-greatest, -greatest}, greatest}}));
+  EXPECT_TRUE(discs_meet({{{0, greatest}, greatest}, {{0, 0}, 5e-324}}));
+  EXPECT_FALSE(discs_meet({{{5e-324, 0}, 0}, {{0, 0}, 0}, {{0, 1e-323}, 0}}));
+  EXPECT_TRUE(discs_meet({{{5e-324, 0}, 0}, {{0, 0}, 5e-324}}));
 }
 
 // Members of one group meet at will, the others not; neighbours alone would not tell.
 TEST(DiscsAnyTest, Groups) {
   const std::vector<Disc> discs{{{0, 0}, 10}, {{0, 0}, 1}, {{0, 11}, 1.5}};
   const std::vector<std::uint32_t> two{7, 7, 8}, one{3, 3, 3}, own{0, 1, 2};
-  EXPECT_TRUE(meet(discs, Allowed::nothing, two));
-  EXPECT_FALSE(meet(discs, Allowed::nothing, one));
-  EXPECT_TRUE(meet(discs, Allowed::touch, own));
-  EXPECT_FALSE(meet({discs[0], discs[1], {{0, 12}, 1.5}}, Allowed::nothing, two));
+  EXPECT_TRUE(discs_meet(discs, Allowed::nothing, two));
+  EXPECT_FALSE(discs_meet(discs, Allowed::nothing, one));
+  EXPECT_TRUE(discs_meet(discs, Allowed::touch, own));
+  EXPECT_FALSE(discs_meet({discs[0], discs[1], {{0, 12}, 1.5}}, Allowed::nothing, two));
 }
 
 // Discs that do not meet: a jittered lattice, spread over the square [0, 1), of any sizes up to what its cells allow.
@@ -116,20 +116,20 @@ TEST(DiscsAnyTest, Crowds) {
   for (const Disc& c : crowd) {
     discs.push_back({{(10.4 + 0.1 * c.center.x) / 40, (1.4 + 0.1 * c.center.y) / 40}, c.radius / 400});
   }
-  EXPECT_FALSE(meet(discs));
+  EXPECT_FALSE(discs_meet(discs));
   const Disc last = discs.back();
   for (const double move : {0.0, 0.3, -0.3}) {
     discs.push_back({{last.center.x + move * last.radius, last.center.y}, last.radius / 9});
-    EXPECT_TRUE(meet(discs));
+    EXPECT_TRUE(discs_meet(discs));
     std::vector<std::uint32_t> groups(discs.size());  // each for itself, but for the two
     std::iota(groups.begin(), groups.end(), 0u);
-    EXPECT_TRUE(meet(discs, Allowed::nothing, groups));
+    EXPECT_TRUE(discs_meet(discs, Allowed::nothing, groups));
     groups.back() = groups[groups.size() - 2];
-    EXPECT_FALSE(meet(discs, Allowed::nothing, groups));
+    EXPECT_FALSE(discs_meet(discs, Allowed::nothing, groups));
     discs.pop_back();
   }
   discs.push_back({discs[0].center, 0});
-  EXPECT_TRUE(meet(discs));
+  EXPECT_TRUE(discs_meet(discs));
 }
 
 TEST(DiscsAnyTest, ProgressIsCalled) {

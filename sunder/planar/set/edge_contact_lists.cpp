@@ -10,7 +10,7 @@ namespace sunder::planar {
 
 namespace {
 
-constexpr std::size_t few = 24;  // of so many, all pairs are tested faster than a grid is made
+constexpr std::size_t few_edges = 24;  // of so many, all pairs are tested faster than a grid is made
 
 class Taker {
  public:
@@ -67,7 +67,7 @@ std::optional<bool> take_contacts_by_grid(const PolygonEdges& edges, const Wante
 std::optional<bool> take_contacts_of(std::span<const std::uint32_t> some, const PolygonEdges& edges,
                                      const WantedContacts& wanted, PolygonMeetings& meetings) {
   Taker taker(edges, wanted, meetings);
-  if (some.size() <= few) {
+  if (some.size() <= few_edges) {
     for (std::size_t k = 0; k < some.size(); ++k) {
       for (std::size_t l = k + 1; l < some.size(); ++l) {
         if (!taker.of_pair(std::min(some[k], some[l]), std::max(some[k], some[l]))) return false;

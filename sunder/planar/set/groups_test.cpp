@@ -17,9 +17,9 @@
 namespace sunder::planar {
 namespace {
 
-const std::vector<std::uint32_t> groups(3);
-const SetOptions wrong{Allowed::nothing, groups};
-constexpr int count = 40;
+const std::vector<std::uint32_t> three_groups(3);
+const SetOptions wrong{Allowed::nothing, three_groups};
+constexpr int object_count = 40;
 
 template <class Ask>
 void expect_refused(const Ask& ask) {
@@ -30,7 +30,7 @@ Point2 corner(int k) { return {3.0 * k, 0}; }
 
 TEST(Groups, OfSegments) {
   std::vector<Segment> all;
-  for (int k = 0; k < count; ++k) all.push_back({corner(k), {3.0 * k + 1, 1}});
+  for (int k = 0; k < object_count; ++k) all.push_back({corner(k), {3.0 * k + 1, 1}});
   const Segments segments(all);
   for (const auto method : {segments_any, segments_any_by_grid, segments_any_by_sweep, segments_any_by_bentley_ottmann,
                             segments_any_by_scan}) {
@@ -46,7 +46,7 @@ TEST(Groups, OfSegments) {
 
 TEST(Groups, OfDiscs) {
   std::vector<Disc> all;
-  for (int k = 0; k < count; ++k) all.push_back({corner(k), 1});
+  for (int k = 0; k < object_count; ++k) all.push_back({corner(k), 1});
   const Discs discs(all);
   for (const auto method : {discs_any, discs_any_by_grid, discs_any_by_sweep, discs_any_by_scan}) {
     expect_refused([&] { return method(discs, wrong); });
@@ -58,18 +58,18 @@ TEST(Groups, OfDiscs) {
 
 TEST(Groups, OfBoxes) {
   std::vector<Box2> all;
-  for (int k = 0; k < count; ++k) all.push_back({corner(k), {3.0 * k + 1, 1}});
+  for (int k = 0; k < object_count; ++k) all.push_back({corner(k), {3.0 * k + 1, 1}});
   const Boxes boxes(all);
   expect_refused([&] { return contacts_any(boxes, wrong); });
   expect_refused([&] { return contacts_all(boxes, wrong); });
   expect_refused([&] { return contacts_count(boxes, wrong); });
   expect_refused([&] { return contacts_visit_by_scan<Boxes>(boxes, wrong, [](const auto&) { return true; }); });
-  expect_refused([&] { return cover_order(boxes_of(boxes), groups); });
+  expect_refused([&] { return cover_order(boxes_of(boxes), three_groups); });
 }
 
 TEST(Groups, OfConvexPolygons) {
   std::vector<ConvexPolygon> polygons;
-  for (int k = 0; k < count; ++k)
+  for (int k = 0; k < object_count; ++k)
     polygons.push_back(ConvexPolygon::hull_of(std::vector<Point2>{corner(k), {3.0 * k + 1, 0}, {3.0 * k, 1}}));
   for (const auto method :
        {convex_polygons_any, convex_polygons_any_by_grid, convex_polygons_any_by_sweep, convex_polygons_any_by_scan}) {
@@ -79,7 +79,7 @@ TEST(Groups, OfConvexPolygons) {
 
 TEST(Groups, OfPolygons) {
   std::vector<Polygon> polygons;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < object_count; ++k) {
     const std::vector<std::vector<Point2>> rings{{corner(k), {3.0 * k + 1, 0}, {3.0 * k, 1}}};
     polygons.emplace_back(rings);
   }

@@ -10,7 +10,7 @@
 namespace sunder::planar {
 namespace {
 
-Polygon square(double x, double y, double side) {
+Polygon square_at(double x, double y, double side) {
   return Polygon(std::vector<std::vector<Point2>>{{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}});
 }
 
@@ -19,7 +19,7 @@ std::vector<Polygon> some_squares(std::uint32_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Polygon> squares;
   const auto whole = [&](std::uint64_t below) { return static_cast<double>(random.below(below)); };
-  for (std::uint32_t i = 0; i < count; ++i) squares.push_back(square(whole(24), whole(24), 1 + whole(6)));
+  for (std::uint32_t i = 0; i < count; ++i) squares.push_back(square_at(whole(24), whole(24), 1 + whole(6)));
   return squares;
 }
 
@@ -86,7 +86,7 @@ TEST(PolygonContactsInOrder, WhereBoxesGiveUp) {
     set.push_back(Polygon(std::vector<std::vector<Point2>>{{{-s, -s}, {s, -s}, {s, s}, {-s, s}},  //
                                                            {{-t, -t}, {t, -t}, {t, t}, {-t, t}}}));
   }
-  for (int k = 0; k < 60; ++k) set.push_back(square(0, 0, 1 + k % 7));
+  for (int k = 0; k < 60; ++k) set.push_back(square_at(0, 0, 1 + k % 7));
   PolygonContactsInOrder contacts(set, {}, find_contacts_by_boxes, 2 * set.size());
   EXPECT_EQ(contacts.overlapping(), 60u * 59 / 2);
   expect_same(all_of(contacts), polygons_all_by_sweep(set).contacts);

@@ -44,7 +44,7 @@ std::span<const FourBoxes> top_level(const Polygon& polygon) {
   return polygon.edge_boxes().level(polygon.edge_boxes().top());
 }
 
-void prefetch(const void* begin, std::size_t bytes) {
+void prefetch_bytes(const void* begin, std::size_t bytes) {
   constexpr std::size_t line = 64;
   const char* const first = static_cast<const char*>(begin);
   for (std::size_t at = 0; at < bytes; at += line) __builtin_prefetch(first + at);
@@ -52,8 +52,8 @@ void prefetch(const void* begin, std::size_t bytes) {
 
 void prefetch_contents(const Polygon& polygon) {
   const std::span<const FourBoxes> runs = top_level(polygon);
-  prefetch(runs.data(), runs.size_bytes());
-  prefetch(polygon.vertices().data(), polygon.size() * sizeof(Point2));
+  prefetch_bytes(runs.data(), runs.size_bytes());
+  prefetch_bytes(polygon.vertices().data(), polygon.size() * sizeof(Point2));
 }
 
 void prefetch_boxes(const Polygon& polygon) {
@@ -322,8 +322,8 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++pairs.cost.probes;
     if (end != nullptr && i >= *end) return !pairs.gave_up();
-    prefetch(&polygons[i], sizeof(Polygon));
-    prefetch(&polygons[j], sizeof(Polygon));
+    prefetch_bytes(&polygons[i], sizeof(Polygon));
+    prefetch_bytes(&polygons[j], sizeof(Polygon));
     if (known > 0) {
       for (const std::uint32_t polygon : waiting[(known - 1) % most_waiting]) prefetch_boxes(polygons[polygon]);
     }

@@ -36,13 +36,13 @@ ContactKind kind_of(const PolygonSimpleAnswer& answer) {
   return answer.simple() ? ContactKind::none : answer.found->kind;
 }
 
-const Ring square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+const Ring small_square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(PolygonSimpleTest, SimpleOnes) {
-  EXPECT_TRUE(ask({square}).simple());
+  EXPECT_TRUE(ask({small_square}).simple());
   EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {0, 4}}}).simple());
   EXPECT_TRUE(ask({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}).simple());  // a vertex in the middle of a side
-  EXPECT_TRUE(ask({square, {{1, 1}, {2, 1}, {1, 2}}}).simple());
+  EXPECT_TRUE(ask({small_square, {{1, 1}, {2, 1}, {1, 2}}}).simple());
   EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}).simple());  // closed, as in files
 }
 
@@ -55,10 +55,10 @@ TEST(PolygonSimpleTest, OthersAndWhy) {
   EXPECT_EQ(kind({{{0, 0}, {1, 1}, {2, 2}}}), ContactKind::overlap);               // flat
   EXPECT_NE(kind({{{0, 0}, {4, 0}, {4, 0}, {4, 4}}}), ContactKind::none);          // a repeated vertex
   EXPECT_NE(kind({{{1, 1}, {1, 1}, {2, 1}, {1, 2}}}), ContactKind::none);
-  EXPECT_EQ(kind({square, {{4, 2}, {2, 3}, {2, 1}}}), ContactKind::touch);  // a hole at the shore
-  EXPECT_EQ(kind({square, {{4, 4}, {2, 3}, {3, 2}}}), ContactKind::shared_endpoint);
-  EXPECT_EQ(kind({square, {{3, 1}, {5, 2}, {3, 2}}}), ContactKind::crossing);
-  EXPECT_NE(kind({square, square}), ContactKind::none);
+  EXPECT_EQ(kind({small_square, {{4, 2}, {2, 3}, {2, 1}}}), ContactKind::touch);  // a hole at the shore
+  EXPECT_EQ(kind({small_square, {{4, 4}, {2, 3}, {3, 2}}}), ContactKind::shared_endpoint);
+  EXPECT_EQ(kind({small_square, {{3, 1}, {5, 2}, {3, 2}}}), ContactKind::crossing);
+  EXPECT_NE(kind({small_square, small_square}), ContactKind::none);
   // Repeated at the end, where a file closes the ring; and nothing but one point.
   EXPECT_EQ(kind({{{0, 0}, {1, 0}, {0, 1}, {0, 0}}}), ContactKind::none);
   EXPECT_NE(kind({{{0, 0}, {1, 0}, {0, 1}, {0, 0}, {0, 0}}}), ContactKind::none);
@@ -67,7 +67,7 @@ TEST(PolygonSimpleTest, OthersAndWhy) {
 }
 
 TEST(PolygonSimpleTest, RingsAreNumberedThrough) {
-  const Polygon polygon(std::vector<Ring>{square, {{1, 1}, {2, 1}, {1, 2}, {1, 1}}});
+  const Polygon polygon(std::vector<Ring>{small_square, {{1, 1}, {2, 1}, {1, 2}, {1, 1}}});
   EXPECT_EQ(polygon.size(), 7u);
   EXPECT_EQ(polygon.ring_count(), 2u);
   EXPECT_EQ(polygon.ring_begin(1), 4u);
@@ -92,7 +92,7 @@ TEST(PolygonSimpleTest, BadRingsAreRefused) {
   EXPECT_EQ(code({}), ErrorCode::bad_shape);
   EXPECT_EQ(code({{{0, 0}, {1, 1}}}), ErrorCode::bad_shape);
   EXPECT_EQ(code({{{0, 0}, {1, 1}, {0, 0}}}), ErrorCode::bad_shape);
-  EXPECT_EQ(code({square, {{0, 0}, {1, std::numeric_limits<double>::infinity()}, {0, 0}}}), ErrorCode::bad_value);
+  EXPECT_EQ(code({small_square, {{0, 0}, {1, std::numeric_limits<double>::infinity()}, {0, 0}}}), ErrorCode::bad_value);
 }
 
 // Small grids, where every degeneracy is common; and stars, which are simple, with a vertex moved sometimes.
@@ -163,9 +163,9 @@ TEST(PolygonSimpleTest, EveryPairOfTrianglesOnFewPlaces) {
 
 // Where there is no grid, as its range overflows.
 TEST(PolygonSimpleTest, AtTheEndsOfTheRange) {
-  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  for (const double x : {most, least}) {
-    for (const double y : {most, least}) {
+  const double most = std::numeric_limits<double>::max(), little = std::numeric_limits<double>::denorm_min();
+  for (const double x : {most, little}) {
+    for (const double y : {most, little}) {
       EXPECT_TRUE(ask({{{-x, -y}, {x, -y}, {x, y}, {-x, y}}}).simple());
       EXPECT_EQ(ask({{{-x, -y}, {x, y}, {x, -y}, {-x, y}}}).found->kind, ContactKind::crossing);
       EXPECT_EQ(ask({{{-x, -y}, {x, -y}, {x, y}, {0, -y}, {-x, y}}}).found->kind, ContactKind::touch);

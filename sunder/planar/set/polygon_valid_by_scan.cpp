@@ -45,11 +45,11 @@ std::int64_t half(std::int64_t x) { return x / 2; }
 Dyadic half(const Dyadic& x) { return x * Dyadic(0.5); }
 
 template <class Number>
-class Scan {
+class RingScan {
  public:
   using P = Point<Number>;
 
-  Scan(std::span<const PolygonRings> parts, PolygonRule rule) : rule_(rule) {
+  RingScan(std::span<const PolygonRings> parts, PolygonRule rule) : rule_(rule) {
     for (std::uint32_t p = 0; p < parts.size(); ++p) {
       for (std::uint32_t r = 0; r < parts[p].size(); ++r) add_ring(p, r, parts[p][r]);
     }
@@ -416,7 +416,8 @@ bool are_small_and_whole(const PolygonRings& rings) {
 PolygonDefects polygon_defects_by_scan(std::span<const PolygonRings> parts, const ValidOptions& options) {
   const bool small = std::all_of(parts.begin(), parts.end(), are_small_and_whole);
   PolygonDefects answer;
-  answer.defects = small ? Scan<std::int64_t>(parts, options.rule).run() : Scan<Dyadic>(parts, options.rule).run();
+  answer.defects =
+      small ? RingScan<std::int64_t>(parts, options.rule).run() : RingScan<Dyadic>(parts, options.rule).run();
   std::sort(answer.defects.begin(), answer.defects.end(), [](const PolygonDefect& c, const PolygonDefect& d) {
     const auto& [p, q] = c.place;
     const auto& [r, s] = d.place;

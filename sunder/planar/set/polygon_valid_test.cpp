@@ -21,7 +21,7 @@ using Kind = PolygonDefectKind;
 using Ring = std::vector<Point2>;
 using Parts = std::vector<PolygonRings>;
 
-const Ring square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
+const Ring large_square{{0, 0}, {8, 0}, {8, 8}, {0, 8}};
 
 bool are_same(const PolygonDefect& c, const PolygonDefect& d) {
   return c.kind == d.kind && c.a == d.a && c.b == d.b && c.place.a == d.place.a && c.place.b == d.place.b;
@@ -52,54 +52,56 @@ std::vector<Kind> kinds(const Parts& parts, PolygonRule rule = PolygonRule::vali
 std::vector<Kind> kinds(const PolygonRings& rings, PolygonRule rule = PolygonRule::valid) {
   return kinds(Parts{rings}, rule);
 }
-using Kinds = std::vector<Kind>;
+using DefectKinds = std::vector<Kind>;
 
 TEST(PolygonValidTest, ValidOnes) {
-  EXPECT_EQ(kinds({square}), Kinds{});
-  EXPECT_EQ(kinds({square, box_ring(1, 1, 2, 2), box_ring(3, 3, 4, 4)}), Kinds{});
-  EXPECT_EQ(kinds(Parts{}), Kinds{});
-  EXPECT_EQ(kinds(Parts{{}, {square}}), Kinds{});  // an empty part
+  EXPECT_EQ(kinds({large_square}), DefectKinds{});
+  EXPECT_EQ(kinds({large_square, box_ring(1, 1, 2, 2), box_ring(3, 3, 4, 4)}), DefectKinds{});
+  EXPECT_EQ(kinds(Parts{}), DefectKinds{});
+  EXPECT_EQ(kinds(Parts{{}, {large_square}}), DefectKinds{});  // an empty part
   // Vertices that are repeated, also where the ring is closed.
   const PolygonRings repeated{{{0, 0}, {0, 0}, {8, 0}, {8, 8}, {8, 8}, {8, 8}, {0, 0}, {0, 0}}};
-  EXPECT_EQ(kinds(repeated), Kinds{});
-  EXPECT_EQ(kinds(repeated, PolygonRule::simple), Kinds(4, Kind::repeated_vertex));
+  EXPECT_EQ(kinds(repeated), DefectKinds{});
+  EXPECT_EQ(kinds(repeated, PolygonRule::simple), DefectKinds(4, Kind::repeated_vertex));
   // A hole touches its shell, in a vertex and on an edge; another one that hole, in one point each.
-  const PolygonRings touching{square, {{0, 0}, {2, 1}, {1, 2}}, {{8, 4}, {4, 4}, {6, 3}}, {{2, 1}, {3, 1}, {3, 2}}};
-  EXPECT_EQ(kinds(touching), Kinds{});
-  EXPECT_EQ(kinds(touching, PolygonRule::simple), Kinds(3, Kind::rings_touch));
+  const PolygonRings touching{
+      large_square, {{0, 0}, {2, 1}, {1, 2}}, {{8, 4}, {4, 4}, {6, 3}}, {{2, 1}, {3, 1}, {3, 2}}};
+  EXPECT_EQ(kinds(touching), DefectKinds{});
+  EXPECT_EQ(kinds(touching, PolygonRule::simple), DefectKinds(3, Kind::rings_touch));
 }
 
 TEST(PolygonValidTest, RingsByThemselves) {
-  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {1, 1}, {1, 1}, {0, 0}}}), Kinds{Kind::too_few_points});
-  EXPECT_EQ(kinds({square, {}}), Kinds{Kind::too_few_points});
-  EXPECT_EQ(kinds({square, {{1, 1}}}), Kinds{Kind::too_few_points});
-  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 8}, {8, 0}, {0, 8}}}), Kinds{Kind::crossing});
-  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {9, 0}, {8, 0}, {8, 8}}}), (Kinds{Kind::overlap}));  // a spike
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {1, 1}, {1, 1}, {0, 0}}}), DefectKinds{Kind::too_few_points});
+  EXPECT_EQ(kinds({large_square, {}}), DefectKinds{Kind::too_few_points});
+  EXPECT_EQ(kinds({large_square, {{1, 1}}}), DefectKinds{Kind::too_few_points});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 8}, {8, 0}, {0, 8}}}), DefectKinds{Kind::crossing});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {9, 0}, {8, 0}, {8, 8}}}), (DefectKinds{Kind::overlap}));  // a spike
   // Crosses itself in a vertex; only comes back to it; comes to an edge.
-  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 8}, {8, 0}, {4, 4}, {0, 8}}}), Kinds{Kind::crossing});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 8}, {8, 0}, {4, 4}, {0, 8}}}), DefectKinds{Kind::crossing});
   EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {3, 5}, {3, 3}, {0, 4}}}),
-            Kinds{Kind::self_touch});
+            DefectKinds{Kind::self_touch});
   EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 0}, {2, 2}, {6, 2}, {4, 0}, {8, 0}, {8, 8}, {0, 8}}}),
-            Kinds{Kind::self_touch});
+            DefectKinds{Kind::self_touch});
   EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {8, 0}, {8, 8}, {4, 0}, {0, 8}}}),
-            (Kinds{Kind::self_touch, Kind::disconnected}));
+            (DefectKinds{Kind::self_touch, Kind::disconnected}));
 }
 
 TEST(PolygonValidTest, TheShellTouchesItself) {
   const PolygonRule rule = PolygonRule::self_touch;
   const Ring pocket{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {3, 5}, {3, 3}, {0, 4}};
-  EXPECT_EQ(kinds({pocket}, rule), Kinds{});
-  EXPECT_EQ(kinds({pocket, {{1, 4}, {2, 4}, {2, 4.25}}}, rule), Kinds{Kind::hole_outside});
-  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {5, 4}}}, rule), Kinds{});
-  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {3, 5}}}, rule), Kinds{Kind::overlap});
-  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 4}, {3, 5}, {4, 4}}}, rule), Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds({pocket}, rule), DefectKinds{});
+  EXPECT_EQ(kinds({pocket, {{1, 4}, {2, 4}, {2, 4.25}}}, rule), DefectKinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {5, 4}}}, rule), DefectKinds{});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 3}, {3, 5}}}, rule), DefectKinds{Kind::overlap});
+  EXPECT_EQ(kinds({pocket, {{3, 3}, {5, 4}, {3, 5}, {4, 4}}}, rule), DefectKinds{Kind::disconnected});
   // Two triangles that have a corner in common.
-  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}}, rule), Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds(PolygonRings{{{0, 0}, {4, 4}, {8, 0}, {8, 8}, {4, 4}, {0, 8}}}, rule),
+            DefectKinds{Kind::disconnected});
   // A hole of two triangles; a hole with an island that hangs on it.
-  EXPECT_EQ(kinds({square, {{1, 1}, {4, 4}, {7, 7}, {7, 1}, {4, 4}, {1, 7}}}, rule), Kinds{Kind::crossing});
-  EXPECT_EQ(kinds({square, {{1, 1}, {4, 4}, {7, 1}, {7, 7}, {4, 4}, {1, 7}}}, rule), Kinds{});
-  EXPECT_EQ(kinds({square, {{1, 1}, {7, 1}, {7, 7}, {1, 7}, {1, 4}, {3, 5}, {3, 3}, {1, 4}}}, rule),
-            Kinds{Kind::disconnected});
+  EXPECT_EQ(kinds({large_square, {{1, 1}, {4, 4}, {7, 7}, {7, 1}, {4, 4}, {1, 7}}}, rule), DefectKinds{Kind::crossing});
+  EXPECT_EQ(kinds({large_square, {{1, 1}, {4, 4}, {7, 1}, {7, 7}, {4, 4}, {1, 7}}}, rule), DefectKinds{});
+  EXPECT_EQ(kinds({large_square, {{1, 1}, {7, 1}, {7, 7}, {1, 7}, {1, 4}, {3, 5}, {3, 3}, {1, 4}}}, rule),
+            DefectKinds{Kind::disconnected});
 }
 
 // Where a ring is cut depends on the order of its visits.
@@ -109,13 +111,13 @@ TEST(PolygonValidTest, RingsThatTouchThemselvesTwice) {
   EXPECT_EQ(
       kinds(PolygonRings{{{0, 4}, {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 6}, {6, 6}, {8, 4}, {6, 2}, {2, 2}}},
             rule),
-      Kinds{Kind::disconnected});
+      DefectKinds{Kind::disconnected});
   // A pocket, and an island in it that hangs on its shore.
   EXPECT_EQ(kinds(
                 PolygonRings{
                     {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {6, 6}, {6, 4}, {4, 5}, {4, 3}, {6, 4}, {6, 2}, {0, 4}}},
                 rule),
-            Kinds{Kind::disconnected});
+            DefectKinds{Kind::disconnected});
   const Ring pinched{{0, 4}, {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 6}, {6, 6}, {8, 4}, {6, 2}, {4, 0}, {2, 2}};
   EXPECT_EQ(polygon_defects(Parts{{pinched}}, {rule}).defects.size(), 2u);  // and once more
   // Comes twice to one edge, which goes to the left; two pieces of the interior are cut off.
@@ -129,45 +131,46 @@ TEST(PolygonValidTest, RingsThatTouchThemselvesTwice) {
 }
 
 TEST(PolygonValidTest, WhereHolesLie) {
-  EXPECT_EQ(kinds({square, box_ring(9, 0, 10, 1)}), Kinds{Kind::hole_outside});
-  EXPECT_EQ(kinds({square, box_ring(8, 8, 9, 9)}), Kinds{Kind::hole_outside});    // it touches the shell
-  EXPECT_EQ(kinds({square, box_ring(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});  // it holds the shell
+  EXPECT_EQ(kinds({large_square, box_ring(9, 0, 10, 1)}), DefectKinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({large_square, box_ring(8, 8, 9, 9)}), DefectKinds{Kind::hole_outside});    // it touches the shell
+  EXPECT_EQ(kinds({large_square, box_ring(-1, -1, 9, 9)}), DefectKinds{Kind::hole_outside});  // it holds the shell
   // It holds the shell and another hole, which is not nested therefore; that goes from side to side.
-  EXPECT_EQ(kinds({square, box_ring(1, 1, 2, 2), box_ring(-1, -1, 9, 9)}), Kinds{Kind::hole_outside});
-  EXPECT_EQ(kinds({square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}, box_ring(-1, -1, 9, 9)}),
-            (Kinds{Kind::hole_outside, Kind::disconnected}));
-  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(2, 2, 3, 3)}), Kinds{Kind::nested_holes});
-  EXPECT_EQ(kinds({square, box_ring(3, 3, 4, 4), box_ring(2, 2, 5, 5), box_ring(1, 1, 7, 7)}),
-            Kinds(2, Kind::nested_holes));
-  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), Kinds{Kind::nested_holes});
-  EXPECT_EQ(kinds({square, box_ring(1, 1, 7, 7), box_ring(1, 1, 7, 7)}), Kinds(4, Kind::overlap));
-  EXPECT_EQ(kinds({square, box_ring(8, 1, 9, 2)}), Kinds{Kind::overlap});
-  EXPECT_EQ(kinds({square, box_ring(7, 1, 9, 2)}), Kinds(2, Kind::crossing));
+  EXPECT_EQ(kinds({large_square, box_ring(1, 1, 2, 2), box_ring(-1, -1, 9, 9)}), DefectKinds{Kind::hole_outside});
+  EXPECT_EQ(kinds({large_square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}, box_ring(-1, -1, 9, 9)}),
+            (DefectKinds{Kind::hole_outside, Kind::disconnected}));
+  EXPECT_EQ(kinds({large_square, box_ring(1, 1, 7, 7), box_ring(2, 2, 3, 3)}), DefectKinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({large_square, box_ring(3, 3, 4, 4), box_ring(2, 2, 5, 5), box_ring(1, 1, 7, 7)}),
+            DefectKinds(2, Kind::nested_holes));
+  EXPECT_EQ(kinds({large_square, box_ring(1, 1, 7, 7), {{1, 1}, {3, 2}, {2, 3}}}), DefectKinds{Kind::nested_holes});
+  EXPECT_EQ(kinds({large_square, box_ring(1, 1, 7, 7), box_ring(1, 1, 7, 7)}), DefectKinds(4, Kind::overlap));
+  EXPECT_EQ(kinds({large_square, box_ring(8, 1, 9, 2)}), DefectKinds{Kind::overlap});
+  EXPECT_EQ(kinds({large_square, box_ring(7, 1, 9, 2)}), DefectKinds(2, Kind::crossing));
 }
 
 TEST(PolygonValidTest, TheInterior) {
   // A hole from side to side; a ring of three holes that touch; three that meet in one point, which is no cycle.
-  EXPECT_EQ(kinds({square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}}), Kinds{Kind::disconnected});
-  EXPECT_EQ(kinds({square, {{1, 1}, {4, 1}, {4, 2}}, {{4, 2}, {4, 5}, {3, 5}}, {{3, 5}, {1, 1}, {2, 4}}}),
-            Kinds{Kind::disconnected});
-  EXPECT_EQ(kinds({square, {{4, 4}, {2, 4}, {2, 5}}, {{4, 4}, {6, 4}, {6, 5}}, {{4, 4}, {4, 2}, {5, 2}}}), Kinds{});
+  EXPECT_EQ(kinds({large_square, {{0, 4}, {4, 3}, {8, 4}, {4, 5}}}), DefectKinds{Kind::disconnected});
+  EXPECT_EQ(kinds({large_square, {{1, 1}, {4, 1}, {4, 2}}, {{4, 2}, {4, 5}, {3, 5}}, {{3, 5}, {1, 1}, {2, 4}}}),
+            DefectKinds{Kind::disconnected});
+  EXPECT_EQ(kinds({large_square, {{4, 4}, {2, 4}, {2, 5}}, {{4, 4}, {6, 4}, {6, 5}}, {{4, 4}, {4, 2}, {5, 2}}}),
+            DefectKinds{});
 }
 
 TEST(PolygonValidTest, Parts) {
-  EXPECT_EQ(kinds(Parts{{square}, {box_ring(8, 8, 9, 9)}}), Kinds{});
-  EXPECT_EQ(kinds(Parts{{square}, {box_ring(8, 4, 9, 9)}}), Kinds{Kind::overlap});
-  EXPECT_EQ(kinds(Parts{{square}, {box_ring(1, 1, 2, 2)}}), Kinds{Kind::nested_parts});
-  EXPECT_EQ(kinds(Parts{{box_ring(1, 1, 2, 2)}, {square}}), Kinds{Kind::nested_parts});
-  EXPECT_EQ(kinds(Parts{{square, box_ring(1, 1, 5, 5)}, {{{1, 1}, {5, 3}, {3, 5}}}}), Kinds{});
-  EXPECT_EQ(
-      kinds(Parts{
-          {square, box_ring(1, 1, 7, 7)}, {box_ring(2, 2, 6, 6), box_ring(3, 3, 5, 5)}, {box_ring(4, 4, 4.5, 4.5)}}),
-      Kinds{});
-  EXPECT_EQ(kinds(Parts{{square}, {box_ring(4, 4, 9, 9)}}), Kinds(2, Kind::crossing));
+  EXPECT_EQ(kinds(Parts{{large_square}, {box_ring(8, 8, 9, 9)}}), DefectKinds{});
+  EXPECT_EQ(kinds(Parts{{large_square}, {box_ring(8, 4, 9, 9)}}), DefectKinds{Kind::overlap});
+  EXPECT_EQ(kinds(Parts{{large_square}, {box_ring(1, 1, 2, 2)}}), DefectKinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{box_ring(1, 1, 2, 2)}, {large_square}}), DefectKinds{Kind::nested_parts});
+  EXPECT_EQ(kinds(Parts{{large_square, box_ring(1, 1, 5, 5)}, {{{1, 1}, {5, 3}, {3, 5}}}}), DefectKinds{});
+  EXPECT_EQ(kinds(Parts{{large_square, box_ring(1, 1, 7, 7)},
+                        {box_ring(2, 2, 6, 6), box_ring(3, 3, 5, 5)},
+                        {box_ring(4, 4, 4.5, 4.5)}}),
+            DefectKinds{});
+  EXPECT_EQ(kinds(Parts{{large_square}, {box_ring(4, 4, 9, 9)}}), DefectKinds(2, Kind::crossing));
 }
 
 TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
-  const PolygonRings rings{square,                                      // with a spike
+  const PolygonRings rings{large_square,                                // with a spike
                            box_ring(1, 1, 2, 2),                        //
                            {{4, 4}, {6, 6}, {6, 4}, {4, 6}, {4, 4}},    // an hourglass
                            {{9, 1}, {9, 1}, {10, 1}, {10, 2}, {9, 1}},  // outside
@@ -184,13 +187,13 @@ TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
   EXPECT_EQ(answer.defects[2].a, (RingPlace{0, 3, 1}));  // the last of equal vertices
   EXPECT_EQ(polygon_defects(Parts{rings}, {PolygonRule::valid, 2}).defects.size(), 2u);
   // As an object the same.
-  const PolygonRings two{square, box_ring(9, 1, 10, 2)};
+  const PolygonRings two{large_square, box_ring(9, 1, 10, 2)};
   EXPECT_EQ(polygon_defects(Polygon(two)).defects[0].kind, Kind::hole_outside);
 }
 
 TEST(PolygonValidTest, BadCoordinates) {
   try {
-    static_cast<void>(polygon_defects(Parts{{square, {{1, 1}, {2, std::nan("")}, {2, 2}}}}));
+    static_cast<void>(polygon_defects(Parts{{large_square, {{1, 1}, {2, std::nan("")}, {2, 2}}}}));
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_value);
@@ -200,11 +203,11 @@ TEST(PolygonValidTest, BadCoordinates) {
 
 // At the ends of the doubles, where no filter decides.
 TEST(PolygonValidTest, AnyDoubles) {
-  const double most = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
-  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), box_ring(-least, -least, least, least)}), Kinds{});
-  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -least}, {least, 0}, {0, most}}}), Kinds{});
-  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -most}, {least, 0}, {0, most}}}),
-            Kinds{Kind::disconnected});
+  const double most = std::numeric_limits<double>::max(), little = std::numeric_limits<double>::denorm_min();
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), box_ring(-little, -little, little, little)}), DefectKinds{});
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -little}, {little, 0}, {0, most}}}), DefectKinds{});
+  EXPECT_EQ(kinds({box_ring(-most, -most, most, most), {{0, -most}, {little, 0}, {0, most}}}),
+            DefectKinds{Kind::disconnected});
 }
 
 // Many triangles in one point, also many holes on one edge: near-linear work.
@@ -293,7 +296,7 @@ TEST(PolygonValidTest, VisitedOfAllKinds) {
   parts[0].push_back({{60, 0}, {60, 0}, {60, 0}});              // too short
   parts.push_back({{{100, 1}, {103, 0}, {100, -1}, {99, 0}}});  // these two cross in vertices
   parts.push_back({{{100, 1}, {104, 0}, {100, -1}, {98, 0}}});
-  parts.push_back({square, box_ring(20, 20, 21, 21)});  // a hole outside
+  parts.push_back({large_square, box_ring(20, 20, 21, 21)});  // a hole outside
   const std::vector<Kind> all = kinds(parts);
   for (const Kind kind : {Kind::too_few_points, Kind::crossing, Kind::overlap}) {
     EXPECT_NE(std::find(all.begin(), all.end(), kind), all.end()) << name_of(kind);

@@ -3,18 +3,19 @@
 #include <sunder/near/near_pairs.h>
 #include <sunder/planar/set/segment_boxes.h>
 
+#include <tests/support/doubles.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 namespace sunder::planar {
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max(), least = std::numeric_limits<double>::denorm_min();
+using tests::largest, tests::least;
 
 struct Box {
   double left, right, bottom, top;
@@ -30,7 +31,7 @@ using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 // All that the headers say about a grid and its pairs. Returns how many pairs of boxes meet.
 template <std::size_t crowd = crowd_for_any>
-std::size_t check(const Segments& segments, const BoxGrid& grid, double most_covered) {
+std::size_t check_grid(const Segments& segments, const BoxGrid& grid, double most_covered) {
   const std::uint32_t n = segments.size();
   EXPECT_LE(grid.cell_count(), n);
   std::vector<std::vector<std::uint32_t>> cells_of(n);
@@ -132,7 +133,7 @@ TEST(SegmentBoxesTest, OneCellLooksAtEachPair) {
     ++(grid ? grids : none);
     if (!grid) continue;
     cells += grid->cell_count();
-    pairs += check(segments, *grid, most_covered);
+    pairs += check_grid(segments, *grid, most_covered);
     if (HasFailure()) FAIL() << i;
   }
   EXPECT_GT(grids, 250);
@@ -145,7 +146,7 @@ TEST(SegmentBoxesTest, Degenerate) {
   const auto over = [](const std::vector<Segment>& given, double most_covered = 8) {
     const Segments segments(given);
     const auto grid = BoxGrid::over(segments.all(), segments.extents(), 1, most_covered);
-    if (grid) check(segments, *grid, most_covered);
+    if (grid) check_grid(segments, *grid, most_covered);
     return grid.has_value();
   };
   EXPECT_FALSE(over({}));
@@ -208,8 +209,8 @@ TEST(SegmentBoxesTest, Crowds) {
       const Segments segments(all);
       const auto grid = grid_over(segments);
       ASSERT_TRUE(grid);
-      check<crowd_for_any>(segments, *grid, 8);
-      check<crowd_for_all>(segments, *grid, 8);
+      check_grid<crowd_for_any>(segments, *grid, 8);
+      check_grid<crowd_for_all>(segments, *grid, 8);
       EXPECT_EQ(grid->cell(grid->looking_cell(segments[segments.size() - 1].a)).size(), in_corner);
     }
   }

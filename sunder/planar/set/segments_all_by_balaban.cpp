@@ -52,7 +52,7 @@ namespace sunder::planar {
 namespace {
 
 // A strip of so many places is swept from one to the next, without stairs. (By trial; 4 to 16 do nearly as well.)
-constexpr std::uint32_t few = 8;
+constexpr std::uint32_t few_in_strip = 8;
 
 class Balaban {
  public:
@@ -108,7 +108,7 @@ class Balaban {
   // list_: those alive just after `begin` that are in no staircase around, in their order; afterwards, the same just
   // before `end`.
   void in_strip(std::uint32_t begin, std::uint32_t end) {
-    if (end - begin <= few) return sweep(begin, end);
+    if (end - begin <= few_in_strip) return sweep(begin, end);
     split(begin, end);
     const std::uint32_t middle = begin + (end - begin) / 2;
     if (!stopped_) in_strip(begin, middle);

@@ -20,10 +20,10 @@ namespace sunder::planar {
 
 namespace {
 
-constexpr std::uint32_t few = 128;      // of so many, all pairs are tested faster than any order is made
-constexpr std::uint32_t many = 16;      // hits among N pairs by chance: k is about N times half of that
-constexpr std::size_t enough = 128;     // crossings within groups
-constexpr std::uint32_t no_chance = 4;  // so many of these have a point in common, and it is not by chance
+constexpr std::uint32_t few_segments = 128;  // of so many, all pairs are tested faster than any order is made
+constexpr std::uint32_t many = 16;           // hits among N pairs by chance: k is about N times half of that
+constexpr std::size_t enough = 128;          // crossings within groups
+constexpr std::uint32_t no_chance = 4;       // so many of these have a point in common, and it is not by chance
 
 // Of N pairs at most, always the same ones; those that only share an end, or overlap, are no hits: these no sweep
 // passes one by one.
@@ -109,7 +109,7 @@ std::optional<Cost> visit_across_groups(const Segments& segments, const SetOptio
 
 Cost segments_all_by_sweep(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {
   check_groups(options.groups, segments.size());
-  if (segments.size() <= few) return segments_all_by_scan(segments, options, visit);
+  if (segments.size() <= few_segments) return segments_all_by_scan(segments, options, visit);
   if (are_one_group(options.groups)) return Cost{segments.size()};
   const Sample sample(segments, options.groups);
   Cost before{static_cast<std::uint64_t>(sample.pairs)};

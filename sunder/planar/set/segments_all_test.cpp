@@ -18,19 +18,19 @@ namespace {
 
 using tests::on_circle, tests::short_segments;
 
-constexpr std::array methods{&segments_all_by_scan, &segments_all_by_bentley_ottmann, &segments_all_by_grid,
-                             &segments_visit};
+constexpr std::array segment_methods{&segments_all_by_scan, &segments_all_by_bentley_ottmann, &segments_all_by_grid,
+                                     &segments_visit};
 
-using Kinds = std::map<ContactKind, std::size_t>;
+using SegmentKinds = std::map<ContactKind, std::size_t>;
 
 // What all methods list, kind by kind.
-Kinds kinds_of(const std::vector<Segment>& given, const SetOptions& options = {}) {
+SegmentKinds segment_kinds_of(const std::vector<Segment>& given, const SetOptions& options = {}) {
   const Segments segments(given);
-  Kinds first;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    Kinds kinds;
+  SegmentKinds first;
+  for (std::size_t m = 0; m < segment_methods.size(); ++m) {
+    SegmentKinds kinds;
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    methods[m](segments, options, [&](const SegmentsContact& contact) {
+    segment_methods[m](segments, options, [&](const SegmentsContact& contact) {
       EXPECT_LT(contact.i, contact.j);
       EXPECT_LT(contact.j, segments.size());
       EXPECT_TRUE(pairs.insert({contact.i, contact.j}).second) << m << ": " << contact.i << ", " << contact.j;
@@ -46,10 +46,10 @@ Kinds kinds_of(const std::vector<Segment>& given, const SetOptions& options = {}
 }
 
 TEST(SegmentsAllTest, NoneAndOne) {
-  EXPECT_EQ(kinds_of({}), Kinds{});
-  EXPECT_EQ(kinds_of({{{0, 0}, {1, 1}}}), Kinds{});
-  EXPECT_EQ(kinds_of({{{1, 1}, {1, 1}}}), Kinds{});
-  EXPECT_EQ(kinds_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}), Kinds{});
+  EXPECT_EQ(segment_kinds_of({}), SegmentKinds{});
+  EXPECT_EQ(segment_kinds_of({{{0, 0}, {1, 1}}}), SegmentKinds{});
+  EXPECT_EQ(segment_kinds_of({{{1, 1}, {1, 1}}}), SegmentKinds{});
+  EXPECT_EQ(segment_kinds_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}), SegmentKinds{});
 }
 
 // n from one point, whichever way: n (n - 1) / 2 pairs.
@@ -61,21 +61,22 @@ TEST(SegmentsAllTest, Fans) {
       const Point2 tip = on_circle((static_cast<double>(k) + 0.25) / static_cast<double>(n));
       fan.push_back({{0, 0}, tip});
     }
-    EXPECT_EQ(kinds_of(fan), (Kinds{{ContactKind::shared_endpoint, pairs}})) << n;
-    EXPECT_EQ(kinds_of(fan, {Allowed::shared_endpoint}), Kinds{});
+    EXPECT_EQ(segment_kinds_of(fan), (SegmentKinds{{ContactKind::shared_endpoint, pairs}})) << n;
+    EXPECT_EQ(segment_kinds_of(fan, {Allowed::shared_endpoint}), SegmentKinds{});
     fan.push_back({{-2, 0}, {2, 0}});  // through their common end
-    EXPECT_EQ(kinds_of(fan), (Kinds{{ContactKind::shared_endpoint, pairs}, {ContactKind::touch, n}}));
-    EXPECT_EQ(kinds_of(fan, {Allowed::shared_endpoint}), (Kinds{{ContactKind::touch, n}}));
-    EXPECT_EQ(kinds_of(fan, {Allowed::touch}), Kinds{});
+    EXPECT_EQ(segment_kinds_of(fan), (SegmentKinds{{ContactKind::shared_endpoint, pairs}, {ContactKind::touch, n}}));
+    EXPECT_EQ(segment_kinds_of(fan, {Allowed::shared_endpoint}), (SegmentKinds{{ContactKind::touch, n}}));
+    EXPECT_EQ(segment_kinds_of(fan, {Allowed::touch}), SegmentKinds{});
     fan.push_back({{0, 0}, {0, 0}});  // and a point there
-    EXPECT_EQ(kinds_of(fan), (Kinds{{ContactKind::shared_endpoint, pairs + n}, {ContactKind::touch, n + 1}}));
+    EXPECT_EQ(segment_kinds_of(fan),
+              (SegmentKinds{{ContactKind::shared_endpoint, pairs + n}, {ContactKind::touch, n + 1}}));
     // Exactly through one point, which is no end.
     for (std::size_t k = 1; k <= n; ++k) {
       const double x = static_cast<double>(k), y = static_cast<double>(n + 1 - k);
       star.push_back({{0.5 - x, 0.25 - y}, {0.5 + x, 0.25 + y}});
     }
-    EXPECT_EQ(kinds_of(star), (Kinds{{ContactKind::crossing, pairs}})) << n;
-    EXPECT_EQ(kinds_of(star, {Allowed::touch}), (Kinds{{ContactKind::crossing, pairs}})) << n;
+    EXPECT_EQ(segment_kinds_of(star), (SegmentKinds{{ContactKind::crossing, pairs}})) << n;
+    EXPECT_EQ(segment_kinds_of(star, {Allowed::touch}), (SegmentKinds{{ContactKind::crossing, pairs}})) << n;
   }
 }
 
@@ -90,34 +91,34 @@ TEST(SegmentsAllTest, GridsOfLines) {
         lines.push_back({{-out, at}, {last + out, at}});
       }
       for (const Segment& s : lines) tilted.push_back({{s.a.x - s.a.y, s.a.x + s.a.y}, {s.b.x - s.b.y, s.b.x + s.b.y}});
-      const Kinds expected = out > 0  ? Kinds{{ContactKind::crossing, n * n}}
-                             : n == 1 ? Kinds{{ContactKind::shared_endpoint, 1}}
-                             : n == 2 ? Kinds{{ContactKind::shared_endpoint, 4}}
-                                      : Kinds{{ContactKind::shared_endpoint, 4},
-                                              {ContactKind::touch, 4 * (n - 2)},
-                                              {ContactKind::crossing, (n - 2) * (n - 2)}};
-      EXPECT_EQ(kinds_of(lines), expected) << n << " " << out;
-      EXPECT_EQ(kinds_of(tilted), expected) << n << " " << out;
+      const SegmentKinds expected = out > 0  ? SegmentKinds{{ContactKind::crossing, n * n}}
+                                    : n == 1 ? SegmentKinds{{ContactKind::shared_endpoint, 1}}
+                                    : n == 2 ? SegmentKinds{{ContactKind::shared_endpoint, 4}}
+                                             : SegmentKinds{{ContactKind::shared_endpoint, 4},
+                                                            {ContactKind::touch, 4 * (n - 2)},
+                                                            {ContactKind::crossing, (n - 2) * (n - 2)}};
+      EXPECT_EQ(segment_kinds_of(lines), expected) << n << " " << out;
+      EXPECT_EQ(segment_kinds_of(tilted), expected) << n << " " << out;
     }
   }
 }
 
 TEST(SegmentsAllTest, OnOneLineAndRepeated) {
   std::vector<Segment> same(20, Segment{{0, 0}, {3, 1}}), points(20, Segment{{1, 1}, {1, 1}}), chain, nested;
-  EXPECT_EQ(kinds_of(same), (Kinds{{ContactKind::overlap, 190}}));
-  EXPECT_EQ(kinds_of(same, {Allowed::touch}), (Kinds{{ContactKind::overlap, 190}}));
-  EXPECT_EQ(kinds_of(points), (Kinds{{ContactKind::shared_endpoint, 190}}));
+  EXPECT_EQ(segment_kinds_of(same), (SegmentKinds{{ContactKind::overlap, 190}}));
+  EXPECT_EQ(segment_kinds_of(same, {Allowed::touch}), (SegmentKinds{{ContactKind::overlap, 190}}));
+  EXPECT_EQ(segment_kinds_of(points), (SegmentKinds{{ContactKind::shared_endpoint, 190}}));
   for (int k = 0; k < 20; ++k) {
     chain.push_back({{3.0 * k, 1.0 * k}, {3.0 * k + 3, 1.0 * k + 1}});
     nested.push_back({{-3.0 * k - 1.5, -1.0 * k - 0.5}, {3.0 * k + 4.5, 1.0 * k + 1.5}});
   }
-  EXPECT_EQ(kinds_of(chain), (Kinds{{ContactKind::shared_endpoint, 19}}));
-  EXPECT_EQ(kinds_of(nested), (Kinds{{ContactKind::overlap, 190}}));
+  EXPECT_EQ(segment_kinds_of(chain), (SegmentKinds{{ContactKind::shared_endpoint, 19}}));
+  EXPECT_EQ(segment_kinds_of(nested), (SegmentKinds{{ContactKind::overlap, 190}}));
   nested.push_back({{1.5, -9}, {1.5, 9}});  // across all
-  EXPECT_EQ(kinds_of(nested), (Kinds{{ContactKind::overlap, 190}, {ContactKind::crossing, 20}}));
+  EXPECT_EQ(segment_kinds_of(nested), (SegmentKinds{{ContactKind::overlap, 190}, {ContactKind::crossing, 20}}));
   nested.push_back({{1.5, 0.5}, {1.5, 0.5}});  // a point on all
-  EXPECT_EQ(kinds_of(nested),
-            (Kinds{{ContactKind::overlap, 190}, {ContactKind::crossing, 20}, {ContactKind::touch, 21}}));
+  EXPECT_EQ(segment_kinds_of(nested),
+            (SegmentKinds{{ContactKind::overlap, 190}, {ContactKind::crossing, 20}, {ContactKind::touch, 21}}));
 }
 
 TEST(SegmentsAllTest, Groups) {
@@ -125,11 +126,11 @@ TEST(SegmentsAllTest, Groups) {
   const std::vector<std::uint32_t> all_one{4, 4, 4}, two{0, 9, 0}, own{0, 1, 2};
   SetOptions options;
   options.groups = all_one;
-  EXPECT_EQ(kinds_of(plus, options), Kinds{});
+  EXPECT_EQ(segment_kinds_of(plus, options), SegmentKinds{});
   options.groups = two;
-  EXPECT_EQ(kinds_of(plus, options), (Kinds{{ContactKind::crossing, 2}}));
+  EXPECT_EQ(segment_kinds_of(plus, options), (SegmentKinds{{ContactKind::crossing, 2}}));
   options.groups = own;
-  EXPECT_EQ(kinds_of(plus, options), (Kinds{{ContactKind::crossing, 3}}));
+  EXPECT_EQ(segment_kinds_of(plus, options), (SegmentKinds{{ContactKind::crossing, 3}}));
 }
 
 // Some hundred edges of a mesh, or many in one place, or across each other: enough for each way of going on.
@@ -155,7 +156,7 @@ TEST(SegmentsAllTest, StopsWhenTold) {
     const Segments segments(given);
     const std::size_t all = segments_count(segments).count;
     ASSERT_GT(all, 100u);
-    for (const auto& method : methods) {
+    for (const auto& method : segment_methods) {
       for (const std::size_t most : {std::size_t{1}, std::size_t{2}, all / 3, all - 1}) {
         std::size_t called = 0;
         method(segments, {}, [&](const SegmentsContact&) { return ++called < most; });
@@ -178,10 +179,10 @@ TEST(SegmentsAllTest, Crowds) {
     for (std::size_t k = 0; k < given.size(); ++k) groups.push_back(static_cast<std::uint32_t>(random.below(3)));
     for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
       SetOptions options{allowed};
-      const std::size_t all = kinds_of(given, options)[ContactKind::crossing];
+      const std::size_t all = segment_kinds_of(given, options)[ContactKind::crossing];
       EXPECT_GT(all, 2000u);
       options.groups = groups;
-      EXPECT_LT(kinds_of(given, options)[ContactKind::crossing], all);
+      EXPECT_LT(segment_kinds_of(given, options)[ContactKind::crossing], all);
     }
   }
   // Two bundles whose members cross, all of one group but for one pair in either of them, or elsewhere.

@@ -13,7 +13,7 @@
 namespace sunder::planar {
 namespace {
 
-bool meet(const std::vector<Segment>& given, Allowed allowed) {
+bool segments_meet(const std::vector<Segment>& given, Allowed allowed) {
   const Segments segments(given);
   const SegmentsAnswer sweep = segments_any_by_sweep(segments, {allowed, {}, nullptr, true});
   EXPECT_EQ(sweep.meet(), segments_any_by_scan(segments, {allowed}).meet());
@@ -26,18 +26,18 @@ TEST(SegmentsAnyTest, EachKindUnderEachRule) {
   const std::vector<Segment> apart{s, {{0, 1}, {4, 1}}}, shared{s, {{4, 0}, {5, 3}}}, touching{s, {{2, 0}, {2, 3}}},
       crossing{s, {{2, -1}, {3, 1}}}, overlapping{s, {{3, 0}, {6, 0}}};
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
-    EXPECT_FALSE(meet(apart, allowed));
-    EXPECT_EQ(meet(shared, allowed), allowed == Allowed::nothing);
-    EXPECT_EQ(meet(touching, allowed), allowed != Allowed::touch);
-    EXPECT_TRUE(meet(crossing, allowed));
-    EXPECT_TRUE(meet(overlapping, allowed));
+    EXPECT_FALSE(segments_meet(apart, allowed));
+    EXPECT_EQ(segments_meet(shared, allowed), allowed == Allowed::nothing);
+    EXPECT_EQ(segments_meet(touching, allowed), allowed != Allowed::touch);
+    EXPECT_TRUE(segments_meet(crossing, allowed));
+    EXPECT_TRUE(segments_meet(overlapping, allowed));
   }
 }
 
 TEST(SegmentsAnyTest, NoneAndOne) {
-  EXPECT_FALSE(meet({}, Allowed::nothing));
-  EXPECT_FALSE(meet({{{0, 0}, {1, 1}}}, Allowed::nothing));
-  EXPECT_FALSE(meet({{{1, 1}, {1, 1}}}, Allowed::nothing));
+  EXPECT_FALSE(segments_meet({}, Allowed::nothing));
+  EXPECT_FALSE(segments_meet({{{0, 0}, {1, 1}}}, Allowed::nothing));
+  EXPECT_FALSE(segments_meet({{{1, 1}, {1, 1}}}, Allowed::nothing));
 }
 
 // What the paper leaves out: many through one point, verticals in a row, points on everything.
@@ -48,32 +48,32 @@ TEST(SegmentsAnyTest, ManyAtOnePoint) {
     fan.push_back({{0, 0}, {std::cos(t), std::sin(t)}});
     through.push_back({{-std::cos(t / 2), -std::sin(t / 2)}, {std::cos(t / 2), std::sin(t / 2)}});
   }
-  EXPECT_TRUE(meet(fan, Allowed::nothing));
-  EXPECT_FALSE(meet(fan, Allowed::shared_endpoint));
-  EXPECT_TRUE(meet(through, Allowed::touch));
+  EXPECT_TRUE(segments_meet(fan, Allowed::nothing));
+  EXPECT_FALSE(segments_meet(fan, Allowed::shared_endpoint));
+  EXPECT_TRUE(segments_meet(through, Allowed::touch));
   fan.push_back({{0, 0}, {0, 0}});
-  EXPECT_FALSE(meet(fan, Allowed::shared_endpoint));
+  EXPECT_FALSE(segments_meet(fan, Allowed::shared_endpoint));
   fan.push_back({{-1e-9, 1e-12}, {0, 0}});
-  EXPECT_FALSE(meet(fan, Allowed::shared_endpoint));
+  EXPECT_FALSE(segments_meet(fan, Allowed::shared_endpoint));
   fan.push_back({{-1e-9, -1e-12}, {1e-9, 1e-12}});  // passes through
-  EXPECT_TRUE(meet(fan, Allowed::shared_endpoint));
-  EXPECT_FALSE(meet(fan, Allowed::touch));
+  EXPECT_TRUE(segments_meet(fan, Allowed::shared_endpoint));
+  EXPECT_FALSE(segments_meet(fan, Allowed::touch));
   fan.push_back({{-1e-9, -2e-12}, {1e-9, 2e-12}});  // a second one does
-  EXPECT_TRUE(meet(fan, Allowed::touch));
+  EXPECT_TRUE(segments_meet(fan, Allowed::touch));
 }
 
 TEST(SegmentsAnyTest, VerticalsAbove) {
   std::vector<Segment> tower;
   for (int k = 0; k < 8; ++k) tower.push_back({{1, 2.0 * k}, {1, 2.0 * k + 1}});
-  EXPECT_FALSE(meet(tower, Allowed::nothing));
+  EXPECT_FALSE(segments_meet(tower, Allowed::nothing));
   tower.push_back({{1, 1}, {1, 2}});
-  EXPECT_TRUE(meet(tower, Allowed::nothing));
-  EXPECT_FALSE(meet(tower, Allowed::shared_endpoint));
+  EXPECT_TRUE(segments_meet(tower, Allowed::nothing));
+  EXPECT_FALSE(segments_meet(tower, Allowed::shared_endpoint));
   tower.push_back({{0, 5.5}, {1, 5.5}});
-  EXPECT_FALSE(meet(tower, Allowed::shared_endpoint));
+  EXPECT_FALSE(segments_meet(tower, Allowed::shared_endpoint));
   tower.push_back({{0, 4.5}, {1, 4.5}});
-  EXPECT_TRUE(meet(tower, Allowed::shared_endpoint));
-  EXPECT_FALSE(meet(tower, Allowed::touch));
+  EXPECT_TRUE(segments_meet(tower, Allowed::shared_endpoint));
+  EXPECT_FALSE(segments_meet(tower, Allowed::touch));
 }
 
 TEST(SegmentsAnyTest, BadNumbersAreRefused) {

@@ -40,21 +40,21 @@ class Less {
   std::span<const Segment> segments_;
 };
 
-constexpr std::size_t digits = 3;
-constexpr std::array<int, digits + 1> digit_begins{32, 43, 54, 64};
+constexpr std::size_t key_digits = 3;
+constexpr std::array<int, key_digits + 1> digit_begins{32, 43, 54, 64};
 constexpr std::size_t worth_a_radix_sort = 2000;
 
 void sort_by_digits(std::vector<Entry>& entries) {
   std::vector<Entry> other(entries.size());
-  std::array<std::array<std::uint32_t, 1 << 11>, digits> place{};
+  std::array<std::array<std::uint32_t, 1 << 11>, key_digits> place{};
   const auto digit = [](Entry e, std::size_t d) {
     const int bits = digit_begins[d + 1] - digit_begins[d];
     return std::size_t{e >> digit_begins[d]} & ((std::size_t{1} << bits) - 1);
   };
   for (const Entry e : entries) {
-    for (std::size_t d = 0; d < digits; ++d) ++place[d][digit(e, d)];
+    for (std::size_t d = 0; d < key_digits; ++d) ++place[d][digit(e, d)];
   }
-  for (std::size_t d = 0; d < digits; ++d) {
+  for (std::size_t d = 0; d < key_digits; ++d) {
     std::uint32_t before = 0;
     for (std::uint32_t& p : place[d]) before += std::exchange(p, before);
     for (const Entry e : entries) other[place[d][digit(e, d)]++] = e;

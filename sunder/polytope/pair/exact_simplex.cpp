@@ -12,7 +12,7 @@ namespace sunder::polytope {
 
 namespace {
 
-enum Kind : std::uint32_t { of_a = 0, of_b = 1, slack = 2 };
+enum Kind : std::uint32_t { kind_a = 0, kind_b = 1, slack = 2 };
 
 // Of trees: are there levels below those that were looked at? Then both go down one.
 bool deepened(Placed& a, Placed& b) {
@@ -32,9 +32,9 @@ class PointsProgram {
   PointsProgram(Placed& a, Placed& b) : a_(a), b_(b), d_(a.dimension()), program_(d_ + 2, 2) {}
 
   ExactVector column(Kind kind, std::uint32_t k) const {
-    ExactVector column = kind == of_a ? a_.image(k) : negated(b_.image(k));
-    column.emplace_back(kind == of_a ? 1.0 : 0.0);
-    column.emplace_back(kind == of_b ? 1.0 : 0.0);
+    ExactVector column = kind == kind_a ? a_.image(k) : negated(b_.image(k));
+    column.emplace_back(kind == kind_a ? 1.0 : 0.0);
+    column.emplace_back(kind == kind_b ? 1.0 : 0.0);
     return column;
   }
 
@@ -43,8 +43,8 @@ class PointsProgram {
   // Those named, until they are a solution or none pays.
   bool try_named(std::span<const std::uint32_t> named_a, std::span<const std::uint32_t> named_b) {
     std::vector<NamedColumn> columns;
-    for (const std::uint32_t k : named_a) columns.push_back({{of_a, k}, column(of_a, k)});
-    for (const std::uint32_t k : named_b) columns.push_back({{of_b, k}, column(of_b, k)});
+    for (const std::uint32_t k : named_a) columns.push_back({{kind_a, k}, column(kind_a, k)});
+    for (const std::uint32_t k : named_b) columns.push_back({{kind_b, k}, column(kind_b, k)});
     return enter_all(columns);
   }
 
@@ -65,7 +65,7 @@ class PointsProgram {
       const ExactVector y = program_.multipliers();
       const ExactFurthest from_a = a_.furthest(y, cost), from_b = b_.furthest(negated(y), cost);
       ++cost.iterations;
-      const bool a_pays = enter_if_it_pays(of_a, from_a.index), b_pays = enter_if_it_pays(of_b, from_b.index);
+      const bool a_pays = enter_if_it_pays(kind_a, from_a.index), b_pays = enter_if_it_pays(kind_b, from_b.index);
       if (!a_pays && !b_pays && !deepened(a_, b_)) return false;
     }
     return true;
@@ -82,8 +82,8 @@ class PointsProgram {
     result.numbers.resize(d_);
     result.denominator = result.of_a.denominator = result.of_b.denominator = program_.denominator();
     for (const auto& [variable, weight] : program_.weights()) {
-      (variable.kind == of_a ? result.of_a : result.of_b).parts.push_back({variable.index, weight});
-      if (variable.kind != of_a) continue;
+      (variable.kind == kind_a ? result.of_a : result.of_b).parts.push_back({variable.index, weight});
+      if (variable.kind != kind_a) continue;
       const ExactVector p = a_.image(variable.index);
       for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];
     }
@@ -103,22 +103,22 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint
   const std::size_t d = a.dimension();
   PhaseOne program(d + 1, 1);
   const auto column_of = [&](Kind kind, std::uint32_t k) {
-    ExactVector column = (kind == of_a ? a : b).half_space(k);
+    ExactVector column = (kind == kind_a ? a : b).half_space(k);
     column[d] = -column[d];
     return column;
   };
   for (bool pays = true; pays && !program.is_solved();) {
     pays = false;
-    for (const std::uint32_t k : named_a) pays = program.enter_if_it_pays({of_a, k}, column_of(of_a, k)) || pays;
-    for (const std::uint32_t k : named_b) pays = program.enter_if_it_pays({of_b, k}, column_of(of_b, k)) || pays;
+    for (const std::uint32_t k : named_a) pays = program.enter_if_it_pays({kind_a, k}, column_of(kind_a, k)) || pays;
+    for (const std::uint32_t k : named_b) pays = program.enter_if_it_pays({kind_b, k}, column_of(kind_b, k)) || pays;
   }
   while (!program.is_solved()) {
     may_be_interrupted(1000);
     const ExactVector y = program.multipliers();
     const std::span<const Dyadic> place(y.data(), d);
     bool pays = false;
-    for (const Kind kind : {of_a, of_b}) {
-      Placed& body = kind == of_a ? a : b;
+    for (const Kind kind : {kind_a, kind_b}) {
+      Placed& body = kind == kind_a ? a : b;
       const auto broken = body.most_broken(place, y[d], cost);
       if (broken) pays = program.enter_if_it_pays({kind, broken->index}, column_of(kind, broken->index)) || pays;
     }
@@ -132,7 +132,7 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint
   ExactEvidence parting;
   parting.numbers.resize(d);
   for (const auto& [variable, weight] : program.weights()) {
-    const bool is_of_a = variable.kind == of_a;
+    const bool is_of_a = variable.kind == kind_a;
     (is_of_a ? parting.of_a : parting.of_b).parts.push_back({variable.index, weight * (is_of_a ? a : b).scale()});
     if (!is_of_a) continue;
     const ExactVector row = a.half_space(variable.index);
@@ -156,7 +156,7 @@ class MixedProgram {
     ExactVector column;
     for (const ExactVector& row : rows_) column.push_back(dot(row, p) - row[d_]);
     column.emplace_back(1.0);
-    return program_.enter_if_it_pays({of_b, point}, column);
+    return program_.enter_if_it_pays({kind_b, point}, column);
   }
 
   bool solve(std::span<const std::uint32_t> named, Cost& cost) {
@@ -201,7 +201,7 @@ class MixedProgram {
     result.numbers.resize(d_);
     result.denominator = result.of_b.denominator = program_.denominator();
     for (const auto& [variable, weight] : program_.weights()) {
-      if (variable.kind != of_b) continue;
+      if (variable.kind != kind_b) continue;
       result.of_b.parts.push_back({variable.index, weight});
       const ExactVector p = points_.image(variable.index);
       for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];

@@ -12,9 +12,9 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 32;       // of the search in a complement
-constexpr double matters = 0x1p-30;  // a weight that is less does not
-constexpr double about = 0x1p-40;    // of the size of a difference: no further than this is not further
+constexpr int most_normal_steps = 32;     // of the search in a complement
+constexpr double part_matters = 0x1p-30;  // a weight that is less does not
+constexpr double about = 0x1p-40;         // of the size of a difference: no further than this is not further
 
 class FacetSearch {
  public:
@@ -24,7 +24,7 @@ class FacetSearch {
   std::optional<ExactVector> normal(const NearestSimplex& simplex) {
     const bool is_at_origin = simplex.is_at_origin();
     if (simplex.size() < d_ && !is_at_origin) return std::nullopt;
-    take(simplex, is_at_origin ? matters : -1);
+    take(simplex, is_at_origin ? part_matters : -1);
     while (complement_.dimension() > 1 && missing_ == 0) {
       if (!search()) return std::nullopt;
     }
@@ -64,7 +64,7 @@ class FacetSearch {
     NearestSimplex simplex(m);
     LooksAtBoth looks(a_.body(), b_.body());
     double largest = 0;  // of differences
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_normal_steps; ++step) {
       along = complement_.vector(y);
       const FurthestPoint of_a = likely_support(looks.a, a_.pose(), along, 1, cost_),
                           of_b = likely_support(looks.b, b_.pose(), along, -1, cost_);
@@ -81,7 +81,7 @@ class FacetSearch {
       if (!simplex.add(next) || simplex.is_full()) return false;
       largest = std::max(largest, size);
       if (simplex.is_at_origin(4 * largest)) {
-        take(simplex, matters);
+        take(simplex, part_matters);
         return complement_.dimension() < m;
       }
       if (!towards_origin(simplex.nearest(), m, y)) return false;

@@ -17,8 +17,8 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr double matters = 0x1p-30;     // of weights, and of the greatest payoff: less may be roundings
-constexpr double about_zero = 0x1p-40;  // of the greatest payoff: more is not taken for a point on a boundary
+constexpr double payoff_matters = 0x1p-30;  // of weights, and of the greatest payoff: less may be roundings
+constexpr double about_zero = 0x1p-40;      // of the greatest payoff: more is not taken for a point on a boundary
 
 class GameSearch {
  public:
@@ -40,10 +40,10 @@ class GameSearch {
     if (!result.decision) result.decision = search_widely(half_spaces_, points_, cost_);
     if (result.decision) return result;
     for (std::size_t i = 0; i < game_.rows(); ++i) {
-      if (game_.row_weight(i) > matters) result.of_a.push_back(rows_[i].index);
+      if (game_.row_weight(i) > payoff_matters) result.of_a.push_back(rows_[i].index);
     }
     for (std::size_t j = 0; j < game_.columns(); ++j) {
-      if (game_.column_weight(j) > matters) result.of_b.push_back(columns_[j].index);
+      if (game_.column_weight(j) > payoff_matters) result.of_b.push_back(columns_[j].index);
     }
     return result;
   }
@@ -122,14 +122,14 @@ class GameSearch {
   std::optional<std::uint32_t> half_space_reached(double least_payoff) const {
     std::optional<std::size_t> only;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      if (!(game_.row_weight(i) > matters)) continue;
+      if (!(game_.row_weight(i) > payoff_matters)) continue;
       if (only) return std::nullopt;
       only = i;
     }
     if (!only) return std::nullopt;
     double greatest = 0;
     for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(rows_[*only], column)));
-    if (!(std::fabs(least_payoff) <= greatest * matters)) return std::nullopt;
+    if (!(std::fabs(least_payoff) <= greatest * payoff_matters)) return std::nullopt;
     return rows_[*only].index;
   }
 
@@ -174,8 +174,8 @@ class GameSearch {
   // half-spaces, exactly; where they are not, the exact weights of a point that is.
   std::optional<ExactDecision> tight() {
     if (rows_.empty() || columns_.empty()) return std::nullopt;
-    std::vector<Weighted> points = weights_of_points(matters);
-    const std::vector<Weighted> half_spaces = weights_of_half_spaces(matters);
+    std::vector<Weighted> points = weights_of_points(payoff_matters);
+    const std::vector<Weighted> half_spaces = weights_of_half_spaces(payoff_matters);
     if (points.empty() || half_spaces.empty()) return std::nullopt;
     if (auto held = inside(points)) return held;
     if (auto held = parted(half_spaces)) return held;

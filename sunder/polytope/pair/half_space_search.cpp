@@ -17,7 +17,7 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 64;       // of the search for a direction; it takes some 2 d to 4 d
+constexpr int most_directions = 64;  // of the search for a direction; it takes some 2 d to 4 d
 constexpr double matters = 0x1p-30;  // a weight that is less does not
 
 class HalfSpaceSearch {
@@ -63,7 +63,7 @@ class HalfSpaceSearch {
   std::optional<ExactDecision> search() {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
     LooksAtBoth looks(a_.body(), b_.body());
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_directions; ++step) {
       ColumnNumbers y{};
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return decide_at_origin();
       ColumnNumbers x{};
@@ -223,7 +223,7 @@ class HalfSpaceSearch {
     NearestSimplex simplex(complement.dimension());
     if (!simplex.add(projected(height, 0))) return std::nullopt;
     LooksAtBoth looks(a_.body(), b_.body());
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_directions; ++step) {
       ColumnNumbers y{}, x{};
       if (simplex.is_full() || simplex.is_at_origin(1)) return std::nullopt;
       if (!towards_origin(simplex.nearest(), complement.dimension(), y)) return std::nullopt;

@@ -7,12 +7,12 @@
 namespace sunder::polytope {
 namespace {
 
-const Polytope points = Polytope::from_points(2, {0, 0, 1, 0}), left = Polytope::from_half_spaces(2, {1, 0, 0.25}),
+const Polytope two_points = Polytope::from_points(2, {0, 0, 1, 0}), left = Polytope::from_half_spaces(2, {1, 0, 0.25}),
                beyond = Polytope::from_half_spaces(2, {1, 0, -0.5});
-const Pose here(2);
+const Pose in_place(2);
 
 std::optional<ExactDecision> met(const Polytope& half_spaces, double first, double second) {
-  Placed a(half_spaces, here), b(points, here);
+  Placed a(half_spaces, in_place), b(two_points, in_place);
   Cost cost;
   return met_by_weights(a, b, std::array{Weighted{0, first}, Weighted{1, second}}, cost);
 }
@@ -33,7 +33,7 @@ TEST(HalfSpaceWeights, NegativeOnesAreNoProof) {
 
 TEST(HalfSpaceWeights, OfHalfSpacesPartThePoints) {
   Cost cost;
-  Placed far(beyond, here), near(left, here), b(points, here);
+  Placed far(beyond, in_place), near(left, in_place), b(two_points, in_place);
   const auto parted = parted_by_weights(far, b, std::array{Weighted{0, 1.0}}, cost);
   ASSERT_TRUE(parted.has_value());
   EXPECT_EQ(parted->verdict, Verdict::apart);

@@ -9,7 +9,7 @@ namespace sunder::polytope {
 namespace {
 
 constexpr double small = 0x1p-40, noise = 0x1p-44, least_pivot = 0x1p-30;
-constexpr int most_steps = 8 * MatrixGame::most;
+constexpr int most_pivots = 8 * MatrixGame::most;
 
 }  // namespace
 
@@ -114,7 +114,7 @@ void MatrixGame::pivot(std::size_t leaving, std::size_t entering) {
 }
 
 void MatrixGame::dual_steps() {
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_pivots; ++step) {
     std::size_t leaving = 0, entering = variables_;
     for (std::size_t i = 1; i < rows_; ++i) {
       if (right_[i] < right_[leaving]) leaving = i;
@@ -134,7 +134,7 @@ void MatrixGame::dual_steps() {
 }
 
 void MatrixGame::primal_steps() {
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < most_pivots; ++step) {
     std::size_t entering = 0, leaving = rows_;
     for (std::size_t v = 1; v < variables_; ++v) {
       if (prices_[v] < prices_[entering]) entering = v;

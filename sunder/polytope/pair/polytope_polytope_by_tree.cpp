@@ -16,7 +16,7 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_steps = 64;
+constexpr int most_tree_steps = 64;
 
 // The search of by_gjk, with walks to the leaves for scans. What a walk finds is the end of its body, exactly: so two
 // of them tell whether their direction parts the bodies.
@@ -33,7 +33,7 @@ class TreeSearch {
   bool parts(PolytopeAnswer& answer) {
     Vector direction{};
     if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
-    for (int step = 0; step < most_steps && !simplex_.is_full(); ++step) {
+    for (int step = 0; step < most_tree_steps && !simplex_.is_full(); ++step) {
       const auto first = direction.begin(), last = first + static_cast<std::ptrdiff_t>(d_);
       ExactVector along(first, last);
       const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);

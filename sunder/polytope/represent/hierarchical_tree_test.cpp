@@ -1,5 +1,6 @@
 #include <sunder/base/random.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
+#include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
 
@@ -153,12 +154,12 @@ TEST(HierarchicalTree, LatticesAreRefusedAfterSoManyLooks) {
   for (int k = 0; k < 250 * 5; ++k) numbers.push_back(static_cast<double>(random.between(-2, 2)));
   const Polytope body = Polytope::from_points(5, numbers);
   try {
-    const HierarchicalTree tree(body, {.most_looks = 20'000'000});
+    const HierarchicalTree tree(body, {.most_looks = 2'000'000});
     FAIL() << tree.looks();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_shape);
     EXPECT_STREQ(error.what(),
-                 "the tree of 250 rows of dimension 5 takes more than the 20000000 looks at its cones and rows that it "
+                 "the tree of 250 rows of dimension 5 takes more than the 2000000 looks at its cones and rows that it "
                  "may; give fewer rows, or use another method");
   }
   // What is refused by default is far above what other bodies take.

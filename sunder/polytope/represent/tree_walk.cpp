@@ -13,7 +13,7 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr std::uint32_t none = HierarchicalTree::none;
+constexpr std::uint32_t no_child = HierarchicalTree::none;
 constexpr int most_steps = 64;  // across facets; then all cones of the node are looked at
 
 Dyadic product_of(std::span<const Dyadic> direction, std::span<const double> row) {
@@ -85,7 +85,7 @@ std::uint32_t TreeWalk::cone_of(const HierarchicalTree::Node& node, std::uint32_
       all_sure = all_sure && is_sure(weights.sign[k]);
       if (weights.sign[k] != Guess::negative) continue;
       is_out = true;
-      if (weights.weight[k] < least && tree_->across(cone, k) != none) {
+      if (weights.weight[k] < least && tree_->across(cone, k) != no_child) {
         least = weights.weight[k];
         out = k;
       }
@@ -97,7 +97,7 @@ std::uint32_t TreeWalk::cone_of(const HierarchicalTree::Node& node, std::uint32_
     for (std::size_t k = 0; k < d; ++k) {
       if (signs[k] != Sign::negative) continue;
       is_out = true;
-      if (tree_->across(cone, k) != none) out = k;
+      if (tree_->across(cone, k) != no_child) out = k;
     }
     return !is_out;
   };
@@ -111,7 +111,7 @@ std::uint32_t TreeWalk::cone_of(const HierarchicalTree::Node& node, std::uint32_
   for (std::uint32_t k = node.first_cone; k < node.first_cone + node.cones; ++k) {
     if (has(k, out)) return k;
   }
-  return none;
+  return no_child;
 }
 
 std::uint32_t TreeWalk::furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
@@ -176,7 +176,7 @@ ExactFurthest TreeWalk::furthest(std::span<const Dyadic> given, Cost& cost) {
     is_as_before = is_as_before && level < last_path_.size();
     const std::uint32_t from = is_as_before ? last_path_[level] : node->first_cone;
     const std::uint32_t cone = cone_of(*node, from, direction, rounded, cost);
-    if (cone == none) {
+    if (cone == no_child) {
       ++scans_;
       break;
     }

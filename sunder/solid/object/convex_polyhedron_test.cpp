@@ -4,6 +4,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
@@ -17,8 +18,7 @@
 namespace sunder::solid {
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
+using tests::largest, tests::least;
 
 using Cycle = std::vector<std::uint32_t>;
 

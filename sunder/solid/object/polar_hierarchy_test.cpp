@@ -27,8 +27,8 @@ namespace {
 using tests::SolidShape;
 
 // At most 1.5 times the greatest that was measured at n = 1,000.
-constexpr double most_levels = 3;       // times log2 of the facets
-constexpr double most_triangles = 7.5;  // times the facets
+constexpr double most_polar_levels = 3;       // times log2 of the facets
+constexpr double most_polar_triangles = 7.5;  // times the facets
 
 // The polar's vertices, exactly.
 class Exact {
@@ -53,7 +53,7 @@ class Exact {
   std::vector<PolarVertex> rows_;
 };
 
-void check_level(const Hierarchy& h, const Exact& exact, std::uint32_t m) {
+void check_polar_level(const Hierarchy& h, const Exact& exact, std::uint32_t m) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> apex;  // of each edge, what is on its left
   for (std::uint32_t w = 0; w < m; ++w) {
     for (const Hierarchy::Triangle t : h.nodes[w].star()) {
@@ -93,15 +93,15 @@ void check(const ConvexPolyhedron& body, std::string_view name, bool all_levels)
   }
   const double levels = static_cast<double>(h.level_end.size()) / std::log2(n),
                each = static_cast<double>(triangles) / n;
-  EXPECT_LE(levels, most_levels) << name;
-  EXPECT_LE(each, most_triangles) << name;
+  EXPECT_LE(levels, most_polar_levels) << name;
+  EXPECT_LE(each, most_polar_triangles) << name;
   if (!all_levels) {
     std::printf("%-13.*s %7u facets: %zu levels (%.2f log2), %.2f triangles each\n", static_cast<int>(name.size()),
                 name.data(), n, h.level_end.size(), levels, each);
     return;
   }
   const Exact exact(body);
-  for (const std::uint32_t m : h.level_end) ASSERT_NO_FATAL_FAILURE(check_level(h, exact, m)) << name << " " << m;
+  for (const std::uint32_t m : h.level_end) ASSERT_NO_FATAL_FAILURE(check_polar_level(h, exact, m)) << name << " " << m;
 }
 
 TEST(PolarHierarchy, EveryLevelIsConvex) {

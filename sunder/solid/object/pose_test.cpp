@@ -2,6 +2,7 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/pose.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
 #include <gtest/gtest.h>
@@ -12,10 +13,9 @@
 namespace sunder::solid {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using tests::infinity, tests::largest, tests::least;
+
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
 
 using Rows = std::array<double, 9>;
 constexpr Rows identity{1, 0, 0, 0, 1, 0, 0, 0, 1};

@@ -4,21 +4,20 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
 namespace sunder::solid {
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
+using tests::largest, tests::least;
 
 // On a sphere, rounded to multiples of 2^-20: in convex position up to a few.
 std::vector<Point3> sphere(Random& random, std::size_t n) {

@@ -10,7 +10,7 @@
 namespace sunder::solid {
 namespace {
 
-struct Points {
+struct TwoSets {
   std::vector<Point3> a, b;
 };
 
@@ -24,12 +24,12 @@ VertexSet<T> vertex_set(const std::vector<Point3>& points) {
 }
 
 template <class T>
-FeatureVertices closest(const Points& points) {
+FeatureVertices closest(const TwoSets& points) {
   return closest_features(vertex_set<T>(points.a), vertex_set<T>(points.b));
 }
 
 // Those that are named.
-std::array<std::vector<Posed3>, 2> named(const Points& points, const FeatureVertices& f) {
+std::array<std::vector<Posed3>, 2> named(const TwoSets& points, const FeatureVertices& f) {
   static const Affine3 identity;
   std::array<std::vector<Posed3>, 2> of;
   for (std::size_t k = 0; k < f.count_a; ++k) of[0].push_back({points.a[f.of_a(k) / 10], &identity, false});
@@ -37,7 +37,7 @@ std::array<std::vector<Posed3>, 2> named(const Points& points, const FeatureVert
   return of;
 }
 
-std::optional<ExactWay> way_of(const Points& points, const FeatureVertices& f) {
+std::optional<ExactWay> way_of(const TwoSets& points, const FeatureVertices& f) {
   const auto [a, b] = named(points, f);
   return exact_way(a, b);
 }
@@ -53,7 +53,7 @@ TEST(ClosestFeaturesTest, Known) {
   EXPECT_EQ(side.vertices[1], 31u);
   EXPECT_EQ(side.count_b, 1);
   // An edge above the square, in any numbers.
-  const Points across{square, edge};
+  const TwoSets across{square, edge};
   for (const FeatureVertices& f : {closest<Dyadic>(across), closest<double>(across), closest<DoubleDouble>(across)}) {
     ASSERT_TRUE(way_of(across, f));
     EXPECT_EQ(way_of(across, f)->way.squared(), Dyadic(9.0) * way_of(across, f)->way.denominator);
@@ -68,7 +68,7 @@ TEST(ClosestFeaturesTest, NothingIsNearer) {
   std::array<std::array<int, 4>, 4> counts{};
   for (int i = 0; i < apart; ++i) {
     const bool is_grid = i % 3 == 0;
-    Points points;
+    TwoSets points;
     const auto fill = [&](std::vector<Point3>& set, double shift) {
       for (std::uint64_t n = 1 + random.below(4); n > 0; --n) {
         const auto coordinate = [&] {

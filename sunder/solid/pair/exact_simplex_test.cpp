@@ -3,6 +3,7 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/exact_simplex.h>
+#include <sunder/solid/pair/placed_check_test.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <tests/support/solid_pairs.h>
 
@@ -20,10 +21,6 @@ namespace {
 using tests::Family;
 using tests::PairCase;
 using tests::SolidPairs;
-
-CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
-  return check_absolutely(c, {a.graph.vertices, a.pose, false}, {b.graph.vertices, b.pose, false});
-}
 
 DifferenceSimplex hint_of(const std::vector<std::array<std::uint32_t, 2>>& vertices) {
   DifferenceSimplex hint;
@@ -57,7 +54,8 @@ TEST(ExactSimplexTest, DecidesAllPairsLikeTheScan) {
       StageTally tally;
       const PairCertificate answer = decide_by_exact_simplex(a, b, hint, cost, tally);
       ASSERT_EQ(answer.verdict == Verdict::meet, meet) << i << " " << name_of(c.family) << " hint " << hint.count;
-      ASSERT_EQ(check(answer, a, b), CheckResult::accepted) << i << " " << name_of(c.family) << " hint " << hint.count;
+      ASSERT_EQ(check_placed(answer, a, b), CheckResult::accepted)
+          << i << " " << name_of(c.family) << " hint " << hint.count;
     }
   }
   if (count < 1000) return;  // a smaller run may miss a verdict
@@ -87,7 +85,7 @@ TEST(ExactSimplexTest, EndsWhateverTheDegeneracy) {
         StageTally tally;
         const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
         EXPECT_EQ(c.verdict, polyhedron_polyhedron_by_scan(body, here, body, there).evidence.verdict);
-        EXPECT_EQ(check(c, a, b), CheckResult::accepted);
+        EXPECT_EQ(check_placed(c, a, b), CheckResult::accepted);
       }
     }
   }
@@ -112,7 +110,7 @@ TEST(ExactSimplexTest, TheEndsOfTheRangeOfDoubles) {
           const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
           ASSERT_EQ(c.verdict, polyhedron_polyhedron_by_scan(p, here, q, there).evidence.verdict)
               << s << " " << t << " " << linear << " " << shift;
-          ASSERT_EQ(check(c, a, b), CheckResult::accepted);
+          ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted);
           ++(c.verdict == Verdict::meet ? meet : apart);
         }
       }

@@ -1,3 +1,4 @@
+#include <sunder/number/exact_vector.h>
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/flat_body.h>
@@ -12,11 +13,9 @@ namespace sunder::solid {
 
 namespace {
 
-Exact3 times(const Exact3& v, const Dyadic& factor) { return {v.x * factor, v.y * factor, v.z * factor}; }
-
 // From p to x, times the denominator of x.
 Exact3 way_to(const ExactPoint3& x, const Point3& p) {
-  return Exact3{x.x, x.y, x.z} - times(lift<ExactStage>(p), x.denominator);
+  return Exact3{x.x, x.y, x.z} - times(x.denominator, lift<ExactStage>(p));
 }
 
 // The double that x is, if it is one.

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/flat_flat.h>
 #include <sunder/solid/pair/plane_line.h>
@@ -12,8 +13,6 @@ namespace sunder::solid {
 namespace {
 
 Exact3 lifted(const Point3& p) { return lift<ExactStage>(p); }
-Exact3 times(const Exact3& v, const Dyadic& factor) { return {v.x * factor, v.y * factor, v.z * factor}; }
-Exact3 plus(const Exact3& v, const Exact3& w) { return {v.x + w.x, v.y + w.y, v.z + w.z}; }
 Exact3 negative(const Exact3& v) { return {-v.x, -v.y, -v.z}; }
 std::array<Dyadic, 3> array_of(const Exact3& v) { return {v.x, v.y, v.z}; }
 bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }
@@ -34,7 +33,7 @@ ExactPoint3 over(const Exact3& numerators, const Dyadic& denominator) {
   return {n.x, n.y, n.z, turn ? -denominator : denominator};
 }
 
-ExactPoint3 middle(const Point3& p, const Point3& q) { return over(plus(lifted(p), lifted(q)), 2.0); }
+ExactPoint3 middle(const Point3& p, const Point3& q) { return over(sum(lifted(p), lifted(q)), 2.0); }
 
 // ---- Two planes.
 
@@ -44,8 +43,8 @@ Dyadic level(const Plane& plane) { return dot(lifted(plane.normal), lifted(plane
 // one plane, what its normal leads to.
 ExactPoint3 of_planes(const Plane& a, const Plane& b, FlatKind kind) {
   const Exact3 m = lifted(a.normal), n = lifted(b.normal), l = cross(m, n);
-  if (kind == FlatKind::plane) return over(times(m, level(a)), dot(m, m));
-  return over(plus(times(cross(n, l), level(a)), times(cross(l, m), level(b))), dot(l, l));
+  if (kind == FlatKind::plane) return over(times(level(a), m), dot(m, m));
+  return over(sum(times(level(a), cross(n, l)), times(level(b), cross(l, m))), dot(l, l));
 }
 
 // Of planes that are parallel: the levels over the normals' sizes, as one turns with the other.
@@ -61,7 +60,7 @@ Exact3 parting_planes(const Plane& a, const Plane& b) {
 ExactPoint3 of_plane(const Plane& plane, const Linear& linear) {
   const Dyadic a = height(plane, exactly(linear.a)), b = height(plane, exactly(linear.b)), rise = b - a;
   if (rise.sign() == Sign::zero) return middle(linear.a, linear.b);  // in the plane
-  return over(plus(times(lifted(linear.a), b), times(lifted(linear.b), -a)), rise);
+  return over(sum(times(b, lifted(linear.a)), times(-a, lifted(linear.b))), rise);
 }
 
 // From the plane to what is on one side of it.
@@ -123,7 +122,7 @@ struct Lines {
     if (low && high) return middle(*low, *high);
     if (!low && !high) return exactly(p.a);
     const bool is_up = (p.a[k] < p.b[k]) == low.has_value();
-    return over(plus(lifted(low ? *low : *high), is_up ? u : negative(u)), 1.0);
+    return over(sum(lifted(low ? *low : *high), is_up ? u : negative(u)), 1.0);
   }
   Exact3 parting_line() const {
     const std::size_t k = axis();
@@ -138,7 +137,7 @@ struct Lines {
     if (p.is_point()) return exactly(p.a);
     if (q.is_point()) return exactly(q.a);
     if (are_parallel()) return point_of_line();
-    return over(plus(times(lifted(p.a), square), times(u, on_p())), square);
+    return over(sum(times(square, lifted(p.a)), times(on_p(), u)), square);
   }
 
   Exact3 parting(bool touch) const {
@@ -146,7 +145,7 @@ struct Lines {
       const Exact3& along = p.is_point() ? v : u;
       if (p.is_point() && q.is_point()) return w;
       if (are_collinear()) return parting_line();
-      return times(w, dot(along, along)) - times(along, dot(along, w));  // across the lines
+      return times(dot(along, along), w) - times(dot(along, w), along);  // across the lines
     }
     const Dyadic apart = dot(n, w);
     if (apart.sign() != Sign::zero) return is_positive(apart) ? n : negative(n);

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array names{"point", "segment", "ray", "line", "plane"};
+constexpr std::array kind_names{"point", "segment", "ray", "line", "plane"};
 
 TEST(FlatFlat, KnownKinds) {
   const Line x = Line::through({0, 0, 0}, {1, 0, 0}), y = Line::through({0, -5, 0}, {0, 5, 0});
@@ -58,7 +58,7 @@ TEST(FlatFlat, KnownKinds) {
   EXPECT_EQ(plane_plane(floor, Plane::at({1, 0, 0}, 1)).decided_by, DecidedBy::filter);
 }
 
-std::string certificate_of(const Flat& a, const Flat& b, const FlatCommon& common, bool tells_contact) {
+std::string flat_certificate(const Flat& a, const Flat& b, const FlatCommon& common, bool tells_contact) {
   std::string text;
   const FlatBody body_a = body_of(a).value(), body_b = body_of(b).value();
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
@@ -105,7 +105,7 @@ TEST(FlatFlat, Random) {
     ASSERT_EQ(common.meet(), common.kind != FlatKind::nothing);
     ASSERT_LE(common.cost.probes, 13u);
     const bool tells = random.below(2) == 0;
-    const std::string text = certificate_of(a, b, common, tells);
+    const std::string text = flat_certificate(a, b, common, tells);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
     ASSERT_TRUE(verified.accepted()) << text;
     const std::string verdict = !common.meet() ? "apart" : tells ? std::string(name_of(common.contact)) : "meet";
@@ -113,7 +113,7 @@ TEST(FlatFlat, Random) {
     if (common.contact == Contact::touching) {
       ASSERT_EQ(common.kind, FlatKind::point);
     }
-    ++tally[std::string(names[std::min(i_a, i_b)]) + " " + names[std::max(i_a, i_b)] + " " + verdict];
+    ++tally[std::string(kind_names[std::min(i_a, i_b)]) + " " + kind_names[std::max(i_a, i_b)] + " " + verdict];
     ++kinds[common.kind];
     if (i % 16 != 0) continue;
     // Another verdict, or the opposite direction, is refused.
@@ -137,7 +137,7 @@ TEST(FlatFlat, Random) {
   for (std::size_t i = 0; i < 5; ++i) {
     for (std::size_t j = i; j < 5; ++j) {
       for (const char* verdict : {"apart", "meet", "touching", "overlapping"}) {
-        const std::string key = std::string(names[i]) + " " + names[j] + " " + verdict;
+        const std::string key = std::string(kind_names[i]) + " " + kind_names[j] + " " + verdict;
         const bool never = verdict == std::string("touching") && (i == j   ? i == 0 || i >= 3
                                                                   : i == 0 ? j >= 3
                                                                            : j == 4 && i == 3);

@@ -1,4 +1,5 @@
 // The body as the common part of closed half-spaces, each of which cuts off a part of the line: slow and obvious.
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/polyhedron_line.h>
 #include <sunder/solid/pair/polyhedron_ray.h>
@@ -14,12 +15,6 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-
-Exact plus(const Exact& a, const Exact& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Exact times(const Exact& a, const Dyadic& by) { return {a.x * by, a.y * by, a.z * by}; }
-bool is_zero(const Exact& v) {
-  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
-}
 
 // normal.(x - on) <= 0
 struct HalfSpace {
@@ -37,7 +32,7 @@ class Scan {
       : body_(body), a_(lift<ExactStage>(a)), way_(lift<ExactStage>(b) - a_) {
     for (const Point3& p : body.vertices()) {
       vertices_.push_back(lift<ExactStage>(Posed3{p, &pose.affine(), false}));
-      sum_ = vertices_.size() == 1 ? vertices_[0] : plus(sum_, vertices_.back());
+      sum_ = vertices_.size() == 1 ? vertices_[0] : sum(sum_, vertices_.back());
     }
     add_half_spaces();
   }
@@ -90,7 +85,7 @@ class Scan {
  private:
   // With the body on the side where its middle is, or on both sides.
   void add(Exact normal, const Exact& on) {
-    const Sign side = dot(normal, sum_ - times(on, static_cast<double>(vertices_.size()))).sign();
+    const Sign side = dot(normal, sum_ - times(static_cast<double>(vertices_.size()), on)).sign();
     if (side != Sign::positive) half_spaces_.push_back({normal, on});
     if (side != Sign::negative) half_spaces_.push_back({{-normal.x, -normal.y, -normal.z}, on});
   }
@@ -131,8 +126,8 @@ class Scan {
 
   // Of a point of the body.
   CutFeature feature_at(const ExactFraction& t) const {
-    const Exact point = plus(times(a_, t.denominator), times(way_, t.numerator));  // times the denominator
-    const auto from = [&](std::uint32_t v) { return point - times(vertices_[v], t.denominator); };
+    const Exact point = sum(times(t.denominator, a_), times(t.numerator, way_));  // times the denominator
+    const auto from = [&](std::uint32_t v) { return point - times(t.denominator, vertices_[v]); };
     for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
       if (is_zero(from(v))) return {CutPlace::vertex, v, 0};
     }

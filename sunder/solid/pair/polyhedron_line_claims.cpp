@@ -25,7 +25,7 @@ using Exact = Vector3<Dyadic>;
 Exact operator*(const Exact& v, const Dyadic& by) { return {v.x * by, v.y * by, v.z * by}; }
 Exact operator+(const Exact& v, const Exact& w) { return {v.x + w.x, v.y + w.y, v.z + w.z}; }
 Exact operator-(const Exact& v) { return {-v.x, -v.y, -v.z}; }
-Dyadic determinant(const Exact& u, const Exact& v, const Exact& w) { return dot(cross(u, v), w); }
+Dyadic exact_determinant(const Exact& u, const Exact& v, const Exact& w) { return dot(cross(u, v), w); }
 
 struct Ends {
   Point3 a, b;
@@ -244,8 +244,8 @@ class Claims {
     for (std::size_t k = 1; k < 4; ++k) sum = sum + vertex(nodes[k].vertex);
     const auto corner = [&](std::size_t k) { return vertex(nodes[ranks[k]].vertex) * 4.0 - sum; };
     const Exact u = corner(0), v = corner(1), w = corner(2), to = p * 4.0 - sum * whole;
-    const Dyadic of_u = determinant(to, v, w), of_v = determinant(u, to, w), of_w = determinant(u, v, to);
-    const Dyadic all = determinant(u, v, w) * whole, rest = all - of_u - of_v - of_w;
+    const Dyadic of_u = exact_determinant(to, v, w), of_v = exact_determinant(u, to, w), of_w = exact_determinant(u, v, to);
+    const Dyadic all = exact_determinant(u, v, w) * whole, rest = all - of_u - of_v - of_w;
     std::vector<Combination::Part> parts{{nodes[ranks[0]].vertex, of_u.scaled(2)},
                                          {nodes[ranks[1]].vertex, of_v.scaled(2)},
                                          {nodes[ranks[2]].vertex, of_w.scaled(2)}};
@@ -282,10 +282,10 @@ class Claims {
     std::size_t low = 1, high = cycle.size() - 1;
     while (high - low > 1) {
       const std::size_t middle = low + (high - low) / 2;
-      (determinant(n, arrow(middle), to).sign() == Sign::negative ? high : low) = middle;
+      (exact_determinant(n, arrow(middle), to).sign() == Sign::negative ? high : low) = middle;
     }
     const Exact u = arrow(low), v = arrow(high);
-    const Dyadic all = determinant(n, u, v) * whole, of_u = determinant(n, to, v), of_v = determinant(n, u, to);
+    const Dyadic all = exact_determinant(n, u, v) * whole, of_u = exact_determinant(n, to, v), of_v = exact_determinant(n, u, to);
     return made_of({{cycle[0], all - of_u - of_v}, {cycle[low], of_u}, {cycle[high], of_v}}, all);
   }
 

@@ -1,5 +1,6 @@
 // Points, segments and flat polygons of space, and a line, a ray or a segment: by signs of the vertices, and where the
 // line is in one plane with the body by exact numbers.
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/along.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/extreme_vertex.h>
@@ -15,10 +16,6 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 using Kind = CutParting::Kind;
-
-bool is_zero(const Exact& v) {
-  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
-}
 
 CutEnd at_vertex(std::uint32_t v) { return {{CutPlace::vertex, v, 0}, OwnEnd::none}; }
 CutEnd at_edge(std::uint32_t v, std::uint32_t w) {

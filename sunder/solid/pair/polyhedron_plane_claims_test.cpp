@@ -51,8 +51,8 @@ TEST(FlatBody, ExactPointOfAnyPlane) {
   EXPECT_GT(found, count * 9 / 10);
 }
 
-std::string certificate_of(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane, const FlatBody& in_file,
-                           const PolyhedronPlane& answer, Contact contact) {
+std::string plane_certificate(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
+                              const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   PairClaims pairs(file);
@@ -140,7 +140,7 @@ TEST(PolyhedronPlaneClaims, Random) {
         random.below(2) == 0 ? polyhedron_plane(body, pose, plane) : polyhedron_plane_by_scan(body, pose, plane);
     const bool tells = random.below(2) == 0;
     const Contact contact = tells ? polyhedron_plane_contact(body, pose, plane) : Contact::none;
-    const std::string text = certificate_of(body, pose, plane, *in_file, answer, contact);
+    const std::string text = plane_certificate(body, pose, plane, *in_file, answer, contact);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
     ASSERT_TRUE(verified.accepted()) << text;
     const std::string verdict = !answer.meet() ? "apart" : tells ? std::string(name_of(contact)) : "meet";

@@ -18,6 +18,7 @@
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/sign.h>
+#include <sunder/predicate/exact_point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/plane.h>
 #include <sunder/solid/object/pose.h>
@@ -73,17 +74,12 @@ using SectionVisitor = std::function<void(std::size_t, const PlaneSection&)>;
 void polyhedron_plane_sections(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
                                std::span<const double> offsets, const SectionVisitor& visit);
 
-// Where a corner is, in the world: coordinates x / denominator and so on; the denominator is positive.
-struct ExactPoint3 {
-  Dyadic x, y, z, denominator;
-};
-
 // The corners of one body's sections by one plane, by coordinates. Keeps a reference to the body.
 class SectionPoints {
  public:
   SectionPoints(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
 
-  // Requires a corner of the section by the plane, or by the one with this offset instead.
+  // Where it is, in the world. Requires a corner of the section by the plane, or by the one with this offset instead.
   ExactPoint3 exact(const SectionCorner& corner) const;
 
   // The nearest doubles, ties to even; infinite beyond the range. Cost: double-double arithmetic, and exact numbers

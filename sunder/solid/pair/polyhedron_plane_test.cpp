@@ -10,7 +10,7 @@
 namespace sunder::solid {
 namespace {
 
-ConvexPolyhedron cube() {
+ConvexPolyhedron unit_cube() {
   std::vector<Point3> corners;
   for (const double x : {0.0, 1.0}) {
     for (const double y : {0.0, 1.0}) {
@@ -21,7 +21,7 @@ ConvexPolyhedron cube() {
 }
 
 TEST(PolyhedronPlane, SidesOfACube) {
-  const ConvexPolyhedron body = cube();
+  const ConvexPolyhedron body = unit_cube();
   const auto ask = [&](const Plane& plane) { return polyhedron_plane(body, Pose(), plane); };
   const PolyhedronPlane above = ask(Plane::at({0, 0, 1}, -0x1p-1074));
   EXPECT_EQ(above.side, Sign::positive);
@@ -35,7 +35,7 @@ TEST(PolyhedronPlane, SidesOfACube) {
 }
 
 TEST(PolyhedronPlane, Contacts) {
-  const ConvexPolyhedron body = cube();
+  const ConvexPolyhedron body = unit_cube();
   const auto contact = [&](const Plane& plane) { return polyhedron_plane_contact(body, Pose(), plane); };
   EXPECT_EQ(contact(Plane::at({0, 0, 1}, -1)), Contact::none);
   EXPECT_EQ(contact(Plane::at({0, 0, 1}, 0)), Contact::touching);

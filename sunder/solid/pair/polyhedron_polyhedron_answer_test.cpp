@@ -2,7 +2,9 @@
 // propose in the plain cases is accepted.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
+#include <sunder/solid/pair/bodies_test.h>
 #include <sunder/solid/pair/caratheodory.h>
+#include <sunder/solid/pair/placed_check_test.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/simplex_proposals.h>
 #include <sunder/solid/represent/search_graph_walk.h>
@@ -25,10 +27,6 @@ namespace sunder::solid {
 namespace {
 
 using tests::shift;
-
-CheckResult check(const PairCertificate& c, const Placed& a, const Placed& b) {
-  return check_absolutely(c, {a.graph.vertices, a.pose, false}, {b.graph.vertices, b.pose, false});
-}
 
 Point3 image(const Placed& body, std::uint32_t v) {
   const Point3& p = body.graph.vertices[v];
@@ -70,12 +68,7 @@ DifferenceSimplexOf<DoubleDouble> finer(const Placed& a, const Placed& b, const 
   return s;
 }
 
-double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-std::uint32_t vertex_at(const ConvexPolyhedron& body, const Point3& p) {
-  const auto v = body.vertices();
-  return static_cast<std::uint32_t>(std::find(v.begin(), v.end(), p) - v.begin());
-}
+double dot_product(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 // What a search would do with a direction or a simplex.
 bool check_apart(const Placed& a, const Placed& b, const Point3& direction, std::uint32_t near_a, std::uint32_t near_b,
@@ -129,20 +122,20 @@ TEST_F(PolyhedronPolyhedronAnswerTest, CheckApartIsThePlainTruthFromAnyStart) {
     const Placed a(body_a, here), b(body_b, there);
     const auto coordinate = [&] { return static_cast<double>(random_.between(-2, 2)); };
     const Point3 d{coordinate() + 2, coordinate(), coordinate()};
-    double most = -1e9, least = 1e9;
-    for (const Point3& p : body_a.vertices()) most = std::max(most, dot(d, p));
+    double most = -1e9, lowest = 1e9;
+    for (const Point3& p : body_a.vertices()) most = std::max(most, dot_product(d, p));
     for (const Point3& p : body_b.vertices())
-      least = std::min(least, dot(d, {p.x + there.affine().translation[0], p.y + 1, p.z}));
+      lowest = std::min(lowest, dot_product(d, {p.x + there.affine().translation[0], p.y + 1, p.z}));
     PairCertificate c;
     const bool parted = check_apart(a, b, d, some_vertex(a), some_vertex(b), c, tally_);
-    ASSERT_EQ(parted, most < least) << i;
-    ties += most == least;
+    ASSERT_EQ(parted, most < lowest) << i;
+    ties += most == lowest;
     ++(parted ? accepted : refused);
     if (!parted) continue;
     ASSERT_EQ(c.verdict, Verdict::apart);
     ASSERT_EQ(c.direction.kind, Direction::Kind::given);
     ASSERT_EQ(c.direction.given, d);
-    ASSERT_EQ(check(c, a, b), CheckResult::accepted);
+    ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted);
   }
   EXPECT_GT(accepted, 500);
   EXPECT_GT(refused, 500);
@@ -166,14 +159,14 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
     PairCertificate c;
     if (check_apart_by_features(a, b, s, {1, random_.uniform(-1, 1), random_.uniform(-1, 1)}, c, tally_)) {
       ASSERT_EQ(c.verdict, Verdict::apart);
-      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
       ++kinds[c.direction.kind];
     } else {
       ++refused;
     }
     if (check_meet(a, b, s, c, tally_)) {
       ASSERT_EQ(c.verdict, Verdict::meet);
-      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
       ++counts[c.count_a + c.count_b];
     } else {
       ++refused;
@@ -181,13 +174,13 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
     const DifferenceSimplexOf<DoubleDouble> t = finer(a, b, s);
     if (check_meet(a, b, t, c, tally_)) {
       ASSERT_EQ(c.verdict, Verdict::meet);
-      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
       ++finer_counts[c.count_a + c.count_b];
     }
     if (check_apart_perpendicular(a, b, t, some_vertex(a), some_vertex(b), c, tally_)) {
       ASSERT_EQ(c.verdict, Verdict::apart);
       ASSERT_EQ(c.direction.kind, Direction::Kind::exact);
-      ASSERT_EQ(check(c, a, b), CheckResult::accepted) << i;
+      ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
       ++perpendicular[s.count];
     } else {
       ++refused;
@@ -219,7 +212,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
     std::vector<std::array<std::uint32_t, 2>> numbers;
     for (const auto& [p, q] : pairs) numbers.push_back({vertex_at(cube, p), vertex_at(other, q)});
     const bool parted = check_apart_by_features(a, b, simplex_of(a, b, numbers), outward, c, tally_);
-    EXPECT_TRUE(!parted || check(c, a, b) == CheckResult::accepted);
+    EXPECT_TRUE(!parted || check_placed(c, a, b) == CheckResult::accepted);
     return parted;
   };
   const auto turned = [&](const Point3& p) {  // normals go with the inverse transpose: by cross products of columns
@@ -229,7 +222,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
       return Point3{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
     };
     const Point3 n[3] = {cross(column[1], column[2]), cross(column[2], column[0]), cross(column[0], column[1])};
-    const double sense = dot(n[0], column[0]) > 0 ? 1 : -1;
+    const double sense = dot_product(n[0], column[0]) > 0 ? 1 : -1;
     return Point3{sense * (p.x * n[0].x + p.y * n[1].x + p.z * n[2].x),
                   sense * (p.x * n[0].y + p.y * n[1].y + p.z * n[2].y),
                   sense * (p.x * n[0].z + p.y * n[1].z + p.z * n[2].z)};
@@ -278,7 +271,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, ThePerpendicularPartsWhatDoublesCannot) {
       if (gap <= 0) {
         EXPECT_FALSE(parted);
       }
-      EXPECT_TRUE(!parted || check(c, a, b) == CheckResult::accepted);
+      EXPECT_TRUE(!parted || check_placed(c, a, b) == CheckResult::accepted);
     }
   }
   // With right angles it does.
@@ -293,7 +286,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, ThePerpendicularPartsWhatDoublesCannot) {
     PairCertificate c;
     EXPECT_TRUE(check_apart_perpendicular(straight, b, finer(straight, b, simplex_of(straight, b, pairs)), pairs[0][0],
                                           tip, c, tally_));
-    EXPECT_EQ(check(c, straight, b), CheckResult::accepted);
+    EXPECT_EQ(check_placed(c, straight, b), CheckResult::accepted);
   }
 }
 
@@ -324,12 +317,12 @@ TEST_F(PolyhedronPolyhedronAnswerTest, TetrahedraAroundTheOriginAreAccepted) {
       for (std::size_t k = five.count_a; k < 5; ++k) names[k] += 100;
       std::sort(names.begin(), names.end());
       EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
-      at_once += disposing(a, b, c, tally_)(five) && check(c, a, b) == CheckResult::accepted;
+      at_once += disposing(a, b, c, tally_)(five) && check_placed(c, a, b) == CheckResult::accepted;
     }
     finer_accepted += check_meet(a, b, finer(a, b, s), c, tally_);
     if (!check_meet(a, b, s, c, tally_)) continue;
     ++accepted;
-    ASSERT_EQ(check(c, a, b), CheckResult::accepted);
+    ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted);
   }
   EXPECT_EQ(enclosing, 1000);
   EXPECT_GE(accepted, enclosing - enclosing / 100);
@@ -348,13 +341,13 @@ TEST_F(PolyhedronPolyhedronAnswerTest, TouchingPairsAreAccepted) {
   const DifferenceSimplex s =
       simplex_of(a, b, {{v(1, 1, 1), v(-1, -1, -1)}, {v(1, -1, 1), v(-1, 1, -1)}, {v(1, -1, -1), v(-1, -1, 1)}});
   ASSERT_TRUE(check_meet(a, b, s, c, tally_));
-  EXPECT_EQ(check(c, a, b), CheckResult::accepted);
+  EXPECT_EQ(check_placed(c, a, b), CheckResult::accepted);
 
   const Pose corner = shift(2, 2, 2);
   const Placed at_corner(cube, corner);
   ASSERT_TRUE(check_meet(a, at_corner, simplex_of(a, at_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
   EXPECT_EQ(c.count_a + c.count_b, 2);
-  EXPECT_EQ(check(c, a, at_corner), CheckResult::accepted);
+  EXPECT_EQ(check_placed(c, a, at_corner), CheckResult::accepted);
 
   const Pose off = shift(2, 2, std::nextafter(2.0, 3.0));
   const Placed off_corner(cube, off);
@@ -398,7 +391,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
   for (std::size_t k = 0; k < true_ones.size(); ++k) {
     const Proposal& one = true_ones[k];
     EXPECT_TRUE(apart(one)) << k;
-    EXPECT_EQ(check(certificate, a, b), CheckResult::accepted) << k;
+    EXPECT_EQ(check_placed(certificate, a, b), CheckResult::accepted) << k;
     EXPECT_FALSE(meeting(one)) << k;                              // the wrong claim
     for (const std::uint32_t wrong : {8u, 1000u, 0xffffffffu}) {  // features that there are not
       Proposal other = one;
@@ -432,7 +425,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WrongProposalsDoNotHold) {
   // A corner of one cube on an edge of the other; other vertices.
   const std::uint32_t x = v(-1, -1, -1);
   EXPECT_TRUE(meeting({Claim::meet, 2, 1, {u, p, u}, 0, 0, {}}));
-  EXPECT_EQ(check(certificate, a, c), CheckResult::accepted);
+  EXPECT_EQ(check_placed(certificate, a, c), CheckResult::accepted);
   EXPECT_FALSE(meeting({Claim::meet, 2, 1, {u, p, t}, 0, 0, {}}));
   EXPECT_FALSE(meeting({Claim::meet, 2, 1, {x, p, u}, 0, 0, {}}));
   EXPECT_FALSE(apart({Claim::meet, 4, 1, {x, p, q, r, u}, 0, 0, {}}));
@@ -471,7 +464,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, AnswersAreRightWhateverIsProposed) {
       return false;
     });
     ASSERT_EQ(answer.meet(), polyhedron_polyhedron_by_scan(c.a, c.pose_a, c.b, c.pose_b).meet()) << i;
-    ASSERT_EQ(check(answer.evidence, a, b), CheckResult::accepted) << i;
+    ASSERT_EQ(check_placed(answer.evidence, a, b), CheckResult::accepted) << i;
     if (answer.decided_by == DecidedBy::finishing) {
       EXPECT_EQ(answer.cost.proposals, 6u);
       EXPECT_GT(answer.cost.exact, 0u);
@@ -521,7 +514,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, APyramidOfOrdinarySizeIsFinished) {
   const PairAnswer answer = polyhedron_polyhedron(pyramid, Pose(), pyramid, there);
   EXPECT_EQ(answer.decided_by, DecidedBy::finishing);
   EXPECT_EQ(answer.meet(), polyhedron_polyhedron_by_scan(pyramid, Pose(), pyramid, there).meet());
-  EXPECT_EQ(check(answer.evidence, Placed(pyramid, Pose()), Placed(pyramid, there)), CheckResult::accepted);
+  EXPECT_EQ(check_placed(answer.evidence, Placed(pyramid, Pose()), Placed(pyramid, there)), CheckResult::accepted);
   EXPECT_GT(answer.cost.exact, 20u);  // pivots are counted, too
   EXPECT_EQ(polyhedron_polyhedron_by_scan(pyramid, Pose(), pyramid, there).decided_by, DecidedBy::scan);
 }

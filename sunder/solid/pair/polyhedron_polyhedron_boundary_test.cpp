@@ -16,7 +16,7 @@ namespace {
 
 using tests::Family, tests::shift;
 
-ConvexPolyhedron cube(double low, double high) { return ConvexPolyhedron(tests::cube_corners(low, high)); }
+ConvexPolyhedron cube_between(double low, double high) { return ConvexPolyhedron(tests::cube_corners(low, high)); }
 ConvexPolyhedron hull(const std::vector<Point3>& points) { return ConvexPolyhedron(points); }
 
 Boundaries relation(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const Pose& pose_b = Pose()) {
@@ -24,21 +24,22 @@ Boundaries relation(const ConvexPolyhedron& a, const ConvexPolyhedron& b, const 
 }
 
 TEST(PolyhedronPolyhedronBoundaryTest, Examples) {
-  EXPECT_EQ(relation(cube(0, 4), cube(1, 3)), Boundaries::b_inside_a);
-  EXPECT_EQ(relation(cube(1, 3), cube(0, 4)), Boundaries::a_inside_b);
-  EXPECT_EQ(relation(cube(0, 4), cube(0, 4)), Boundaries::meet);
-  EXPECT_EQ(relation(cube(0, 4), cube(1, 3), shift(1, 0, 0)), Boundaries::meet);  // from within
-  EXPECT_EQ(relation(cube(0, 4), cube(1, 3), shift(0, 3, 0)), Boundaries::meet);  // from outside
-  EXPECT_EQ(relation(cube(0, 4), cube(1, 3), shift(0, 0, 3.5)), Boundaries::apart);
-  EXPECT_EQ(relation(cube(1, 3), cube(0, 4), Pose::from_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, {4, 0, 0})),
-            Boundaries::a_inside_b);  // mirrored
+  EXPECT_EQ(relation(cube_between(0, 4), cube_between(1, 3)), Boundaries::b_inside_a);
+  EXPECT_EQ(relation(cube_between(1, 3), cube_between(0, 4)), Boundaries::a_inside_b);
+  EXPECT_EQ(relation(cube_between(0, 4), cube_between(0, 4)), Boundaries::meet);
+  EXPECT_EQ(relation(cube_between(0, 4), cube_between(1, 3), shift(1, 0, 0)), Boundaries::meet);  // from within
+  EXPECT_EQ(relation(cube_between(0, 4), cube_between(1, 3), shift(0, 3, 0)), Boundaries::meet);  // from outside
+  EXPECT_EQ(relation(cube_between(0, 4), cube_between(1, 3), shift(0, 0, 3.5)), Boundaries::apart);
+  EXPECT_EQ(
+      relation(cube_between(1, 3), cube_between(0, 4), Pose::from_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, {4, 0, 0})),
+      Boundaries::a_inside_b);  // mirrored
   // All of a flat one is boundary, and nothing is inside of it.
   const ConvexPolyhedron triangle = hull({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}});
-  EXPECT_EQ(relation(cube(0, 4), triangle), Boundaries::b_inside_a);
+  EXPECT_EQ(relation(cube_between(0, 4), triangle), Boundaries::b_inside_a);
   EXPECT_EQ(relation(triangle, triangle), Boundaries::meet);
   EXPECT_EQ(relation(triangle, hull({{1.25, 1.25, 1}})), Boundaries::meet);
-  EXPECT_EQ(relation(cube(0, 4), hull({{1, 1, 0}})), Boundaries::meet);
-  EXPECT_EQ(relation(cube(0, 4), hull({{1, 1, 4}, {1, 1, std::nextafter(4.0, 5.0)}})), Boundaries::meet);
+  EXPECT_EQ(relation(cube_between(0, 4), hull({{1, 1, 0}})), Boundaries::meet);
+  EXPECT_EQ(relation(cube_between(0, 4), hull({{1, 1, 4}, {1, 1, std::nextafter(4.0, 5.0)}})), Boundaries::meet);
 }
 
 TEST(PolyhedronPolyhedronBoundaryTest, AgreesWithTheScan) {

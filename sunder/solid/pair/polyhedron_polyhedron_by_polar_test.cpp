@@ -18,7 +18,7 @@
 namespace sunder::solid {
 namespace {
 
-ConvexPolyhedron box(const Point3& half) {
+ConvexPolyhedron centred_box(const Point3& half) {
   std::vector<Point3> points;
   for (int k = 0; k < 8; ++k) {
     points.push_back({k & 1 ? half.x : -half.x, k & 2 ? half.y : -half.y, k & 4 ? half.z : -half.z});
@@ -37,7 +37,7 @@ Pose turned(Random& random) {
 TEST(PolyhedronPolyhedronByPolar, ABoxAndItselfNeedNoFinishing) {
   Random random(tests::chosen_seed(201));
   for (int i = 0; i < tests::scaled_count(1000); ++i) {
-    const ConvexPolyhedron body = box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
+    const ConvexPolyhedron body = centred_box({random.uniform(0.1, 1), random.uniform(0.1, 1), random.uniform(0.1, 1)});
     const Pose pose = turned(random);
     const PairAnswer answer = polyhedron_polyhedron_by_polar(body, pose, body, pose);
     ASSERT_TRUE(answer.meet());

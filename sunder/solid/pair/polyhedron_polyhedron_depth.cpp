@@ -3,6 +3,7 @@
 // Why that is enough: the polytope P is in D, and holds a ball about the origin as large as its nearest facet is far.
 // If nothing of D is beyond the plane of that facet, the boundary of D is as near there: so the depth is its distance.
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/number/root.h>
 #include <sunder/solid/pair/expanding_polytope.h>
 #include <sunder/solid/pair/extreme_vertex.h>
@@ -18,15 +19,7 @@ namespace sunder::solid {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct EstimateStage {
-  static Estimate read(double x) { return x; }
-};
-
-bool is_zero(const Vector3<Dyadic>& v) {
-  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
-}
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 class DepthSearch {
  public:
@@ -128,7 +121,7 @@ class DepthSearch {
     const bool has_end = pairs > PolyhedronDepth::all_are_exact;
     std::optional<ExpandingPolytope::Square> best;  // of the facets of D seen
     std::uint32_t best_facet = 0;
-    double best_high = infinity;
+    double best_high = unlimited;
     while (const std::optional<std::uint32_t> facet = polytope_.nearest()) {
       const Interval height = polytope_.facets()[*facet].height;
       if (best && height.low > best_high) break;
@@ -161,7 +154,7 @@ class DepthSearch {
   // nearest facet of it.
   void end_within(double low, const std::optional<ExpandingPolytope::Square>& best) {
     found_.is_exact = false;
-    found_.depth = {std::max(low, 0.0), infinity};
+    found_.depth = {std::max(low, 0.0), unlimited};
     if (best) found_.depth.high = root(best->numerator, best->denominator).high;
     // The nearest facets' directions are nearest, too: the best of some of them.
     std::vector<std::uint32_t> alive;

@@ -1,4 +1,7 @@
+#include <sunder/solid/pair/bodies_test.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
+
+#include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
 
@@ -9,17 +12,7 @@
 namespace sunder::solid {
 namespace {
 
-ConvexPolyhedron body(const std::vector<Point3>& points) { return ConvexPolyhedron(points); }
-
-ConvexPolyhedron box(const Point3& low, const Point3& high) {
-  std::vector<Point3> points;
-  for (const double x : {low.x, high.x}) {
-    for (const double y : {low.y, high.y}) {
-      for (const double z : {low.z, high.z}) points.push_back({x, y, z});
-    }
-  }
-  return ConvexPolyhedron(points);
-}
+using tests::shift;
 
 ConvexPolyhedron ball(int n) {  // a spiral on the sphere
   std::vector<Point3> points;
@@ -30,13 +23,11 @@ ConvexPolyhedron ball(int n) {  // a spiral on the sphere
   return ConvexPolyhedron(points);
 }
 
-Pose moved(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
-
 PolyhedronDepth depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
   return polyhedron_polyhedron_depth(a, Pose(), b, Pose());
 }
 
-void expect_exactly(const PolyhedronDepth& d, double value) {
+void expect_exact_depth(const PolyhedronDepth& d, double value) {
   ASSERT_TRUE(d.meet() && d.is_exact);
   EXPECT_EQ(compare_depth(d, value), Sign::zero);
   EXPECT_EQ(d.depth.low, value);
@@ -46,12 +37,10 @@ void expect_exactly(const PolyhedronDepth& d, double value) {
   ASSERT_TRUE(d.direction.has_value());
 }
 
-const ConvexPolyhedron cube = box({0, 0, 0}, {2, 2, 2});
-
 TEST(PolyhedronPolyhedronDepthTest, Features) {
   // A corner of a turned body in the cube's face.
-  const PolyhedronDepth facet = depth(cube, body({{1.5, 1, 1}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
-  expect_exactly(facet, 0.5);
+  const PolyhedronDepth facet = depth(two_cube, body({{1.5, 1, 1}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
+  expect_exact_depth(facet, 0.5);
   EXPECT_EQ(facet.features.of_a.size(), 3u);
   EXPECT_EQ(facet.features.of_b.size(), 1u);
   const Vector3<Dyadic> d = facet.direction->exact();
@@ -62,7 +51,7 @@ TEST(PolyhedronPolyhedronDepthTest, Features) {
   // Edges along y and along z, back to back.
   const PolyhedronDepth edges = depth(body({{1, -9, 0}, {1, 9, 0}, {-5, 0, 9}, {-5, 0, -9}}),
                                       body({{0, 0, -9}, {0, 0, 9}, {9, 9, 0}, {9, -9, 0}}));
-  expect_exactly(edges, 1);
+  expect_exact_depth(edges, 1);
   EXPECT_EQ(edges.features.of_a.size(), 2u);
   EXPECT_EQ(edges.features.of_b.size(), 2u);
 
@@ -75,35 +64,35 @@ TEST(PolyhedronPolyhedronDepthTest, Features) {
 }
 
 TEST(PolyhedronPolyhedronDepthTest, NestedTouchingAndApart) {
-  expect_exactly(depth(cube, cube), 2);
-  expect_exactly(depth(cube, box({0.5, 0.75, 0.75}, {0.75, 1, 1})), 0.75);
-  expect_exactly(depth(cube, box({2, 0, 0}, {3, 1, 1})), 0);
-  expect_exactly(depth(cube, box({2, 2, 2}, {3, 3, 3})), 0);
+  expect_exact_depth(depth(two_cube, two_cube), 2);
+  expect_exact_depth(depth(two_cube, box({0.5, 0.75, 0.75}, {0.75, 1, 1})), 0.75);
+  expect_exact_depth(depth(two_cube, box({2, 0, 0}, {3, 1, 1})), 0);
+  expect_exact_depth(depth(two_cube, box({2, 2, 2}, {3, 3, 3})), 0);
   const double inside = std::nextafter(2.0, 0.0);
-  expect_exactly(depth(cube, box({inside, 0, 0}, {3, 1, 1})), 2 - inside);
-  EXPECT_FALSE(depth(cube, box({2.5, 0, 0}, {3, 1, 1})).meet());
+  expect_exact_depth(depth(two_cube, box({inside, 0, 0}, {3, 1, 1})), 2 - inside);
+  EXPECT_FALSE(depth(two_cube, box({2.5, 0, 0}, {3, 1, 1})).meet());
 }
 
 TEST(PolyhedronPolyhedronDepthTest, AllDimensions) {
   const ConvexPolyhedron point = body({{1, 1, 0.5}}), segment = body({{1, 1, -3}, {1, 1, 1.5}}),
                          square = body({{0, 0, 1.5}, {3, 0, 1.5}, {0, 3, 1.5}, {3, 3, 1.5}});
-  expect_exactly(depth(cube, point), 0.5);
-  expect_exactly(depth(cube, segment), 1);
-  expect_exactly(depth(segment, cube), 1);
-  expect_exactly(depth(cube, square), 0.5);
+  expect_exact_depth(depth(two_cube, point), 0.5);
+  expect_exact_depth(depth(two_cube, segment), 1);
+  expect_exact_depth(depth(segment, two_cube), 1);
+  expect_exact_depth(depth(two_cube, square), 0.5);
   // The difference is solid, a parallelogram, a segment, a point.
-  expect_exactly(depth(square, body({{1, 1, 0}, {1, 1, 2}})), 0.5);
-  expect_exactly(depth(square, square), 0);
-  expect_exactly(depth(segment, body({{0, 0, 0.5}, {2, 2, 0.5}})), 0);
-  expect_exactly(depth(segment, segment), 0);
-  expect_exactly(depth(point, point), 0);
+  expect_exact_depth(depth(square, body({{1, 1, 0}, {1, 1, 2}})), 0.5);
+  expect_exact_depth(depth(square, square), 0);
+  expect_exact_depth(depth(segment, body({{0, 0, 0.5}, {2, 2, 0.5}})), 0);
+  expect_exact_depth(depth(segment, segment), 0);
+  expect_exact_depth(depth(point, point), 0);
 }
 
 TEST(PolyhedronPolyhedronDepthTest, AtTheEndsOfTheRange) {
   for (const double s : {0x1p1000, 0x1p-1000}) {
-    expect_exactly(depth(box({0, 0, 0}, {2 * s, 2 * s, 2 * s}), box({1.5 * s, s / 2, 0}, {9 * s, s, s})), 0.5 * s);
+    expect_exact_depth(depth(box({0, 0, 0}, {2 * s, 2 * s, 2 * s}), box({1.5 * s, s / 2, 0}, {9 * s, s, s})), 0.5 * s);
   }
-  expect_exactly(depth(box({0, 0, 0}, {5e-324, 1, 1}), box({0, 0, 0}, {1, 1, 1})), 5e-324);
+  expect_exact_depth(depth(box({0, 0, 0}, {5e-324, 1, 1}), box({0, 0, 0}, {1, 1, 1})), 5e-324);
   const double most = std::numeric_limits<double>::max();
   const ConvexPolyhedron huge = box({-most, -most, -most}, {most, most, most});
   const PolyhedronDepth beyond = depth(huge, huge);
@@ -131,7 +120,7 @@ TEST(PolyhedronPolyhedronDepthTest, LargeBodiesOfOneCentreAreEnclosed) {
 TEST(PolyhedronPolyhedronDepthTest, StepsStayFew) {
   for (const int n : {100, 1000, 10000}) {
     const ConvexPolyhedron a = ball(n);
-    const PolyhedronDepth d = polyhedron_polyhedron_depth(a, Pose(), a, moved(1.1, 0.7, 0.4));
+    const PolyhedronDepth d = polyhedron_polyhedron_depth(a, Pose(), a, shift(1.1, 0.7, 0.4));
     ASSERT_TRUE(d.meet() && d.is_exact);
     EXPECT_LT(d.answer.cost.iterations, 80u) << n;
     EXPECT_NEAR(d.depth.low, 2 - std::sqrt(1.1 * 1.1 + 0.7 * 0.7 + 0.4 * 0.4), 8.0 / n);

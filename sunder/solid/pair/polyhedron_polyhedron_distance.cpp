@@ -157,10 +157,6 @@ bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32
   return closest.dispose(closest_features(search.vertices_of_a(), search.vertices_of_b()));
 }
 
-struct EstimateStage {
-  static Estimate read(double x) { return x; }
-};
-
 }  // namespace
 
 ClosestFeatures::ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,

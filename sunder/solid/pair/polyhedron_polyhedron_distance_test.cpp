@@ -2,6 +2,7 @@
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
+#include <sunder/solid/pair/bodies_test.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
@@ -15,18 +16,6 @@
 namespace sunder::solid {
 namespace {
 
-ConvexPolyhedron body(const std::vector<Point3>& points) { return ConvexPolyhedron(points); }
-
-ConvexPolyhedron box(const Point3& low, const Point3& high) {
-  std::vector<Point3> points;
-  for (const double x : {low.x, high.x}) {
-    for (const double y : {low.y, high.y}) {
-      for (const double z : {low.z, high.z}) points.push_back({x, y, z});
-    }
-  }
-  return ConvexPolyhedron(points);
-}
-
 PolyhedronDistance distance(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
   return polyhedron_polyhedron_distance(a, Pose(), b, Pose());
 }
@@ -37,7 +26,7 @@ std::array<int, 2> counts(const PolyhedronDistance& d) {
   return {d.closest->features().count_a, d.closest->features().count_b};
 }
 
-void expect_exactly(const PolyhedronDistance& d, double value) {
+void expect_exact_distance(const PolyhedronDistance& d, double value) {
   EXPECT_EQ(compare_distance(d, value), Sign::zero);
   EXPECT_EQ(d.distance().low, value);
   EXPECT_EQ(d.distance().high, value);
@@ -45,30 +34,28 @@ void expect_exactly(const PolyhedronDistance& d, double value) {
   EXPECT_EQ(compare_distance(d, std::nextafter(value, 0.0)), Sign::positive);
 }
 
-const ConvexPolyhedron cube = box({0, 0, 0}, {2, 2, 2});
-
 TEST(PolyhedronPolyhedronDistanceTest, Features) {
-  const PolyhedronDistance vertices = distance(cube, box({4, 5, 8}, {9, 9, 9}));
+  const PolyhedronDistance vertices = distance(two_cube, box({4, 5, 8}, {9, 9, 9}));
   EXPECT_EQ(counts(vertices), (std::array{1, 1}));
-  expect_exactly(vertices, 7);  // (2, 3, 6)
+  expect_exact_distance(vertices, 7);  // (2, 3, 6)
 
   // An edge of the cube along z, and a vertex beside it.
-  const PolyhedronDistance edge = distance(cube, body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {5, 6, 1.5}, {7, 7, 1.2}}));
+  const PolyhedronDistance edge = distance(two_cube, body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {5, 6, 1.5}, {7, 7, 1.2}}));
   EXPECT_EQ(counts(edge)[0], 2);
-  expect_exactly(edge, 5);
-  const PolyhedronDistance back = distance(body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {6, 7, 1.5}}), cube);
+  expect_exact_distance(edge, 5);
+  const PolyhedronDistance back = distance(body({{5, 6, 1}, {6, 6, 1}, {5, 7, 1}, {6, 7, 1.5}}), two_cube);
   EXPECT_EQ(counts(back), (std::array{1, 2}));
-  expect_exactly(back, 5);
+  expect_exact_distance(back, 5);
 
-  const PolyhedronDistance facet = distance(cube, body({{2.5, 1.125, 0.75}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
+  const PolyhedronDistance facet = distance(two_cube, body({{2.5, 1.125, 0.75}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
   EXPECT_EQ(counts(facet), (std::array{3, 1}));
-  expect_exactly(facet, 0.5);
+  expect_exact_distance(facet, 0.5);
 
   // Edges along z and along y.
   const PolyhedronDistance edges =
       distance(body({{0, 1, -9}, {0, 1, 9}, {-5, 0, 0}}), body({{3, -9, 0}, {3, 9, 0}, {9, 0, 1}}));
   EXPECT_EQ(counts(edges), (std::array{2, 2}));
-  expect_exactly(edges, 3);
+  expect_exact_distance(edges, 3);
 }
 
 // Of all families: the nearest doubles of the exact points.
@@ -97,26 +84,26 @@ TEST(PolyhedronPolyhedronDistanceTest, NearestPointsAreRounded) {
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, ParallelFeatures) {
-  expect_exactly(distance(cube, box({5, 0.5, 0.5}, {6, 1.5, 1.5})), 3);  // facets
-  expect_exactly(distance(cube, box({5, 1, 1}, {6, 7, 7})), 3);          // facets that overlap in part
-  expect_exactly(distance(cube, box({5, 6, 1}, {6, 7, 7})), 5);          // edges
-  expect_exactly(distance(cube, box({5, 2, 2}, {6, 7, 7})), 3);          // an edge above an edge
-  expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 4, 2}, {3, 4, 5}})), 5);
-  expect_exactly(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 0, 13}, {3, 0, 20}})), 5);
+  expect_exact_distance(distance(two_cube, box({5, 0.5, 0.5}, {6, 1.5, 1.5})), 3);  // facets
+  expect_exact_distance(distance(two_cube, box({5, 1, 1}, {6, 7, 7})), 3);          // facets that overlap in part
+  expect_exact_distance(distance(two_cube, box({5, 6, 1}, {6, 7, 7})), 5);          // edges
+  expect_exact_distance(distance(two_cube, box({5, 2, 2}, {6, 7, 7})), 3);          // an edge above an edge
+  expect_exact_distance(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 4, 2}, {3, 4, 5}})), 5);
+  expect_exact_distance(distance(body({{0, 0, 0}, {0, 0, 9}}), body({{3, 0, 13}, {3, 0, 20}})), 5);
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, AllDimensions) {
   const ConvexPolyhedron point = body({{3, 4, 0}}), segment = body({{3, 4, -1}, {3, 4, 1}}),
                          square = body({{3, 4, 1}, {3, 4, -1}, {4, 5, 1}, {4, 5, -1}}), origin = body({{0, 0, 0}});
   for (const ConvexPolyhedron& b : {point, segment, square}) {
-    expect_exactly(distance(origin, b), 5);
-    expect_exactly(distance(b, origin), 5);
+    expect_exact_distance(distance(origin, b), 5);
+    expect_exact_distance(distance(b, origin), 5);
   }
-  expect_exactly(distance(body({{-2, -2, -3}, {9, -2, -3}, {-2, 9, -3}}), segment), 2);
+  expect_exact_distance(distance(body({{-2, -2, -3}, {9, -2, -3}, {-2, 9, -3}}), segment), 2);
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, Meeting) {
-  for (const PolyhedronDistance& d : {distance(cube, box({2, 2, 2}, {3, 3, 3})), distance(cube, cube)}) {
+  for (const PolyhedronDistance& d : {distance(two_cube, box({2, 2, 2}, {3, 3, 3})), distance(two_cube, two_cube)}) {
     EXPECT_TRUE(d.meet());
     EXPECT_FALSE(d.closest);
     EXPECT_EQ(d.distance().high, 0);
@@ -127,12 +114,12 @@ TEST(PolyhedronPolyhedronDistanceTest, Meeting) {
 
 TEST(PolyhedronPolyhedronDistanceTest, OneBitApart) {
   const double next = std::nextafter(2.0, 3);
-  expect_exactly(distance(cube, box({next, 0, 0}, {3, 1, 1})), next - 2);
-  expect_exactly(distance(cube, box({next, 0.5, 0.5}, {3, 1, 1})), next - 2);
+  expect_exact_distance(distance(two_cube, box({next, 0, 0}, {3, 1, 1})), next - 2);
+  expect_exact_distance(distance(two_cube, box({next, 0.5, 0.5}, {3, 1, 1})), next - 2);
 }
 
 TEST(PolyhedronPolyhedronDistanceTest, FarBeyondTheRangeOfSquares) {
-  expect_exactly(distance(body({{0, 0, 0}}), body({{3e-320, 0, 0}})), 3e-320);
+  expect_exact_distance(distance(body({{0, 0, 0}}), body({{3e-320, 0, 0}})), 3e-320);
   const PolyhedronDistance tiny = distance(body({{0, 0, 0}}), body({{5e-324, 5e-324, 5e-324}}));
   EXPECT_EQ(tiny.distance().low, 5e-324);
   EXPECT_EQ(tiny.distance().high, 1e-323);
@@ -153,7 +140,7 @@ TEST(PolyhedronPolyhedronDistanceTest, FinishesWhereNoSearchCan) {
   const ConvexPolyhedron speck = box({0, 0, 0}, {0x1p-1000, 0x1p-1000, 0x1p-1000}),
                          slab = box({0x1p-999, -1, -1}, {1, 1, 1});
   const PolyhedronDistance d = distance(speck, slab);
-  expect_exactly(d, 0x1p-1000);
+  expect_exact_distance(d, 0x1p-1000);
 }
 
 // Two balls of n vertices: a constant times log2 n, as with the question whether they meet.

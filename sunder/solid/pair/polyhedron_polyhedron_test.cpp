@@ -4,6 +4,7 @@
 #include <sunder/certificate/check.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
+#include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
@@ -15,7 +16,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <new>
 #include <set>
 #include <string>
@@ -42,8 +42,7 @@ namespace {
 using Points = std::vector<Point3>;
 using Method = PairAnswer (*)(const ConvexPolyhedron&, const Pose&, const ConvexPolyhedron&, const Pose&);
 
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
+using tests::largest, tests::least;
 
 const std::vector<std::pair<std::string, Method>> methods{
     {"front", polyhedron_polyhedron},
@@ -79,14 +78,14 @@ struct Touch {
   Point3 outward;
 };
 
-Points moved(Points points, const Point3& by) {
+Points moved_points(Points points, const Point3& by) {
   for (Point3& p : points) p = {p.x + by.x, p.y + by.y, p.z + by.z};
   return points;
 }
 
 std::vector<Touch> touches() {
   return {
-      {"vertex, vertex", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 2, 2}), {1, 1, 1}},
+      {"vertex, vertex", tests::cube_corners(-1, 1), moved_points(tests::cube_corners(-1, 1), {2, 2, 2}), {1, 1, 1}},
       {"vertex, edge", tests::cube_corners(-1, 1), {{1, 1, 0.25}, {3, 2, 1}, {2, 3, 0}, {3, 3, -1}}, {1, 1, 0}},
       {"vertex, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {2, 0, 0}, {3, 1, 0}, {2, 0, 1}}, {1, 0, 0}},
       {"edge, edge crossing",
@@ -97,8 +96,11 @@ std::vector<Touch> touches() {
       {"edge, edge the same", tests::cube_corners(-1, 1), {{1, 1, -1}, {1, 1, 1}, {3, 2, 1}, {2, 3, 1}}, {1, 1, 0}},
       {"edge, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
       {"edge, facet across", tests::cube_corners(-1, 1), {{1, -4, -0.5}, {1, 4, 0.5}, {2, 0, 0}, {3, 1, 1}}, {1, 0, 0}},
-      {"facet, facet", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 0.5, 0.25}), {1, 0, 0}},
-      {"facet, facet the same", tests::cube_corners(-1, 1), moved(tests::cube_corners(-1, 1), {2, 0, 0}), {1, 0, 0}},
+      {"facet, facet", tests::cube_corners(-1, 1), moved_points(tests::cube_corners(-1, 1), {2, 0.5, 0.25}), {1, 0, 0}},
+      {"facet, facet the same",
+       tests::cube_corners(-1, 1),
+       moved_points(tests::cube_corners(-1, 1), {2, 0, 0}),
+       {1, 0, 0}},
       {"facet, facet inside", tests::cube_corners(-1, 1), {{1, 0, 0}, {1, 0.5, 0}, {1, 0, 0.5}, {2, 0, 0}}, {1, 0, 0}},
       {"point, facet", tests::cube_corners(-1, 1), {{1, 0.25, -0.5}}, {1, 0, 0}},
       {"point, edge", tests::cube_corners(-1, 1), {{1, 1, -0.5}}, {1, 1, 0}},
@@ -186,7 +188,7 @@ TEST(PolyhedronPolyhedronTest, P1_TheEndsOfTheRangeOfDoubles) {
     expect_contact(large_cube, Pose(), small_cube, at(0), Contact::overlapping, "small on large");
     expect_contact(large_cube, at(0), small_cube, Pose(), Contact::overlapping, "small on shifted large");
     const ConvexPolyhedron on(
-        moved(Points(small_cube.vertices().begin(), small_cube.vertices().end()), {sense * 0x1p-1000, 0, 0}));
+        moved_points(Points(small_cube.vertices().begin(), small_cube.vertices().end()), {sense * 0x1p-1000, 0, 0}));
     expect_contact(large_cube, at(0), on, Pose(), Contact::overlapping, "small under the facet");
     const Pose against = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {-sense * 0x1p-1000, 0, 0});
     expect_contact(large_cube, at(0), small_cube, against, Contact::touching, "small against the facet");
@@ -521,7 +523,7 @@ TEST(PolyhedronPolyhedronTest, NamesAreDifferent) {
 TEST(PolyhedronPolyhedronTest, TheShortNameAnswersTheSame) {
   const ConvexPolyhedron box(tests::cube_corners(-1, 1));
   EXPECT_TRUE(intersect(box, box).meet());
-  EXPECT_FALSE(intersect(box, ConvexPolyhedron(moved(tests::cube_corners(-1, 1), {3, 0, 0}))).meet());
+  EXPECT_FALSE(intersect(box, ConvexPolyhedron(moved_points(tests::cube_corners(-1, 1), {3, 0, 0}))).meet());
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void expect_right(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPol
 }
 
 // A turn by so much about some axis, and a shift, after the pose.
-Pose moved(const Pose& pose, double by, double size, Random& random) {
+Pose moved_a_little(const Pose& pose, double by, double size, Random& random) {
   const auto u = [&] { return by * random.uniform(-1, 1); };
   const Pose turn = Pose::from_quaternion(1, u(), u(), u(), {size * u(), size * u(), size * u()});
   return compose(turn, pose);
@@ -52,7 +52,7 @@ TEST(PolyhedronPolyhedronWarm, IsRightWhateverTheLastAnswerWas) {
     const PairAnswer again = ask(c.pose_b);
     if (last.kind != WarmStart::Kind::none && again.cost.iterations == 0) ++kept;
     if (c.family == tests::Family::tiny_or_huge || tests::is_stretched(c.family)) continue;
-    ASSERT_NO_FATAL_FAILURE((void)ask(moved(c.pose_b, 1e-3, 1, pairs.random())));
+    ASSERT_NO_FATAL_FAILURE((void)ask(moved_a_little(c.pose_b, 1e-3, 1, pairs.random())));
   }
   EXPECT_GT(meet, rounds / 2);
   EXPECT_GT(apart, rounds / 2);

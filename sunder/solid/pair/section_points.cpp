@@ -11,10 +11,6 @@ namespace sunder::solid {
 
 namespace {
 
-struct EstimateStage {
-  static Estimate read(double x) { return x; }
-};
-
 // A vertex in the world, and how far above the plane it is, times the length of the normal.
 template <class Number>
 struct Seen {

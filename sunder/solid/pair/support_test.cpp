@@ -3,6 +3,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/pair/support.h>
 
+#include <tests/support/doubles.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
@@ -17,10 +18,9 @@ namespace {
 
 using tests::on_sphere, tests::points_on_sphere;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using tests::infinity, tests::largest, tests::least;
+
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = std::numeric_limits<double>::denorm_min();
 
 double value(const Point3& d, const Point3& p) { return d.x * p.x + d.y * p.y + d.z * p.z; }
 

@@ -11,7 +11,7 @@ namespace sunder::solid {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
+constexpr std::uint32_t no_vertex = 0xffffffff;
 
 // The plane through a, b, c as seen from the mean of the base d: n = (b - a) x (c - a), 4 h = n.(4 a - the sum of d),
 // which is n.((a - d0) + (a - d1) + (a - d2) + (a - d3)). Read makes a number of a double.
@@ -79,12 +79,12 @@ std::array<std::uint32_t, 4> choose_base(std::span<const Point3> points, std::sp
   const Vector3<double> normal = cross(arrow(b), arrow(c));
   std::vector<bool> is_in_facet(points.size());
   for (const std::uint32_t v : facet) is_in_facet[v] = true;
-  std::uint32_t furthest = none;
+  std::uint32_t furthest = no_vertex;
   double lowest = 0;
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     if (is_in_facet[v]) continue;
     const double height = dot(normal, arrow(v));
-    if (furthest != none && !(height < lowest)) continue;
+    if (furthest != no_vertex && !(height < lowest)) continue;
     furthest = v;
     lowest = height;
   }

@@ -46,15 +46,15 @@ class MapOfForms {
   T determinant_;
 };
 
-struct RoundedVertex {
+struct RoundedPolarVertex {
   Point3 at;
   double error;  // of each coordinate
   bool is_close = true;
 };
 
-RoundedVertex rounded(const PolarVertexOf<Estimate>& v) {
+RoundedPolarVertex rounded(const PolarVertexOf<Estimate>& v) {
   const double h = v.h.value.high;
-  RoundedVertex result{{v.n[0].value.high / h, v.n[1].value.high / h, v.n[2].value.high / h}, 0};
+  RoundedPolarVertex result{{v.n[0].value.high / h, v.n[1].value.high / h, v.n[2].value.high / h}, 0};
   const double size = std::max({std::fabs(result.at.x), std::fabs(result.at.y), std::fabs(result.at.z)});
   const double error_n = std::max({v.n[0].error, v.n[1].error, v.n[2].error});
   // Relative errors below 2^-30, or it is not close; three roundings; the quotients here.
@@ -62,7 +62,7 @@ RoundedVertex rounded(const PolarVertexOf<Estimate>& v) {
   result.is_close = h > 0 && result.error <= 0x1p-30 * size && size > 0x1p-900 && size < 0x1p900;
   return result;
 }
-RoundedVertex rounded(const PolarVertex& v) {
+RoundedPolarVertex rounded(const PolarVertex& v) {
   const Point3 at{nearest_ratio(v.n[0], v.h), nearest_ratio(v.n[1], v.h), nearest_ratio(v.n[2], v.h)};
   return {at, std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) * 0x1p-52 + 0x1p-1000};
 }
@@ -92,7 +92,7 @@ class FacetsAsPoints {
     const MapOfForms<Estimate> estimate(to_round);
     const MapOfForms<Dyadic> exact(to_round);
     for (std::uint32_t f = 0; f < polar.vertices.size(); ++f) {
-      RoundedVertex mapped = rounded(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
+      RoundedPolarVertex mapped = rounded(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
       if (!mapped.is_close) mapped = rounded(exact(exact_polar_vertex(points, facet(f), polar.base)));
       polar.vertices[f] = mapped.at;
       polar.errors[f] = mapped.error;

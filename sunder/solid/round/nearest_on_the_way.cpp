@@ -1,3 +1,4 @@
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/along.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/extreme_vertex.h>
@@ -11,9 +12,6 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-
-Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 
 // A fraction; the denominator is positive.
 struct Ratio {

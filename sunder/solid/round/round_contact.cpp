@@ -1,5 +1,6 @@
 // Why a point inside of one body and in the core of the other, a polyhedron, is enough: from it a small step towards
 // the middle of that polyhedron leads to a point of its relative interior, and stays inside of the first.
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/spanning_vertices.h>
@@ -17,13 +18,6 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-
-Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
-Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-
-bool is_zero(const Exact& v) {
-  return v.x.sign() == Sign::zero && v.y.sign() == Sign::zero && v.z.sign() == Sign::zero;
-}
 
 ExactPoint at(const CommonPoint& point) {
   const auto& [x, y, z] = point.coordinates;

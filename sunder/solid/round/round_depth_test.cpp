@@ -1,5 +1,7 @@
 #include <sunder/solid/round/round_depth.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +10,7 @@
 namespace sunder::solid {
 namespace {
 
-Pose moved(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
+using tests::shift;
 
 RoundDepth depth(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
   return round_depth(a, Pose(), b, pose_b);
@@ -29,7 +31,7 @@ void expect_about(const RoundDepth& d, double value, double part = 0x1p-20) {
   EXPECT_NE(d.surface != nullptr, d.points != nullptr);
 }
 
-RoundBody box(double half, double radius) {
+RoundBody rounded_box(double half, double radius) {
   std::vector<Point3> points;
   for (const double x : {-half, half}) {
     for (const double y : {-half, half}) {
@@ -41,11 +43,11 @@ RoundBody box(double half, double radius) {
 
 TEST(RoundDepthTest, BallsCapsulesAndRoundedBoxes) {
   const RoundBody ball = RoundBody::ball({0, 0, 0}, 2);
-  expect_exactly(depth(ball, ball, moved(3, 0, 0)), 1);
-  expect_exactly(depth(ball, ball, moved(4, 0, 0)), 0);
+  expect_exactly(depth(ball, ball, shift(3, 0, 0)), 1);
+  expect_exactly(depth(ball, ball, shift(4, 0, 0)), 0);
   expect_exactly(depth(ball, ball), 4);
-  EXPECT_FALSE(depth(ball, ball, moved(4.5, 0, 0)).meet());
-  const RoundDepth off = depth(ball, ball, moved(1, 1, 0));  // 4 less the root of 2
+  EXPECT_FALSE(depth(ball, ball, shift(4.5, 0, 0)).meet());
+  const RoundDepth off = depth(ball, ball, shift(1, 1, 0));  // 4 less the root of 2
   EXPECT_EQ(off.depth.high, std::nextafter(off.depth.low, 9));
   EXPECT_LE(off.depth.low, 4 - std::sqrt(2.0));
 
@@ -53,11 +55,11 @@ TEST(RoundDepthTest, BallsCapsulesAndRoundedBoxes) {
   const RoundBody along_x = RoundBody::capsule({-5, 0, 0}, {5, 0, 0}, 1),
                   along_y = RoundBody::capsule({0, -5, 0}, {0, 5, 0}, 1);
   expect_exactly(depth(along_x, along_y), 2);
-  expect_exactly(depth(along_x, along_y, moved(0, 0, 1.25)), 0.75);
+  expect_exactly(depth(along_x, along_y, shift(0, 0, 1.25)), 0.75);
 
-  expect_exactly(depth(box(2, 0.5), box(2, 0.25), moved(3, 0, 0)), 1.75);
-  expect_exactly(depth(box(2, 0.5), box(2, 0.25), moved(4.5, 0, 0)), 0.25);
-  expect_exactly(depth(box(2, 0), RoundBody::ball({1, 0, 0}, 3)), 4);
+  expect_exactly(depth(rounded_box(2, 0.5), rounded_box(2, 0.25), shift(3, 0, 0)), 1.75);
+  expect_exactly(depth(rounded_box(2, 0.5), rounded_box(2, 0.25), shift(4.5, 0, 0)), 0.25);
+  expect_exactly(depth(rounded_box(2, 0), RoundBody::ball({1, 0, 0}, 3)), 4);
 }
 
 TEST(RoundDepthTest, Curved) {
@@ -68,8 +70,8 @@ TEST(RoundDepthTest, Curved) {
   expect_about(depth(RoundBody::ball({0.5, 0, 3.5}, 0.25), cylinder), 0.75);
   // The centre of the ball is outside of the cylinder.
   expect_about(depth(cylinder, RoundBody::ball({3, 0, 0}, 1.25)), 0.25);
-  expect_about(depth(cylinder, cylinder, moved(1, 0, 0)), 3);
-  expect_about(depth(cylinder, box(1, 0), moved(2.5, 0, 0)), 0.5);
+  expect_about(depth(cylinder, cylinder, shift(1, 0, 0)), 3);
+  expect_about(depth(cylinder, rounded_box(1, 0), shift(2.5, 0, 0)), 0.5);
   const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 3);
   expect_about(depth(cone, RoundBody::ball({0, 0, 0.5}, 0.125)), 0.625);
   // The way to the side is 3/5 of what is below the apex: 12/5 at the base.
@@ -77,7 +79,7 @@ TEST(RoundDepthTest, Curved) {
   const RoundBody ellipsoid = RoundBody::ellipsoid({0, 0, 0}, {5, 3, 1});
   expect_about(depth(ellipsoid, RoundBody::ball({0, 0, 0.5}, 0.25)), 0.75);
   expect_about(depth(ellipsoid, RoundBody::ball({0, 0, 0}, 0.25)), 1.25);
-  expect_about(depth(ellipsoid, box(1, 0), moved(5.5, 0, 0)), 0.5);
+  expect_about(depth(ellipsoid, rounded_box(1, 0), shift(5.5, 0, 0)), 0.5);
 }
 
 // Along all directions across the axis it is as deep; of two balls by other names, along all.

@@ -15,7 +15,8 @@ namespace sunder::solid {
 
 namespace {
 
-constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
+constexpr double largest_double = std::numeric_limits<double>::max(),
+                 infinity = std::numeric_limits<double>::infinity();
 
 std::shared_ptr<const std::array<PointOf, 2>> shared(NearPoints points) {
   return std::make_shared<const std::array<PointOf, 2>>(std::array{std::move(points.of_a), std::move(points.of_b)});
@@ -36,7 +37,7 @@ template <class Holds>
 double greatest(double about, const Holds& holds) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };  // in the order of the numbers
   const auto at = [](std::uint64_t k) { return std::bit_cast<double>(k); };
-  const std::uint64_t most = bits(largest);
+  const std::uint64_t most = bits(largest_double);
   std::uint64_t low = about > 0 ? std::min(bits(about), most) : 0, high = low + 1;
   for (std::uint64_t step = 1; low > 0 && !holds(at(low)); step *= 2) {
     high = low;

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/closest_features.h>
 #include <sunder/solid/pair/extreme_vertex.h>
@@ -13,7 +14,6 @@ namespace {
 using Exact = Vector3<Dyadic>;
 
 Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
 Exact image(const Point3& p, const Affine3& pose) { return lift<ExactStage>(Posed3{p, &pose, false}); }
 

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
@@ -15,8 +16,6 @@ namespace {
 using Exact = Vector3<Dyadic>;
 
 Exact image(const PlacedRound& body, const Point3& p) { return lift<ExactStage>(Posed3{p, &body.core.pose, false}); }
-Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 
 RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near,
                        Cost& cost, StageTally& tally) {

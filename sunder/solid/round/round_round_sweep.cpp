@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/round/nearest_on_the_way.h>
 #include <sunder/solid/round/round_finish.h>
@@ -17,8 +18,6 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
-Exact sum(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Exact times(const Dyadic& w, const Exact& v) { return {w * v.x, w * v.y, w * v.z}; }
 Exact vector(const std::array<Dyadic, 3>& v) { return {v[0], v[1], v[2]}; }
 std::array<Dyadic, 3> numbers(const Exact& v) { return {v.x, v.y, v.z}; }
 

@@ -1,5 +1,7 @@
 #include <sunder/solid/round/round_round_sweep.h>
 
+#include <tests/support/shapes.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,7 @@
 namespace sunder::solid {
 namespace {
 
-Pose at(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
+using tests::shift;
 
 const RoundBody unit_ball = RoundBody::ball({0, 0, 0}, 1);
 
@@ -22,11 +24,11 @@ RoundBody box(double half) {
 }
 
 RoundVerdict past(const RoundBody& a, const RoundBody& b, double aside) {
-  return round_round_sweep(a, Translation(Pose()), b, {at(-5, aside, 0), at(5, aside, 0)}).verdict;
+  return round_round_sweep(a, Translation(Pose()), b, {shift(-5, aside, 0), shift(5, aside, 0)}).verdict;
 }
 
 TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
-  const Translation rests{Pose()}, goes(at(-5, 2, 0), at(5, 2, 0));
+  const Translation rests{Pose()}, goes(shift(-5, 2, 0), shift(5, 2, 0));
   const RoundSweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
   ASSERT_TRUE(answer.meet());
   EXPECT_EQ(nearest_ratio(answer.contact->time, answer.contact->denominator), 0.5);
@@ -36,7 +38,7 @@ TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
   EXPECT_EQ(first.time.high, 0.5);
   EXPECT_EQ(past(unit_ball, unit_ball, std::nextafter(2.0, 3.0)), RoundVerdict::apart);
   // As far as sqrt(3^2 + 4^2), across a way that is not along an axis.
-  const Translation slanted(at(3 - 40, 4 + 30, 0), at(3 + 20, 4 - 15, 0));
+  const Translation slanted(shift(3 - 40, 4 + 30, 0), shift(3 + 20, 4 - 15, 0));
   const RoundBody large = RoundBody::ball({0, 0, 0}, 4), larger = RoundBody::ball({0, 0, 0}, std::nextafter(4.0, 3.0));
   EXPECT_TRUE(round_round_sweep(large, rests, unit_ball, slanted).meet());
   EXPECT_EQ(round_round_sweep(larger, rests, unit_ball, slanted).verdict, RoundVerdict::apart);
@@ -66,7 +68,7 @@ TEST(RoundRoundSweep, CurvedBodiesInNumbersThatPeopleGive) {
 }
 
 TEST(RoundRoundSweep, WhatMeetsAtAnEnd) {
-  const Translation leaves(at(2, 0, 0), at(7, 0, 0)), comes(at(7, 0, 0), at(2, 0, 0)), rests{Pose()};
+  const Translation leaves(shift(2, 0, 0), shift(7, 0, 0)), comes(shift(7, 0, 0), shift(2, 0, 0)), rests{Pose()};
   const RoundSweepAnswer first = round_round_sweep(unit_ball, rests, unit_ball, leaves);
   ASSERT_TRUE(first.meet());
   EXPECT_EQ(round_round_first_contact(unit_ball, rests, unit_ball, leaves, first).time.high, 0);
@@ -75,15 +77,15 @@ TEST(RoundRoundSweep, WhatMeetsAtAnEnd) {
   const RoundFirstContact contact = round_round_first_contact(unit_ball, rests, unit_ball, comes, last);
   EXPECT_EQ(contact.time.high, 1);
   EXPECT_GE(contact.time.low, 1 - 0x1p-40);
-  EXPECT_TRUE(round_round_sweep(unit_ball, rests, unit_ball, Translation(at(2, 0, 0))).meet());
-  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(at(2.5, 0, 0))).verdict, RoundVerdict::apart);
+  EXPECT_TRUE(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2, 0, 0))).meet());
+  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2.5, 0, 0))).verdict, RoundVerdict::apart);
 }
 
 // The first time is that of two quadratic roots: enclosed, and narrowly.
 TEST(RoundRoundSweep, FirstTimesAreEnclosed) {
   const Translation rests{Pose()};
   for (const double aside : {0.0, 0.3, 1.0, 1.9, 1.999, 1.9999999}) {
-    const Translation goes(at(-5, aside, 0), at(5, aside, 0));
+    const Translation goes(shift(-5, aside, 0), shift(5, aside, 0));
     const RoundSweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
     ASSERT_TRUE(answer.meet());
     const Interval time = round_round_first_contact(unit_ball, rests, unit_ball, goes, answer).time;
@@ -99,8 +101,8 @@ TEST(RoundRoundSweep, NeedlesThatCross) {
   const RoundBody a = RoundBody::capsule({0, 0, -1}, {0, 0, 1}, 0x1p-600);
   const RoundBody b = RoundBody::capsule({0, -1, 0}, {0, 1, 0}, 0);
   const double third = 1.0 / 3;
-  EXPECT_TRUE(round_round_sweep(a, Translation(Pose()), b, {at(-third, 0, third), at(1, 0, 0.1)}).meet());
-  EXPECT_EQ(round_round_sweep(a, Translation(Pose()), b, {at(-third, 0, third), at(1, 0, 8)}).verdict,
+  EXPECT_TRUE(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 0.1)}).meet());
+  EXPECT_EQ(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 8)}).verdict,
             RoundVerdict::apart);
 }
 
