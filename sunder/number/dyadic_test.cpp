@@ -5,8 +5,8 @@
 #include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 #include <array>
 #include <cmath>

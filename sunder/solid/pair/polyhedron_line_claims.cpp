@@ -244,7 +244,8 @@ class Claims {
     for (std::size_t k = 1; k < 4; ++k) sum = sum + vertex(nodes[k].vertex);
     const auto corner = [&](std::size_t k) { return vertex(nodes[ranks[k]].vertex) * 4.0 - sum; };
     const Exact u = corner(0), v = corner(1), w = corner(2), to = p * 4.0 - sum * whole;
-    const Dyadic of_u = exact_determinant(to, v, w), of_v = exact_determinant(u, to, w), of_w = exact_determinant(u, v, to);
+    const Dyadic of_u = exact_determinant(to, v, w), of_v = exact_determinant(u, to, w),
+                 of_w = exact_determinant(u, v, to);
     const Dyadic all = exact_determinant(u, v, w) * whole, rest = all - of_u - of_v - of_w;
     std::vector<Combination::Part> parts{{nodes[ranks[0]].vertex, of_u.scaled(2)},
                                          {nodes[ranks[1]].vertex, of_v.scaled(2)},
@@ -285,7 +286,8 @@ class Claims {
       (exact_determinant(n, arrow(middle), to).sign() == Sign::negative ? high : low) = middle;
     }
     const Exact u = arrow(low), v = arrow(high);
-    const Dyadic all = exact_determinant(n, u, v) * whole, of_u = exact_determinant(n, to, v), of_v = exact_determinant(n, u, to);
+    const Dyadic all = exact_determinant(n, u, v) * whole, of_u = exact_determinant(n, to, v),
+                 of_v = exact_determinant(n, u, to);
     return made_of({{cycle[0], all - of_u - of_v}, {cycle[low], of_u}, {cycle[high], of_v}}, all);
   }
 
