@@ -251,7 +251,7 @@ TEST(DyadicTest, HexadecimalReadsBack) {
     const std::string text = d.hexadecimal();
     std::smatch parts;
     ASSERT_TRUE(std::regex_match(text, parts, form)) << text;
-    Whole mantissa = 0;
+    tests::Integer mantissa = 0;
     for (const char c : parts[2].str()) mantissa = mantissa * 16 + (c <= '9' ? c - '0' : c - 'a' + 10);
     if (parts[1].length() != 0) mantissa = -mantissa;
     ASSERT_EQ(rational(mantissa, std::stoll(parts[3].str())), rational(d)) << text;

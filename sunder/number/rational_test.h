@@ -10,11 +10,10 @@
 namespace sunder {
 
 using Rational = tests::Fraction;
-using Whole = tests::Integer;
 
 // n 2^e
-inline Rational rational(const Whole& n, std::int64_t e) { return Rational(n).scaled(e); }
+inline Rational rational(const tests::Integer& n, std::int64_t e) { return Rational(n).scaled(e); }
 inline Rational rational(double x) { return Rational(x); }
-inline Rational rational(const Dyadic& x) { return rational(Whole(mantissa_of(x).str()), x.exponent()); }
+inline Rational rational(const Dyadic& x) { return rational(tests::Integer(mantissa_of(x).str()), x.exponent()); }
 
 }  // namespace sunder

@@ -26,10 +26,10 @@ using solid::ConvexPolyhedron;
 using solid::PolyhedronDistance;
 using solid::Pose;
 
-using Fraction = std::array<Dyadic, 2>;
+using DyadicRatio = std::array<Dyadic, 2>;
 
 // x times `factor` against y.
-Sign compare(const Fraction& x, const Dyadic& factor, const Fraction& y) {
+Sign compare(const DyadicRatio& x, const Dyadic& factor, const DyadicRatio& y) {
   return (factor * x[0] * y[1] - y[0] * x[1]).sign();
 }
 
