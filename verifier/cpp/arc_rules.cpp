@@ -130,7 +130,7 @@ class Arcs {
     const std::size_t n = named.size();
     for (std::size_t m = 0; n > 1 && m < n; ++m) {
       const Corner corner(discs_[named[m]], discs_[named[(m + 1) % n]]);
-      require(corner.is_crossing(), "arcs", "circles do not determinant in two points");
+      require(corner.is_crossing(), "arcs", "circles do not cross in two points");
       chain.ends.push_back({corner.seen_from(place_), corner});
     }
     std::size_t starts = 0, first = 0;

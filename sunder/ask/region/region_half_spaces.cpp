@@ -111,7 +111,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
         d_(half_spaces_.dimension()),
         objective_(objective_of(asked.maximize, d_)) {
     if (objective_.empty() && method_ != polytope::linear_program) {
-      throw Error(ErrorCode::bad_call, "program_methods of half-spaces are for --maximize; leave it out", "--method");
+      throw Error(ErrorCode::bad_call, "methods of half-spaces are for --maximize; leave it out", "--method");
     }
     counted_ = "half-space";
   }
