@@ -51,7 +51,7 @@ namespace sunder::solid {
 
 namespace {
 
-constexpr std::uint32_t no_triangle = Triangle::none;
+constexpr std::uint32_t no_point = Triangle::none;
 
 // The size of the box around the points, as rounded.
 Point3 extent_of(std::span<const Point3> points) {
@@ -73,7 +73,7 @@ class Quickhull {
     while (!urgent_.empty() || !waiting_.empty()) {
       may_be_interrupted(20);
       const std::uint32_t t = take_next();
-      if (triangles_[t].removed || triangles_[t].outside == no_triangle) continue;
+      if (triangles_[t].removed || triangles_[t].outside == no_point) continue;
       insert(triangles_[t].lopsided < most_lopsided ? triangles_[t].outside : random_outside(t), t);
     }
     return {std::move(triangles_), side_tests_};
@@ -127,7 +127,7 @@ class Quickhull {
     fill_hole(p, rim);
     std::uint32_t placed = 0;
     for (const std::uint32_t v : visible_) {
-      for (std::uint32_t q = std::exchange(triangles_[v].outside, no_triangle); q != no_triangle; ++placed) {
+      for (std::uint32_t q = std::exchange(triangles_[v].outside, no_point); q != no_point; ++placed) {
         const std::uint32_t following = next_outside_[q];
         if (points_[q] != points_[p]) place(q);
         q = following;
@@ -152,9 +152,9 @@ class Quickhull {
   std::uint32_t random_outside(std::uint32_t t) {
     const std::uint32_t first = triangles_[t].outside;
     std::uint32_t chosen = first, count = 0;
-    for (std::uint32_t q = first; q != no_triangle; q = next_outside_[q]) ++count;
+    for (std::uint32_t q = first; q != no_point; q = next_outside_[q]) ++count;
     for (auto skipped = random_() % count; skipped > 0; --skipped) chosen = next_outside_[chosen];
-    for (std::uint32_t q = first; q != no_triangle; q = next_outside_[q]) {
+    for (std::uint32_t q = first; q != no_point; q = next_outside_[q]) {
       if (q < chosen && points_[q] == points_[chosen]) chosen = q;
     }
     return chosen;
@@ -232,7 +232,7 @@ class Quickhull {
       Triangle& triangle = triangles_[fresh.triangle];
       if (triangle.side(points_, points_[q]) != Sign::positive) continue;
       const std::uint32_t farthest = triangle.outside;
-      if (farthest == no_triangle || is_farther(triangle, q, farthest)) {
+      if (farthest == no_point || is_farther(triangle, q, farthest)) {
         next_outside_[q] = farthest;
         triangle.outside = q;
       } else {
