@@ -3,7 +3,7 @@
 
     scripts/mutants.py BUILD [NUMBER...]    BUILD is a folder where Ninja has built the program; it stays as it is
 
-Of each mutant one file is compiled and linked with what is there. The subject that ought to find it runs first, then
+Of each mutant one file, or the batch that it is compiled in, is compiled and linked with what is there. The subject that ought to find it runs first, then
 all others. Prints who found it, or that none did.
 """
 import os
@@ -21,11 +21,11 @@ VERIFY, SEGMENTS = "sunder/ask/verb_verify.cpp", "sunder/ask/set/verb_segments.c
 # File, old text (there once), new text, and who ought to find it: subject, or subject:part of a test's name.
 MUTANTS = [
     (REPORT, '"sunder: {}\\n", io::one_line(text)', '"Sunder: {}\\n", io::one_line(text)', "depth"),
-    (REPORT, "if (!said.is_quiet) print_error(", "if (said.is_quiet) print_error(", "pair:not convex"),
-    (REPORT, '{"notes", said.notes}', '{"notes", Json::array()}', "pair:not convex"),
+    (REPORT, "if (!reported.is_quiet) print_error(", "if (reported.is_quiet) print_error(", "pair:not convex"),
+    (REPORT, '{"notes", reported.notes}', '{"notes", Json::array()}', "pair:not convex"),
     (REPORT, '{"decided_by", nullptr}, ', "", "vertices:Points"),
-    (REPORT, "if (said.is_quiet || said.leaves_output) return;", "if (said.leaves_output) return;", "general:Quiet"),
-    (REPORT, "if (said.is_quiet || said.leaves_output) return;", "if (said.is_quiet) return;", "general:Standard input and"),
+    (REPORT, "if (reported.is_quiet || reported.leaves_output) return;", "if (reported.leaves_output) return;", "general:Quiet"),
+    (REPORT, "if (reported.is_quiet || reported.leaves_output) return;", "if (reported.is_quiet) return;", "general:Standard input and"),
     (REPORT, '{{"sunder", 1}, ', '{{"sunder", 2}, ', "depth"),
     (REPORT, "claims.add_origin(by_this_call(origin));", "claims.add_origin({});", "files:Mending"),
     (PROGRAM, 'if (first == "help" || ', "if (", "general:Help"),
@@ -59,7 +59,7 @@ MUTANTS = [
     (SIMPLE, "if (at.size() > 1) geometry =", "if (at.size() > 9) geometry =", "simple:as GeoJSON"),
     (SIMPLE, 'json["rule"] = call_.strict', 'json["law"] = call_.strict', "simple:Simple polygons"),
     (SIMPLE, "if (mended > 0) text +=", "if (mended > 9) text +=", "simple:Mended"),
-    (SIMPLE, "refuse_method(call.method, methods);", "return 0;", "simple:Simple polygons"),
+    (SIMPLE, "refuse_method(call.method, simple_methods);", "return 0;", "simple:Simple polygons"),
     (POLYGONS, 'if (grouped()) text += fmt::format(" of {}"', 'if (false) text += fmt::format(" of {}"', "sets:of groups"),
     (POLYGONS, 'if (input_.files.size() > 1) add("files", i.file, j.file);', "", "files:Two files"),
     (POLYGONS, ", among {} only: {}", ", of {} only: {}", "files:Invalid"),
@@ -79,19 +79,37 @@ def commands_of(build):
     return [line for line in lines if " -c " in line], re.sub(r"^: && | && :$", "", link)
 
 
+def read(path):
+    with open(path, encoding="utf-8") as stream:
+        return stream.read()
+
+
+def write(path, text):
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text)
+
+
 def make(build, mutant, folder):
     """The program with one thing changed."""
     file, old, new, _ = mutant
     compiles, link = commands_of(build)
-    command = next(shlex.split(line) for line in compiles if line.endswith("/" + file))
-    with open(command[-1], encoding="utf-8") as stream:
-        text = stream.read()
+    text = read(os.path.join(ROOT, file))
     if text.count(old) != 1:
         raise ValueError("the text is there %d times: %s" % (text.count(old), old))
     source, made, program = (os.path.join(folder, name) for name in ("mutant.cpp", "mutant.o", "sunder"))
-    with open(source, "w", encoding="utf-8") as stream:
-        stream.write(text.replace(old, new))
-    command[-1] = source
+    write(source, text.replace(old, new))
+    include = "#include <%s>\n" % file
+    for command in map(shlex.split, compiles):
+        if command[-1].endswith("/" + file):
+            command[-1] = source
+            break
+        if "/batches/" in command[-1] and include in read(command[-1]):  # then all of its batch is compiled
+            batch = read(command[-1]).replace(include, '#include "%s"\n' % source)
+            command[-1] = os.path.join(folder, "batch.cpp")
+            write(command[-1], batch)
+            break
+    else:
+        raise ValueError("is not compiled")
     command[command.index("-o") + 1] = made
     del command[command.index("-MD"):command.index("-o")]
     for words in (command, [program if w == "bin/sunder" else w for w in shlex.split(link)]):
