@@ -7,10 +7,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace sunder::polytope {
 namespace {
+
+// What refers to its body and pose takes no temporary ones.
+static_assert(std::is_constructible_v<Placed, const Polytope&, const Pose&>);
+static_assert(!std::is_constructible_v<Placed, const Polytope&, Pose>);
+static_assert(!std::is_constructible_v<Placed, Polytope, const Pose&>);
+static_assert(!std::is_constructible_v<Placed, const HierarchicalTree&, Pose>);
 
 // Half-spaces about the origin, or not, and points, with exponents between -range and range.
 struct WidePair {
