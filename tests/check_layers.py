@@ -91,8 +91,6 @@ SOURCES = (".h", ".cpp", ".py", ".cmake", ".sh")
 FOLDERS = ["sunder", "cli", "python", "verifier", "tests", "fuzz", "bench", "examples", "cmake"]
 LONGEST = 600
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-
-
 NAMESPACE = re.compile(r"namespace ((?:\w+)(?:::\w+)*) \{|\}  // namespace (\w+)$")
 TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)(?: final)?(?: :.*)? (?:\{|=)")
 
@@ -240,7 +238,8 @@ def types_of(root, path):
             if match and match.group(2):
                 namespace = namespace and namespace.removesuffix("::" + match.group(2))
             elif match:
-                namespace = "::".join(filter(None, [namespace, match.group(1)]))
+                inner = match.group(1)
+                namespace = inner if inner.split("::")[0] == "sunder" else "%s::%s" % (namespace, inner)
             match = TYPE.match(line)
             if match and namespace:
                 yield namespace, match.group(1), number

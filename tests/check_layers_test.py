@@ -11,6 +11,8 @@ import check_layers
 GOOD = {
     "sunder/base/error.h": "#pragma once\n#include <string>\n",
     "sunder/number/sign.h": "#include <sunder/base/error.h>\nnamespace sunder {\nenum class Sign : int { zero };\n}\n",
+    "sunder/solid/object/two.h": "namespace sunder::solid {\nstruct A {\n};\n}  // namespace sunder::solid\n\nnamespace sunder {\n"
+                                 "struct B {\n};\n}  // namespace sunder\n\nnamespace sunder {\nstruct C {\n};\n}\n",
     "sunder/number/whole_internal.h": "#include <boost/multiprecision/cpp_int.hpp>\n",
     "sunder/base/contract.cpp": "void f() { std::abort(); }\n",
     "sunder/solid/hull/convex_hull.h": "#include <sunder/number/sign.h>\n",
@@ -76,6 +78,9 @@ BAD = {
     "a carriage return": ("sunder/base/x.h", "int x;\r\n", "L5"),
     "no newline at the end": ("cli/x.h", "int x;", "L5"),
     "a broken list": ("sunder/base/x.h", "//   A1. " + "word " * 22 + "by\n//   the\n//       end.\nint x;\n", "L7"),
+    "a namesake after another namespace": (
+        "sunder/solid/pair/x.h",
+        "namespace sunder::planar {\nint x;\n}  // namespace sunder::planar\n\nnamespace sunder::solid {\nstruct Sign {\n};\n}\n", "L8"),
     "a namesake": ("sunder/solid/pair/x.h", "namespace sunder::solid {\nstruct Sign {\n};\n}\n", "L8"),
     "a namesake of an alias": ("sunder/solid/pair/x.h", "namespace sunder::solid {\nusing Sign = int;\n}\n", "L8"),
     "a long file": ("sunder/base/x.h", "int x;\n" * 601, "L6"),
