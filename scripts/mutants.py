@@ -3,8 +3,8 @@
 
     scripts/mutants.py BUILD [NUMBER...]    BUILD is a folder where Ninja has built the program; it stays as it is
 
-Of each mutant one file, or the batch that it is compiled in, is compiled and linked with what is there. The subject that ought to find it runs first, then
-all others. Prints who found it, or that none did.
+Of each mutant one file, or the batch that it is compiled in, is compiled and linked with what is there. The subject
+that ought to find it runs first, then all others. Prints who found it, or that none did.
 """
 import os
 import re

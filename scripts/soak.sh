@@ -67,7 +67,8 @@ part_tsan() {
     run_tests tsan tsan --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
 }
 
-# All tests with Clang, each source alone and without precompiled headers; then the same certificates, byte for byte, as with the other compiler.
+# All tests with Clang, each source alone and without precompiled headers; then the same certificates, byte for byte, as
+# with the other compiler.
 part_clang() {
   configure clang "clang++-$clang" -DSUNDER_PRECOMPILED_HEADERS=OFF -DSUNDER_BATCHES=OFF || return 1
   build clang || return 1

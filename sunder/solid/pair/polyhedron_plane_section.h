@@ -79,7 +79,8 @@ class SectionPoints {
  public:
   SectionPoints(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
 
-  // Where it is, in the world. Requires a corner of the section by the plane, or by the one with this offset instead.
+  // The position of a corner in the world frame. The corner must belong to a section by this plane, or by a parallel
+  // plane that was given by its offset.
   ExactPoint3 exact(const SectionCorner& corner) const;
 
   // The nearest doubles, ties to even; infinite beyond the range. Cost: double-double arithmetic, and exact numbers
