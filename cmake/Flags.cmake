@@ -71,10 +71,17 @@ function(sunder_batches variable target)
   set(${variable} ${result} PARENT_SCOPE)
 endfunction()
 
-# What fuzzers are to find their way through counts its branches for them.
+# What fuzzers are to find their way through counts its branches for them; what reads their bytes (READS) also shows
+# them what it compares, which takes a quarter of the time to compile and more to run.
 function(sunder_fuzzed target)
-  if(SUNDER_FUZZ)
+  if(NOT SUNDER_FUZZ)
+    return()
+  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "READS" "" "")
+  if(arg_READS)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  else()
+    target_compile_options(${target} PRIVATE -fsanitize-coverage=inline-8bit-counters,pc-table)
   endif()
 endfunction()
 

@@ -21,7 +21,7 @@ if(SUNDER_FUZZ AND NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
 endif()
 if(SUNDER_SANITIZE)
   add_compile_options(-fsanitize=${SUNDER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=${SUNDER_SANITIZE})
+  add_link_options(-fsanitize=${SUNDER_SANITIZE} -no-pie)  # what sanitizers say of each place need not be moved at start
 endif()
 if(SUNDER_COVERAGE)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -3,6 +3,8 @@
 #include <sunder/near/box_grid.h>
 #include <sunder/near/box_pairs.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +74,8 @@ std::vector<Box2> some_flat_boxes(Random& random, std::size_t count, int family)
 TEST(BoxPairs, AreThoseOfTheScan) {
   Random random(20261124);
   std::size_t grids = 0, pairs_found = 0, pairs_across = 0;
-  for (int k = 0; k < 1500; ++k) {
+  const int count_of_sets = tests::scaled_count(1500, 200);
+  for (int k = 0; k < count_of_sets; ++k) {
     const std::vector<Box2> boxes = some_flat_boxes(random, random.below(k % 50 == 0 ? 400 : 60), k % 5);
     const std::span<const Box2> all(boxes);
     const PairList expected = by_scan(boxes);
@@ -118,9 +121,9 @@ TEST(BoxPairs, AreThoseOfTheScan) {
     EXPECT_FALSE(for_each_box_pair(all, adding_to(found, expected.size() / 2)));
     EXPECT_EQ(found.size(), expected.size() / 2);
   }
-  EXPECT_GT(grids, 900u);
-  EXPECT_GT(pairs_found, 100000u);
-  EXPECT_GT(pairs_across, 50000u);
+  EXPECT_GT(grids, static_cast<std::size_t>(count_of_sets) * 3 / 5);
+  EXPECT_GT(pairs_found, static_cast<std::size_t>(count_of_sets) * 60);
+  EXPECT_GT(pairs_across, static_cast<std::size_t>(count_of_sets) * 30);
 }
 
 TEST(BoxGrid, IsNotMadeWhereItDoesNotPay) {

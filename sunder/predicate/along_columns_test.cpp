@@ -53,7 +53,7 @@ Points points_of(std::size_t d, std::uint32_t count, const Number& number) {
 }
 
 TEST(AlongColumns, ErrorsAreBoundedAndTheExactFurthestIsFound) {
-  const int cases = tests::scaled_count(2000, 200);
+  const int cases = tests::scaled_count(2000, 80);
   Random random(tests::chosen_seed(20261126));
   int sure = 0, ties = 0, many_looks = 0, zeros = 0;
   for (int i = 0; i < cases; ++i) {

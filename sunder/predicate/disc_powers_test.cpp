@@ -3,6 +3,8 @@
 #include <sunder/predicate/disc_powers.h>
 #include <sunder/predicate/orient.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -49,10 +51,11 @@ TEST(DiscPowersTest, AgainstExactPoints) {
   PowerDiscSource source(9);
   std::array<StageTally, 4> tallies;
   std::array<int, 3> signs{};
-  for (int i = 0; i < 16000; ++i) {
-    const int kind = i % 4;
+  const auto count = static_cast<std::uint64_t>(tests::scaled_count(16000, 3200));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const int kind = static_cast<int>(i % 4);
     std::vector<Disc> basis;
-    for (int n = 1 + i / 4 % 3; n > 0; --n) basis.push_back(source.disc(kind));
+    for (std::uint64_t n = 1 + i / 4 % 3; n > 0; --n) basis.push_back(source.disc(kind));
     if (basis.size() > 1 && basis[0].center == basis[1].center) continue;
     if (basis.size() > 2 && orient_2d(basis[0].center, basis[1].center, basis[2].center) == Sign::zero) continue;
     const ExactPoint2 p = deepest_point(basis);
@@ -93,11 +96,11 @@ TEST(DiscPowersTest, AgainstExactPoints) {
     ASSERT_EQ(power_at(at, k), power({at.x, at.y, Dyadic(1)}, k).sign()) << i;
     ASSERT_EQ(power_at(viewpoint(at), k), power_at(at, k)) << i;
   }
-  for (const int n : signs) EXPECT_GT(n, 500);
-  EXPECT_GT(tallies[0].rounded + tallies[0].interval, 3000u);
-  EXPECT_GT(tallies[0].exact, 300u);
-  EXPECT_GT(tallies[1].rounded, 5000u);
-  EXPECT_GT(tallies[2].interval, 500u);  // numbers of 106 bits
+  for (const int n : signs) EXPECT_GT(n, static_cast<int>(count / 32));
+  EXPECT_GT(tallies[0].rounded + tallies[0].interval, count * 3 / 16);
+  EXPECT_GT(tallies[0].exact, count * 3 / 160);
+  EXPECT_GT(tallies[1].rounded, count * 5 / 16);
+  EXPECT_GT(tallies[2].interval, count / 32);  // numbers of 106 bits
 }
 
 TEST(DiscPowersTest, BoundsOfBoxes) {

@@ -2,6 +2,8 @@
 #include <sunder/predicate/round_image.h>
 #include <sunder/predicate/round_shape.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -72,7 +74,7 @@ TEST(RoundImage, NoSureGapIsWrong) {
   for (const RoundKind kind_a : round_kinds) {
     for (const RoundKind kind_b : round_kinds) {
       GuessCount far, near;
-      for (int i = 0; i < 60; ++i) {
+      for (int i = 0; i < tests::scaled_count(60, 12); ++i) {
         const Body a(random, kind_a);
         Body b(random, kind_b);
         Point3 d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};

@@ -80,7 +80,7 @@ std::vector<std::vector<double>> some_points(std::size_t d, int family, Random& 
 TEST(SimplexPlane, EachStageSaysWhatTheDeterminantIs) {
   Random random(tests::chosen_seed(20261201));
   int sure = 0, closer = 0, all = 0, zero = 0;
-  for (int turn = 0; turn < tests::scaled_count(400, 100); ++turn) {
+  for (int turn = 0; turn < tests::scaled_count(400, 40); ++turn) {
     const std::size_t d = 2 + static_cast<std::size_t>(turn % 5);
     const auto points = some_points(d, turn / 5 % 4, random);
     std::vector<double> flat;

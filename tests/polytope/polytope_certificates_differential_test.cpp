@@ -112,7 +112,7 @@ void expect_accepted(const PolytopePair& c, Counts& counts) {
 }
 
 TEST(PolytopeCertificatesDifferential, OfPoints) {
-  const int count = scaled_count(3000, 200);
+  const int count = scaled_count(3000, 60);
   PolytopePairs pairs(chosen_seed(20261130));
   Counts counts;
   for (int i = 0; i < count; ++i) {
@@ -126,7 +126,7 @@ TEST(PolytopeCertificatesDifferential, OfPoints) {
 }
 
 TEST(PolytopeCertificatesDifferential, OfHalfSpaces) {
-  const int count = scaled_count(3000, 200);
+  const int count = scaled_count(3000, 60);
   PolytopePairs pairs(chosen_seed(20261131));
   Counts counts;
   for (int i = 0; i < count; ++i) {

@@ -240,7 +240,7 @@ TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
   Random random(chosen_seed(20261202));
   std::map<RegionKind, int> kinds;
   int flat = 0, in_words = 0, in_any = 0;
-  for (int turn = 0; turn < scaled_count(120, 30); ++turn) {
+  for (int turn = 0; turn < scaled_count(120, 8); ++turn) {
     const std::size_t d = 2 + static_cast<std::size_t>(turn % 5);
     SCOPED_TRACE(turn);
     const std::vector<double> rows = degenerate_rows(d, random);

@@ -91,7 +91,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
   if (count < 2000) return;  // too few for the rates below
   // The test tested something: both verdicts are common in each family that can have both.
   for (const auto& [family, t] : tallies) {
-    EXPECT_GE(t.cases, count / family_count);
+    EXPECT_GE(t.cases, count / family_count / (family == Family::stretched_turned ? 4 : 1)) << name_of(family);
     if (family == Family::touching || family == Family::shapes_touching) {
       EXPECT_EQ(t.meets, t.cases);
     } else if (family == Family::contained) {  // but where the shrunk copy left a body without the origin

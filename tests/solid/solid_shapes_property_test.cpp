@@ -38,7 +38,7 @@ TEST(SolidShapes, HaveTheVerticesAndTheDegreeTheySay) {
 
 TEST(SolidShapes, KeepTheirVerticesWhereTheyAreMany) {
   for (const SolidShape& shape : all_solid_shapes()) {
-    const std::size_t n = std::size_t{1} << 17;
+    const std::size_t n = std::size_t{1} << (is_scaled_down() ? 13 : 17);
     Random random(chosen_seed(18));
     const ConvexHull hull = solid::convex_hull(shape.make(n, random));
     EXPECT_EQ(hull.vertices.size(), shape.vertex_count(n)) << shape.name;

@@ -45,6 +45,8 @@ int scaled_count(int count, int at_least) {
   return std::max(std::min(count, at_least), static_cast<int>(scaled));
 }
 
+bool is_scaled_down() { return scaled_count(10, 0) < 1; }
+
 std::uint64_t chosen_seed(std::uint64_t own) { return seed_moved_by(std::getenv("SUNDER_TEST_SEED"), own); }
 
 }  // namespace sunder::tests

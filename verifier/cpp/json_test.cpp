@@ -190,7 +190,7 @@ TEST(Json, WholeAndSpoiltTextsAreReadAsByAnother) {
 
 TEST(Json, EachByteOfAStringIsJudgedAlike) {
   for (unsigned first = 1; first < 256; ++first) {
-    for (unsigned second = 1; second < 256; ++second) {
+    for (unsigned second = 1; second < 256; second += sunder::tests::is_scaled_down() ? 7u : 1u) {
       for (const char* rest : {"", "\x80", "\x80\x80"}) {
         const std::string text = std::string("\"") + static_cast<char>(first) + static_cast<char>(second) + rest + '"';
         expect_alike(text);

@@ -190,7 +190,7 @@ TEST(PolygonSimpleTest, ManyEdges) {
     const std::uint64_t by_sweep = polygon_simple_by_sweep(Polygon(std::vector<Ring>{circle})).cost.probes;
     EXPECT_EQ(by_grid == by_sweep, in_bay == 600) << in_bay;  // too many in the bay: the grid leaves it to the sweep
     EXPECT_TRUE(in_bay == 600 || by_grid < 3 * circle.size()) << in_bay;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < tests::scaled_count(5, 3); ++i) {
       Ring worse = circle;
       const std::size_t n = circle.size(), k = i == 0 ? n - 9 : random.below(n), l = (k + n / 2) % n;
       switch (i % 3) {

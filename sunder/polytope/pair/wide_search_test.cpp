@@ -41,7 +41,7 @@ struct WidePair {
 // Proved each, and by the search: the simplex method in integers would take up to two seconds each.
 TEST(WideSearch, DecidesWhatDoublesCannotHold) {
   Random random(tests::chosen_seed(20261206));
-  const int count = tests::scaled_count(90, 12);
+  const int count = tests::scaled_count(90, 8);
   int decided = 0, meeting = 0;
   for (int i = 0; i < count; ++i) {
     const std::size_t d = 2 + random.below(5);

@@ -74,8 +74,9 @@ TEST(HierarchicalTree, WalksEndWhereScansDo) {
     const HierarchicalTree tree(Polytope::from_points(d, numbers_on_sphere(random, d, count)));
     SCOPED_TRACE(d);
     EXPECT_GE(tree.depth(), d < 4 ? 2u : d < 6 ? 1u : 0u);
-    expect_right(tree, random, 200, false);
-    expect_right(tree, random, 200, true);
+    const auto count_of_directions = tests::scaled_count(200, 40);
+    expect_right(tree, random, count_of_directions, false);
+    expect_right(tree, random, count_of_directions, true);
     std::printf(
         "d %zu: %zu rows, depth %u, %zu nodes, %zu cones, %zu rows of nodes, largest leaf %u, %zu unverified, %zu "
         "samples, %zu KiB, estimated %zu KiB\n",

@@ -126,7 +126,7 @@ TEST(Drums, SmallWholeNumbers) {
 TEST(Drums, SameInBothFormsAndSmallInOne) {
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
     for (const std::size_t n : {100u, 1000u, 4000u}) {
-      if (n > 1000 && tests::scaled_count(10, 0) < 1) continue;
+      if (n > 1000 && tests::is_scaled_down()) continue;
       const ConvexPolyhedron body = body_of(shape, n);
       const auto vertices = static_cast<double>(body.vertices().size());
       const Drums& persistent = body.drums();

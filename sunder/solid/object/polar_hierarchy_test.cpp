@@ -183,7 +183,7 @@ TEST(PolarHierarchy, SizeAndDepth) {
   for (const SolidShape& shape : tests::all_solid_shapes()) {
     for (const std::size_t n : {1000u, 10000u, 131072u, 1000000u}) {
       // For whole runs of the tests; of a million, for ./do soak.
-      if (n > 20000 && tests::scaled_count(50) < (n < 1000000 ? 50 : 1000)) continue;
+      if (n > 1000 && tests::scaled_count(50) < (n < 20000 ? 5 : n < 1000000 ? 50 : 1000)) continue;
       const ConvexPolyhedron body(shape.make(n, random));
       if (body.dimension() != 3) continue;
       ASSERT_NO_FATAL_FAILURE(check(body, shape.name, false));

@@ -100,7 +100,7 @@ TEST(PolyhedronPlaneSectionTest, HalfEdgesOfEveryFamily) {
 }
 
 // Probes are at most 60 log2 n + 8 k: no family, whatever its degrees and facets, makes a cliff.
-TEST(PolyhedronPlaneSectionTest, ProbesGrowWithTheLogarithmAndTheCorners) {
+TEST(PolyhedronPlaneSectionTest, ProbesGrowAsTheLogarithmAndTheCorners) {
   Random random(7);
   const int greatest = tests::scaled_count(15, 12);
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {

@@ -57,7 +57,7 @@ PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& a, const Pose&
 // By the drums of both bodies (represent/drums.h): the one with fewer vertices is cut by planes, whose sections are
 // asked whether they meet the other; in doubles and then in double-doubles. Where neither holds, the same exact method.
 // A body without an inside is left to polyhedron_polyhedron.
-// Cost: at most 55 log2^3 (n + m) probes for 1,000 vertices and more (the constant tested) where own proposals hold,
+// Cost: at most 75 log2^3 (n + m) probes for 1,000 vertices and more (the constant tested) where own proposals hold,
 // each the access to an edge of a drum, or what an exact check looks at.
 //
 // Source: CD87 section 3.6, Theorem 13. Departures: in the source file.

@@ -457,7 +457,7 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideAtEveryScale) {
 // weights are dropped.
 TEST(PolyhedronPolyhedronTest, EvidenceHoldsNearContact) {
   tests::SolidPairs pairs(tests::chosen_seed(113));
-  const int count = std::max(1000, tests::scaled_count(1000));
+  const int count = tests::scaled_count(1000, 400);
   const auto shares = [&](tests::Family family) {
     std::array<double, 3> share{};
     for (int i = 0; i < count; ++i) {

@@ -67,7 +67,8 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
       const auto is_box = [](std::size_t kind) { return kind == 2 || kind == 3 || kind == 7; };
       if (is_box(i) && is_box(j)) continue;
       Tally far, near;
-      for (int k = 0; k < 25; ++k) {
+      const int count = tests::scaled_count(25, 10);
+      for (int k = 0; k < count; ++k) {
         const RoundBody a = some(i, random), b = some(j, random);
         const Pose pose_a = some_pose(0.9, random), pose_b = some_pose(0.9, random);
         see(a, pose_a, b, pose_b, round_round(a, pose_a, b, pose_b).meet(), far);
@@ -81,9 +82,9 @@ TEST(RoundQuick, EachPairOfKindsIsDecided) {
       SCOPED_TRACE(std::string(names[i]) + ", " + names[j]);
       EXPECT_EQ(far.wrong + near.wrong, 0);
       EXPECT_GE(far.quick, 0.9 * far.all);
-      EXPECT_GT(far.meet, 1);
+      EXPECT_GT(far.meet, count / 20);
       EXPECT_GE(near.quick, 0.85 * near.all);
-      EXPECT_GT(near.all, 30);
+      EXPECT_GT(near.all, count * 6 / 5);
     }
   }
 }
