@@ -34,7 +34,7 @@ Segments edges_of(const Polygon& polygon) {
 }
 
 // A vertex is the end of two edges. Where three ends come together, two vertices are equal.
-PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
+PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges, std::vector<std::uint32_t>& ends) {
   PolygonSimpleAnswer answer;
   const std::vector<Point2>& p = polygon.vertices();
   const auto vertex_at = [&](std::uint32_t end) {
@@ -42,7 +42,7 @@ PolygonSimpleAnswer by_sweep(const Polygon& polygon, const Segments& edges) {
     const bool is_point = edges[k].a == edges[k].b;
     return (is_point ? end % 2 == 0 : end_point(edges.all(), end) == p[k]) ? k : polygon.next(k);
   };
-  const std::vector<std::uint32_t> ends = ends_in_order(edges.all());
+  ends = ends_in_order(edges.all());
   constexpr std::size_t ahead = 16;
   for (std::size_t k = 2; k < ends.size(); ++k) {
     if (k + ahead < ends.size()) prefetch(edges[ends[k + ahead] / 2]);
@@ -72,9 +72,13 @@ ContactKind counted_contact(const Polygon& polygon, std::uint32_t i, std::uint32
 PolygonSimpleAnswer polygon_simple(const Polygon& polygon) { return polygon_simple_by_grid(polygon); }
 
 PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
-  const Segments edges = edges_of(polygon);
+  std::vector<std::uint32_t> ends;
+  return polygon_simple(polygon, edges_of(polygon), ends);
+}
+
+PolygonSimpleAnswer polygon_simple(const Polygon& polygon, const Segments& edges, std::vector<std::uint32_t>& ends) {
   const std::optional<BoxGrid> grid = grid_over(edges);
-  if (!grid || crowded(*grid, crowd_for_any) > 0) return by_sweep(polygon, edges);
+  if (!grid || crowded(*grid, crowd_for_any) > 0) return by_sweep(polygon, edges, ends);
   PolygonSimpleAnswer answer;
   const auto of_pair = [&](std::uint32_t i, std::uint32_t j) {
     ++answer.cost.probes;
@@ -86,7 +90,10 @@ PolygonSimpleAnswer polygon_simple_by_grid(const Polygon& polygon) {
   return answer;
 }
 
-PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) { return by_sweep(polygon, edges_of(polygon)); }
+PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon) {
+  std::vector<std::uint32_t> ends;
+  return by_sweep(polygon, edges_of(polygon), ends);
+}
 
 PolygonSimpleAnswer polygon_simple_by_scan(const Polygon& polygon) {
   PolygonSimpleAnswer answer;

@@ -28,6 +28,10 @@ struct [[nodiscard]] PolygonSimpleAnswer : AnyAnswer<ContactOfTwo<ContactKind>> 
 // The front door: the fastest method measured, by grid. Cost: O(N log N) comparisons at most, O(N) memory.
 PolygonSimpleAnswer polygon_simple(const Polygon& polygon);
 
+// The same where the edges, in their order, are known. Where the order of their ends is needed, that (as by
+// ends_in_order) is put into `ends`.
+PolygonSimpleAnswer polygon_simple(const Polygon& polygon, const Segments& edges, std::vector<std::uint32_t>& ends);
+
 // Equal vertices by sorting, then segments_any on the edges, where shared ends are allowed: all that are left are of
 // edges that follow each other. O(N log N) comparisons, O(N) memory.
 PolygonSimpleAnswer polygon_simple_by_sweep(const Polygon& polygon);

@@ -11,6 +11,7 @@
 #include <sunder/planar/set/ring_loops.h>
 #include <sunder/planar/set/ring_points.h>
 #include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/sweep/ends_in_order.h>
 
 #include <algorithm>
 #include <array>
@@ -34,6 +35,7 @@ class Check {
   PolygonDefects run() {
     if (options_.rule == PolygonRule::simple) look_for_repetitions();
     look_for_short_rings();
+    edges_ = Segments(rings_.edges());
     if (!is_simple_ring()) look_at_several();
     std::vector<PolygonDefect>& defects = answer_.defects;
     if (full()) {
@@ -87,6 +89,7 @@ class Check {
   // Rings are left out by leaving out the later one.
   void leave_out(std::uint32_t ring, std::uint32_t other) { keep_[std::max(ring, other)] = false; }
   void drop() {
+    if (std::find(keep_.begin(), keep_.end(), false) == keep_.end()) return;
     rings_ = rings_.only(keep_);
     keep_.assign(rings_.rings().size(), true);
   }
@@ -125,18 +128,23 @@ class Check {
   // Is there one ring, and nothing wrong with it? Mostly so, and found faster.
   bool is_simple_ring() {
     if (rings_.rings().size() != 1) return rings_.rings().empty();
-    std::vector<Point2> ring;
-    for (std::uint32_t k = 0; k < rings_.size(); ++k) ring.push_back(rings_.vertex(k));
-    const PolygonSimpleAnswer answer = polygon_simple(Polygon(PolygonRings{ring}));
+    const std::span<const Point2> ring = rings_.vertices();
+    const Polygon polygon(PolygonRings{{ring.begin(), ring.end()}});
+    const PolygonSimpleAnswer answer = polygon_simple(polygon, edges_, ends_);
     answer_.cost.probes += answer.cost.probes;
     return answer.simple();
   }
 
   void look_at_several() {
     if (full()) return;
-    look_at_edges();
+    const bool are_all = !look_at_edges();
     if (full()) return;
-    points_ = ring_points(rings_);
+    if (are_all) {
+      if (ends_.empty()) ends_ = ends_in_order(edges_.all());
+      points_ = ring_points(rings_, edges_.all(), ends_);
+    } else {
+      points_ = ring_points(rings_);
+    }
     answer_.cost.probes += points_.cost.probes;
     if (look_for_crossings_in_points()) {
       if (full()) return;
@@ -151,19 +159,18 @@ class Check {
     look_for_cycles();
   }
 
-  void look_at_edges() {
-    std::vector<Segment> all;
-    for (std::uint32_t k = 0; k < rings_.size(); ++k) all.push_back(rings_.edge(k));
-    edges_ = Segments(std::move(all));
-    const SegmentsAnswer any = segments_any(edges_, {Allowed::touch});
+  // Are there crossings or overlaps? Then some rings are left out.
+  bool look_at_edges() {
+    const SegmentsAnswer any = ends_.empty() ? segments_any(edges_, {Allowed::touch})
+                                             : segments_any_by_sweep_over(edges_, ends_, {Allowed::touch});
     answer_.cost.probes += any.cost.probes;
-    if (!any.meet()) return;
+    if (!any.meet()) return false;
     rings_of_edges_ = rings_;
     if (is_visited_) {
       keep_contacts();
     } else if (options_.most == 1) {
       answer_.defects.push_back(defect_of(*any.found));
-      return;
+      return true;
     } else {
       answer_.cost.probes += segments_visit(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {
                                answer_.defects.push_back(defect_of(c));
@@ -172,6 +179,7 @@ class Check {
                              }).probes;
     }
     drop();
+    return true;
   }
 
   // As many as may be held; the others are asked for again when they are visited.
@@ -403,6 +411,7 @@ class Check {
   bool is_visited_ = false;
   PolygonDefects answer_;
   Segments edges_{{}};                                          // of the rings that are not too short
+  std::vector<std::uint32_t> ends_;                             // of these in order; empty: not asked for yet
   RingSet rings_of_edges_;                                      // those, where edges cross or overlap
   std::unique_ptr<ContactsInOrder<SegmentsContact>> contacts_;  // that are defects; null: they are in answer_
   std::vector<bool> keep_;                                      // of each ring

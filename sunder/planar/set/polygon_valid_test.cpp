@@ -261,7 +261,7 @@ TEST(PolygonValidTest, TouchesItselfManyTimesInOnePoint) {
       const Parts parts{{ring}};
       const double n = static_cast<double>(ring.size());
       const PolygonDefects touches = polygon_defects(parts), holes = polygon_defects(parts, {PolygonRule::self_touch});
-      EXPECT_LE(static_cast<double>(touches.cost.probes), 8 * n * std::log2(n));
+      EXPECT_LE(static_cast<double>(touches.cost.probes), 3 * n * std::log2(n));
       EXPECT_GE(touches.cost.probes, 4 * std::uint64_t{petals});
       const std::size_t parted = ring == flower ? petals - 1 : 0;
       EXPECT_EQ(holes.defects.size(), parted);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace sunder::planar {
@@ -23,6 +24,9 @@ class Cut {
   Cut(const RingSet& rings, const RingPoints& points) : rings_(rings), points_(points) {
     collect_visits();
     std::sort(visits_.begin(), visits_.end());
+    first_of_edge_.resize(rings.size() + std::size_t{1});
+    for (const Visit& visit : visits_) ++first_of_edge_[visit.edge + std::size_t{1}];
+    std::partial_sum(first_of_edge_.begin(), first_of_edge_.end(), first_of_edge_.begin());
     piece_.resize(visits_.size());
     visited_.resize(points.points.size(), none);
     for (std::uint32_t r = 0; r < rings.rings().size(); ++r) cut_ring(r);
@@ -67,8 +71,10 @@ class Cut {
       }
       if (passes.size() < 2) continue;
       const auto ring_of = [&](const RingWay& way) { return rings_.ring_of(way.edge); };
-      std::sort(passes.begin(), passes.end(),
-                [&](const RingWay& v, const RingWay& w) { return ring_of(v) < ring_of(w); });
+      if (rings_.rings().size() > 1) {
+        std::sort(passes.begin(), passes.end(),
+                  [&](const RingWay& v, const RingWay& w) { return ring_of(v) < ring_of(w); });
+      }
       for (std::size_t k = 0; k < passes.size(); ++k) {
         const bool again = (k > 0 && ring_of(passes[k - 1]) == ring_of(passes[k])) ||
                            (k + 1 < passes.size() && ring_of(passes[k + 1]) == ring_of(passes[k]));
@@ -82,10 +88,7 @@ class Cut {
 
   // Pieces of the ring go from a visit to the next. When a point is visited again, those since are a loop.
   void cut_ring(std::uint32_t r) {
-    const auto is_before = [](const Visit& v, std::uint32_t edge) { return v.edge < edge; };
-    const auto begin = std::lower_bound(visits_.begin(), visits_.end(), rings_.rings()[r].begin, is_before);
-    const auto end = std::lower_bound(begin, visits_.end(), rings_.rings()[r].end, is_before);
-    first_visit_.push_back(static_cast<std::uint32_t>(begin - visits_.begin()));
+    const auto begin = first_visit_of(rings_.rings()[r].begin), end = first_visit_of(rings_.rings()[r].end);
     whole_.push_back(none);
     path_.clear();
     const auto take_since = [&](std::size_t depth) {
@@ -111,15 +114,21 @@ class Cut {
     if (begin != end) visited_[begin->point] = none;
   }
 
+  // The first visit on the edge, or else the first one after it.
+  std::vector<Visit>::const_iterator first_visit_of(std::uint32_t edge) const {
+    return visits_.begin() + first_of_edge_[edge];
+  }
+
   // The loop of what follows on the edge after the point, in the direction of its ring; or of what comes before.
   std::uint32_t loop_at(std::uint32_t edge, std::uint32_t point, bool after) const {
     const std::uint32_t ring = rings_.ring_of(edge);
     if (whole_[ring] != none) return whole_[ring];
     const Visit here{edge, rank_at(edge, point), point};
-    const auto begin = visits_.begin() + first_visit_[ring];
-    const auto end = ring + 1 < first_visit_.size() ? visits_.begin() + first_visit_[ring + 1] : visits_.end();
-    const auto next = after ? std::upper_bound(begin, end, here) : std::lower_bound(begin, end, here);
-    return piece_[static_cast<std::size_t>((next == begin ? end : next) - visits_.begin()) - 1];
+    const auto first = first_visit_of(edge), last = first_visit_of(edge + 1);
+    const auto next = after ? std::upper_bound(first, last, here) : std::lower_bound(first, last, here);
+    const bool is_first_of_ring = next == first_visit_of(rings_.rings()[ring].begin);
+    const auto before = is_first_of_ring ? first_visit_of(rings_.rings()[ring].end) : next;
+    return piece_[static_cast<std::size_t>(before - visits_.begin()) - 1];
   }
 
   // A loop is met at its first point, by the lower one of its two ways there. It runs counter-clockwise iff this one
@@ -138,14 +147,14 @@ class Cut {
 
   const RingSet& rings_;
   const RingPoints& points_;
-  std::vector<Visit> visits_;               // along each ring
-  std::vector<std::uint32_t> first_visit_;  // of each ring
-  std::vector<std::uint32_t> whole_;        // of each ring: its only loop, where it is not cut
-  std::vector<std::uint32_t> piece_;        // of each visit: the loop of the piece that follows
-  std::vector<std::uint32_t> visited_;      // of each point: the place in the path of the piece since, or none
-  std::vector<std::uint32_t> path_;         // of pieces of the ring, not yet of a loop
-  std::vector<RingLoop> loops_;             // as they are cut
-  std::vector<std::uint32_t> number_;       // of these, in the order of their first points
+  std::vector<Visit> visits_;                 // along each ring
+  std::vector<std::uint32_t> first_of_edge_;  // the first visit on the edge, or else the first one after it
+  std::vector<std::uint32_t> whole_;          // of each ring: its only loop, where it is not cut
+  std::vector<std::uint32_t> piece_;          // of each visit: the loop of the piece that follows
+  std::vector<std::uint32_t> visited_;        // of each point: the place in the path of the piece since, or none
+  std::vector<std::uint32_t> path_;           // of pieces of the ring, not yet of a loop
+  std::vector<RingLoop> loops_;               // as they are cut
+  std::vector<std::uint32_t> number_;         // of these, in the order of their first points
 };
 
 }  // namespace

@@ -54,14 +54,21 @@ RingSet RingSet::only(const std::vector<bool>& keep) const {
   return some;
 }
 
+std::vector<Segment> RingSet::edges() const {
+  std::vector<Segment> edges;
+  edges.reserve(size());
+  for (std::uint32_t k = 0; k < size(); ++k) edges.push_back(edge(k));
+  return edges;
+}
+
 namespace {
 
 class Sweep {
  public:
-  explicit Sweep(const RingSet& rings) : rings_(rings), edges_(edges_of(rings)), status_(edges_) {}
+  Sweep(const RingSet& rings, std::span<const Segment> edges) : rings_(rings), edges_(edges), status_(edges) {}
 
-  RingPoints run() {
-    const std::vector<std::uint32_t> ends = ends_in_order(edges_);
+  RingPoints run(std::span<const std::uint32_t> ends) {
+    found_.ways.reserve(ends.size());
     for (std::size_t k = 0, last; k < ends.size(); k = last) {
       for (last = k + 1; last < ends.size() && end_point(edges_, ends[last]) == end_point(edges_, ends[k]);) ++last;
       pass(end_point(edges_, ends[k]), {ends.data() + k, last - k});
@@ -73,24 +80,31 @@ class Sweep {
   static constexpr std::uint32_t none = RingPoints::no_edge;
   static_assert(SweepStatus<Segment>::none == none);
 
-  static std::vector<Segment> edges_of(const RingSet& rings) {
-    std::vector<Segment> edges;
-    edges.reserve(rings.size());
-    for (std::uint32_t k = 0; k < rings.size(); ++k) edges.push_back(rings.edge(k));
-    return edges;
-  }
-
+  // Ends come in their order: edges that end here before those that begin.
   void pass(const Point2& p, std::span<const std::uint32_t> ends) {
-    std::uint32_t through = none;
-    std::size_t begun = 0;
-    for (std::size_t k = 0; k < ends.size(); ++k) {
-      const bool ends_here = ends[k] % 2 == 1;
-      const auto around = ends_here ? status_.erase(ends[k] / 2) : insert(ends[k] / 2);
-      const bool is_last_to_end = ends_here && (k + 1 == ends.size() || ends[k + 1] % 2 == 0);
-      if (is_last_to_end || (!ends_here && k == 0)) through = edge_through(p, around);
-      begun += ends_here ? 0 : 1;
+    const auto first_to_begin = std::partition_point(ends.begin(), ends.end(), [](auto end) { return end % 2 == 1; });
+    const std::span<const std::uint32_t> ended(ends.begin(), first_to_begin), begun(first_to_begin, ends.end());
+    SweepStatus<Segment>::Neighbours around;
+    for (const std::uint32_t end : ended) around = status_.erase(end / 2);
+    begun_.assign(begun.begin(), begun.end());
+    for (std::uint32_t& e : begun_) e /= 2;
+    std::sort(begun_.begin(), begun_.end(), [&](std::uint32_t e, std::uint32_t f) {
+      ++found_.cost.probes;
+      return orient_2d(p, edges_[e].b, edges_[f].b) == Sign::positive;
+    });
+    if (!begun_.empty()) {
+      const auto of_first = insert(begun_[0]);
+      if (ended.empty()) around = of_first;
     }
-    if (ends.size() > 2 || begun == 2 || through != none) add_point(p, ends, through);
+    const std::uint32_t through = edge_through(p, around);
+    for (std::size_t k = 1; k < begun_.size(); ++k) {  // nothing is between them but an edge through the point
+      if (through == none) {
+        status_.insert_above(begun_[k - 1], begun_[k]);
+      } else {
+        insert(begun_[k]);
+      }
+    }
+    if (ends.size() > 2 || begun.size() == 2 || through != none) add_point(p, ended, through);
   }
 
   SweepStatus<Segment>::Neighbours insert(std::uint32_t e) {
@@ -110,36 +124,53 @@ class Sweep {
     return none;
   }
 
-  void add_point(const Point2& p, std::span<const std::uint32_t> ends, std::uint32_t through) {
-    const std::uint32_t first = static_cast<std::uint32_t>(found_.ways.size());
-    for (const std::uint32_t end : ends) {
-      const std::uint32_t e = end / 2;
-      const bool forward = rings_.increases(e) == (end % 2 == 0);
-      found_.ways.push_back({e, forward, forward ? e : rings_.next(e)});
-    }
+  // Those that begin are in begun_, in their order.
+  void add_point(const Point2& p, std::span<const std::uint32_t> ended, std::uint32_t through) {
+    std::vector<RingWay>& ways = found_.ways;
+    const std::size_t first = ways.size();
+    const auto add_way = [&](std::uint32_t e, bool goes_right) {
+      const bool forward = rings_.increases(e) == goes_right;
+      const std::uint32_t pass = e == through ? rings_.size() + e : forward ? e : rings_.next(e);
+      ways.push_back({e, forward, pass});
+    };
+    const auto put_in_order = [&](std::size_t from) {
+      const auto end_of = [&](const RingWay& w) { return rings_.vertex(w.forward ? rings_.next(w.edge) : w.edge); };
+      std::sort(ways.begin() + static_cast<std::ptrdiff_t>(from), ways.end(), [&](const RingWay& v, const RingWay& w) {
+        ++found_.cost.probes;
+        return orient_2d(p, end_of(v), end_of(w)) == Sign::positive;
+      });
+    };
+    for (const std::uint32_t e : begun_) add_way(e, true);
     if (through != none) {
-      for (const bool forward : {false, true}) found_.ways.push_back({through, forward, rings_.size() + through});
+      add_way(through, true);
+      put_in_order(first);
     }
-    const auto goes_right = [&](const RingWay& w) { return rings_.increases(w.edge) == w.forward; };
-    const auto end_of = [&](const RingWay& w) { return rings_.vertex(w.forward ? rings_.next(w.edge) : w.edge); };
-    const auto begin = found_.ways.begin() + first;
-    std::sort(begin, found_.ways.end(), [&](const RingWay& v, const RingWay& w) {
-      if (goes_right(v) != goes_right(w)) return goes_right(v);
-      return orient_2d(p, end_of(v), end_of(w)) == Sign::positive;
-    });
-    const auto right = static_cast<std::uint32_t>(std::count_if(begin, found_.ways.end(), goes_right));
-    const std::uint32_t below = right > 0 ? status_.neighbours_of(found_.ways[first].edge).below : none;
-    found_.points.push_back({p, first, static_cast<std::uint32_t>(found_.ways.size()) - first, right, below});
+    const std::size_t left = ways.size();
+    for (const std::uint32_t end : ended) add_way(end / 2, false);
+    if (through != none) add_way(through, false);
+    put_in_order(left);
+    const auto right = static_cast<std::uint32_t>(left - first);
+    const std::uint32_t below = right > 0 ? status_.neighbours_of(ways[first].edge).below : none;
+    found_.points.push_back(
+        {p, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(ways.size() - first), right, below});
   }
 
   const RingSet& rings_;
-  const std::vector<Segment> edges_;
+  const std::span<const Segment> edges_;
   SweepStatus<Segment> status_;
+  std::vector<std::uint32_t> begun_;  // of the present point: those that begin, from the lowest
   RingPoints found_;
 };
 
 }  // namespace
 
-RingPoints ring_points(const RingSet& rings) { return Sweep(rings).run(); }
+RingPoints ring_points(const RingSet& rings) {
+  const std::vector<Segment> edges = rings.edges();
+  return ring_points(rings, edges, ends_in_order(edges));
+}
+
+RingPoints ring_points(const RingSet& rings, std::span<const Segment> edges, std::span<const std::uint32_t> ends) {
+  return Sweep(rings, edges).run(ends);
+}
 
 }  // namespace sunder::planar

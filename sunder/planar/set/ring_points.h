@@ -31,6 +31,7 @@ class RingSet {
   const std::vector<Ring>& rings() const { return rings_; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(vertices_.size()); }  // of vertices, and of edges
   const Point2& vertex(std::uint32_t k) const { return vertices_[k]; }
+  std::span<const Point2> vertices() const { return vertices_; }
   std::uint32_t given(std::uint32_t k) const { return given_[k]; }      // a vertex's number in its ring, as given
   std::uint32_t ring_of(std::uint32_t k) const { return ring_of_[k]; }  // a position in rings()
   std::uint32_t next(std::uint32_t k) const {
@@ -38,6 +39,7 @@ class RingSet {
     return k + 1 == ring.end ? ring.begin : k + 1;
   }
   Segment edge(std::uint32_t k) const { return sorted({vertices_[k], vertices_[next(k)]}); }
+  std::vector<Segment> edges() const;  // all of them
   // Does the edge go, in the direction of its ring, from its lexicographically first end to its last?
   bool increases(std::uint32_t k) const { return lexicographically_less(vertices_[k], vertices_[next(k)]); }
 
@@ -76,5 +78,8 @@ struct RingPoints {
 // Requires that each ring has three vertices at least, and that no two edges cross or overlap.
 // Cost: O(n log n) comparisons, O(n) memory.
 RingPoints ring_points(const RingSet& rings);
+
+// The same where the edges and the order of their ends (as by ends_in_order) are known.
+RingPoints ring_points(const RingSet& rings, std::span<const Segment> edges, std::span<const std::uint32_t> ends);
 
 }  // namespace sunder::planar
