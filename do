@@ -6,7 +6,7 @@
 #   build [PRESET]      build everything: release (default), dev, clang, libcxx, asan-ubsan, tsan, coverage, bench
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
-#                       (20 minutes); parts: format headers tidy sanitize fuzz verify
+#                       (20 minutes); parts: format headers bench sanitize tidy fuzz verify
 #   soak [PART...]      hours: parts: differential[=FROM-TO] structure claims tsan clang libcxx fuzz coverage lint
 #   docs                check the pages, and list them; the reference of all functions: build/docs/index.html
 #   help                this text
@@ -367,9 +367,9 @@ run_parts() {
 
 command_check() {
   local part
-  [ $# -gt 0 ] || set -- format headers sanitize tidy fuzz verify
+  [ $# -gt 0 ] || set -- format headers bench sanitize tidy fuzz verify
   for part in "$@"; do
-    case $part in format | headers | tidy | sanitize | fuzz | verify) ;; *) wrong_call "check has no part '$part'" ;; esac
+    case $part in format | headers | bench | tidy | sanitize | fuzz | verify) ;; *) wrong_call "check has no part '$part'" ;; esac
   done
   need_to_test
   need_clang
@@ -416,6 +416,18 @@ part_headers() {
   run headers "${#objects[@]} headers stand alone" build_headers "${objects[@]}"
 }
 build_headers() { cmake --build build --parallel "$(job_count)" --target "$@"; }
+
+# What the benchmarks have of our own compiles. They are built by ./do bench only: where no check of a change has the
+# libraries that they are measured against.
+part_bench() {
+  local files
+  mapfile -t files < <(grep -LE '#include <(libqhull_r/|ppl\.hh)' bench/*.cpp bench/{contest,inputs}/*.cpp bench/peers/sunder_*.cpp)
+  check_bench() {
+    printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang++-$clang" -std=c++20 -fsyntax-only -Wall -Wextra -I. \
+      -DSUNDER_BENCH_ARM='""' -DSUNDER_BENCH_MAP='""' -DSUNDER_BENCH_FLAGS='""'
+  }
+  run bench "The compiler reads ${#files[@]} sources of benchmarks" check_bench "${files[@]}"
+}
 
 knows_lint_base() { git cat-file -e "$(cat scripts/lint.base)^{commit}" 2>/dev/null; }
 changed_since_lint_base() {

@@ -80,7 +80,7 @@ struct Arm {
   PlacementScenario scenario;
 
   Arm() {
-    question.allowed = input.allowed("adjacent");
+    question.allowed = sunder::ask::bodies_of(input.allowed("adjacent", nullptr));
     call.threads = 1;
     call.json_lines = folder.file("sunder.jsonl");
     const sunder::io::Robot& robot = input.robot("");

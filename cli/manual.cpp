@@ -293,7 +293,7 @@ std::string help_text(const CLI::App& app) {
   if (is_verb) {
     text += fmt::format("Usage: sunder {}{} [OPTIONS]\n\nFiles:\n{}", app.get_name(), arguments, rows);
   } else {
-    text += "Usage: sunder VERB FILE... [OPTIONS]\n\nSubcommands:\n";
+    text += "Usage: sunder VERB FILE... [OPTIONS]\n\nVerbs:\n";
     for (const CLI::App* verb : verbs_of(app)) text += help_row(verb->get_name(), verb->get_description());
   }
   return text + "\nOptions:\n" + options + "\n" + wrapped(app.get_footer(), 0, 0);

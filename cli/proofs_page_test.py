@@ -128,7 +128,7 @@ class ProofsPage(unittest.TestCase):
         return told["proved"]
 
     def test_no_verb_and_no_option_is_missing(self):
-        verbs = set(re.findall(r"^  ([a-z]+) {3,}\S", run(PROGRAM, "--help").stdout.split("Subcommands:")[1], re.M))
+        verbs = set(re.findall(r"^  ([a-z]+) {3,}\S", run(PROGRAM, "--help").stdout.split("Verbs:")[1], re.M))
         self.assertEqual(verbs, {row.call.split()[0] for row in ROWS})
         listed = set(quoted(re.search("^Other options.*$", page(), re.M).group()))
         known = set()

@@ -6,7 +6,7 @@ import re
 
 def help_lines_are_short(test):
     """No line of help has more than 100 characters, and long descriptions are wrapped, not cut."""
-    verbs = re.findall(r"^  ([a-z]+) {3,}", test.run("--help").out.partition("Subcommands:")[2], re.M)
+    verbs = re.findall(r"^  ([a-z]+) {3,}", test.run("--help").out.partition("Verbs:")[2], re.M)
     test.expect(len(verbs) == 13, "the verbs are %s" % verbs)
     wrapped = 0
     for call in ["--help"] + ["help " + verb for verb in verbs]:
@@ -20,7 +20,7 @@ def help_lines_are_short(test):
 def guide_names_all_options(test):
     """The page has a section for each verb, which names each of its options; each verb tells its exit codes."""
     page = test.read(os.path.join(test.variables["source"], "docs", "guide", "program.md"))
-    subcommands = test.run("--help").out.partition("Subcommands:")[2]
+    subcommands = test.run("--help").out.partition("Verbs:")[2]
     verbs = re.findall(r"^  ([a-z]+) ", subcommands, re.M)
     test.expect(len(verbs) == 13, "the verbs are %s" % verbs)
     for verb in verbs:
