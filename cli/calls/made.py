@@ -24,6 +24,15 @@ def frames(count):
     return "".join(_polygon([square(k), square(k - 0.5)]) for k in range(1, count + 1))
 
 
+def nested_holes(side):
+    """One polygon: side^2 holes, and in each of them another one."""
+    def square(x, y, half):
+        return [(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half), (x - half, y - half)]
+    places = [(x, y) for x in range(side) for y in range(side)]
+    middle = (side - 1) / 2
+    return _polygon([square(middle, middle, side)] + [square(x, y, half) for x, y in places for half in (0.4, 0.2)])
+
+
 def sphere(dimension, count, seed):
     """Points of a sphere, as CSV."""
     source, text = random.Random(seed), ""
