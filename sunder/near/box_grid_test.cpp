@@ -122,8 +122,8 @@ TEST(BoxPairs, AreThoseOfTheScan) {
     EXPECT_EQ(found.size(), expected.size() / 2);
   }
   EXPECT_GT(grids, static_cast<std::size_t>(count_of_sets) * 3 / 5);
-  EXPECT_GT(pairs_found, static_cast<std::size_t>(count_of_sets) * 60);
-  EXPECT_GT(pairs_across, static_cast<std::size_t>(count_of_sets) * 30);
+  EXPECT_GT(pairs_found, static_cast<std::size_t>(count_of_sets) * 67);
+  EXPECT_GT(pairs_across, static_cast<std::size_t>(count_of_sets) * 34);
 }
 
 TEST(BoxGrid, IsNotMadeWhereItDoesNotPay) {
