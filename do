@@ -417,11 +417,12 @@ part_headers() {
 }
 build_headers() { cmake --build build --parallel "$(job_count)" --target "$@"; }
 
-# What the benchmarks have of our own compiles. They are built by ./do bench only: where no check of a change has the
-# libraries that they are measured against.
+# The compiler reads the benchmarks' own sources. Only ./do bench builds them: the libraries that they are measured against
+# are not installed for a check.
 part_bench() {
   local files
-  mapfile -t files < <(grep -LE '#include <(libqhull_r/|ppl\.hh)' bench/*.cpp bench/{contest,inputs}/*.cpp bench/peers/sunder_*.cpp)
+  mapfile -t files < <(grep -LE '#include <(libqhull_r/|ppl\.hh)' \
+    bench/*.cpp bench/{contest,inputs}/*.cpp bench/peers/sunder_*.cpp)
   check_bench() {
     printf '%s\0' "$@" | xargs -0 -n 1 -P "$(job_count)" "clang++-$clang" -std=c++20 -fsyntax-only -Wall -Wextra -I. \
       -DSUNDER_BENCH_ARM='""' -DSUNDER_BENCH_MAP='""' -DSUNDER_BENCH_FLAGS='""'

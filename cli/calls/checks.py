@@ -20,8 +20,7 @@ def help_lines_are_short(test):
 def guide_names_all_options(test):
     """The page has a section for each verb, which names each of its options; each verb tells its exit codes."""
     page = test.read(os.path.join(test.variables["source"], "docs", "guide", "program.md"))
-    subcommands = test.run("--help").out.partition("Verbs:")[2]
-    verbs = re.findall(r"^  ([a-z]+) ", subcommands, re.M)
+    verbs = re.findall(r"^  ([a-z]+) ", test.run("--help").out.partition("Verbs:")[2], re.M)
     test.expect(len(verbs) == 13, "the verbs are %s" % verbs)
     for verb in verbs:
         words = test.run("help " + verb).out

@@ -10,8 +10,8 @@ namespace sunder::tests {
 // at least the lesser of `count` and `at_least`.
 int scaled_count(int count, int at_least = 1);
 
-// Does SUNDER_TEST_SCALE ask for less than a tenth, as sanitizers and ./do test --quick do? Then the largest instances are
-// left out.
+// Does SUNDER_TEST_SCALE ask for less than a tenth, as ./do check and ./do test --quick do? Then tests leave their
+// largest instances out.
 bool is_scaled_down();
 
 // The seed of a test: its own, moved by SUNDER_TEST_SEED (a whole number; default 0).
