@@ -3,7 +3,9 @@
 #include <sunder/predicate/orient.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 
 namespace sunder::planar {
 
@@ -19,7 +21,9 @@ class VertexSearch {
     around_ = FourBoxes::all(common_part(a.edge_boxes().box(0, e / fan), b.edge_boxes().box(0, f / fan)));
   }
 
-  bool finds_one_of(const Polygon& polygon) {
+  // The edge is the polygon's own one of the two: its ends are not in the point.
+  bool finds_one_of(const Polygon& polygon, std::uint32_t edge) {
+    ends_ = {edge, polygon.next(edge)};
     const std::uint32_t top = polygon.edge_boxes().top();
     const auto fours = static_cast<std::uint32_t>(polygon.edge_boxes().level(top).size());
     for (std::uint32_t k = 0; k < fours; ++k) {
@@ -43,9 +47,15 @@ class VertexSearch {
 
   bool is_in_run(const Polygon& polygon, std::uint32_t run) {
     probes_ += fan;
-    for (std::uint32_t k = fan * run; k < std::min(fan * (run + 1), polygon.size()); ++k) {
-      const Point2& v = polygon.vertices()[k];
-      if (meet(lanes_box_of(v, v), box_) && is_common(v)) return true;
+    const std::span<const Point2> vertices = std::span(polygon.vertices()).subspan(fan * run);
+    std::uint32_t near = 0;  // a bit for each vertex that is in the box. Without branches: no one can predict these
+    for (std::uint32_t k = 0; k < std::min<std::size_t>(fan, vertices.size()); ++k) {
+      const Lanes v = lanes_at(&vertices[k].x);
+      near |= std::uint32_t{meet({v, v}, box_)} << k;
+    }
+    for (const std::uint32_t end : ends_) near &= ~(std::uint32_t{end / fan == run} << end % fan);
+    for (; near != 0; near &= near - 1) {
+      if (is_common(vertices[static_cast<std::size_t>(std::countr_zero(near))])) return true;
     }
     return false;
   }
@@ -67,6 +77,7 @@ class VertexSearch {
   Segment s_, t_;
   LanesBox box_;  // holds the point
   FourBoxes around_;
+  std::array<std::uint32_t, 2> ends_{};
   std::uint32_t compared_ = 0;  // vertices
   std::uint64_t& probes_;
 };
@@ -75,7 +86,7 @@ class VertexSearch {
 
 bool overlap_at_crossing(const Polygon& a, std::uint32_t e, const Polygon& b, std::uint32_t f, std::uint64_t& probes) {
   VertexSearch search(a, e, b, f, probes);
-  return !search.finds_one_of(a) || !search.finds_one_of(b);
+  return !search.finds_one_of(a, e) || !search.finds_one_of(b, f);
 }
 
 }  // namespace sunder::planar

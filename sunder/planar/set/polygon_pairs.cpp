@@ -204,8 +204,10 @@ bool PolygonPairs::compare_near(const Polygon& a, const Polygon& b) {
     const std::uint32_t e = near.first_of_a + pair / fan % fan, f = near.first_of_b + pair % fan;
     const Point2 &p = of_a[e], &p_end = of_a[e < last_a ? e + 1 : a.next(e)];
     const Point2 &q = of_b[f], &q_end = of_b[f < last_b ? f + 1 : b.next(f)];
-    if (surely_on_one_side(p, p_end, q, q_end) || surely_on_one_side(q, q_end, p, p_end)) continue;
-    const ContactKind kind = segment_segment(sorted({p, p_end}), sorted({q, q_end}));
+    const Guess cross = surely_cross_2d(p, p_end, q, q_end);
+    if (cross == Guess::negative) continue;
+    const ContactKind kind =
+        cross == Guess::positive ? ContactKind::crossing : segment_segment(sorted({p, p_end}), sorted({q, q_end}));
     if (kind == ContactKind::none) continue;
     const bool overlap = kind == ContactKind::crossing && overlap_at_crossing(a, e, b, f, cost.probes);
     found_.contact = overlap ? Contact::overlapping : Contact::touching;

@@ -5,6 +5,7 @@
 #include <sunder/planar/set/polygons_all.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -155,6 +156,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
 PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
   check_groups(options.groups, polygons.size());
   PolygonsAllAnswer answer;
+  answer.contacts.reserve(std::min<std::size_t>(polygons.size(), 1024));
   const auto add = [&](const PolygonsContact& c) {
     if (counts(c, options.allowed)) answer.contacts.push_back(c);
     return true;
