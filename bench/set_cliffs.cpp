@@ -1,11 +1,13 @@
 #include <bench/set_cliffs.h>
 
+#include <sunder/planar/set/polygon_valid.h>
 #include <sunder/planar/set/polygons_all.h>
 #include <sunder/planar/set/polygons_any.h>
 #include <sunder/planar/set/segments_all.h>
 
 #include <cmath>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace bench {
@@ -131,6 +133,25 @@ Contest star_contest(std::size_t n) {
   }
   made.truths = {n};
   made.subjects = {entry("sunder", "front door", [=] { return polygons_all(*polygons).contacts.size(); })};
+  return made;
+}
+
+Contest petals_contest(std::size_t n) {
+  auto rings = std::make_shared<Rings>(1);
+  std::vector<Point2>& ring = rings->front();
+  const double petals = static_cast<double>(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double at = static_cast<double>(k);
+    ring.insert(ring.end(), {{0, 0}, on_circle(1, at / petals), on_circle(1, (at + 0.5) / petals)});
+  }
+  std::vector<double> ends;
+  for (const Point2& p : ring) ends.insert(ends.end(), {p.x, p.x});
+  Contest made;
+  made.yardstick = sort_with_indices({ends});
+  made.truths = {1};
+  made.subjects = {entry("sunder", "front door", [=]() -> std::uint64_t {
+    return sunder::planar::polygon_defects(std::span(rings.get(), 1), {.most = 1}).defects.size();
+  })};
   return made;
 }
 

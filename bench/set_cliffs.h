@@ -24,4 +24,8 @@ Contest overlaps_contest(std::size_t n);
 // A star of 4 N vertices, and N triangles in it: which pairs meet? The sort is of the star's vertices.
 Contest star_contest(std::size_t n);
 
+// A ring of 3 N edges that touches itself N - 1 times in one point: is it a valid polygon? The sort is of the ends of
+// its edges.
+Contest petals_contest(std::size_t n);
+
 }  // namespace bench

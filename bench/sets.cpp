@@ -1,5 +1,5 @@
-// bench_sets: do any two of N discs, of N convex polygons, of N polygons meet? Which do? Against CGAL, GEOS,
-// Boost.Geometry, and against sorting.
+// bench_sets: do any two of N discs, of N convex polygons, of N polygons meet? Which do? Is a polygon valid? Against
+// CGAL, GEOS, Boost.Geometry, and against sorting.
 //
 // The yardstick is std::sort of the 2 N ends of the objects in x, as doubles with their indices. Only ratios mean
 // anything.
@@ -99,13 +99,17 @@ std::vector<Plan> plans(const Options&) {
   }
   list.push_back(plan("polygons all", SetFamily::crowded_coins, SetKind::polygons, all, twice));
   const Demand a_third{"itself", {{0, 1.0 / 3}}}, a_half{"itself", {{0, 1.0 / 2}}}, a_quarter{"itself", {{0, 1.0 / 4}}};
-  const Demand star{"", {}, {{0, 20}}};
+  const Demand star{"", {}, {{0, 20}}}, petals{"", {}, {{0, 6}}};
   list.push_back({"frames", "polygons any", a_third, {1000, 10000, 100000}, [](std::size_t n, std::uint64_t) {
                     return frames_contest(n);
                   }});
   list.push_back({"many inside a star", "polygons all", star, {1000, 40000}, [](std::size_t n, std::uint64_t) {
                     return star_contest(n);
                   }});
+  list.push_back(
+      {"petals in one point", "polygon valid", petals, {1000, 100000, 1000000}, [](std::size_t n, std::uint64_t) {
+         return petals_contest(n);
+       }});
   list.push_back({"cross-hatch", "segments count", a_half, {1000, 4000}, [](std::size_t n, std::uint64_t) {
                     return net_contest(n);
                   }});
@@ -122,9 +126,9 @@ int main(int argc, char** argv) {
   bench::Program program;
   program.name = "bench_sets";
   program.note =
-      "The sort: of the 2 N ends of the objects in x, with indices; for many inside a star, of its 4 N "
-      "vertices. \"itself\": Sunder with nothing allowed, where touching is; without nets; of as many crossings, where "
-      "these are overlaps.";
+      "The sort: of the 2 N ends of the objects in x, with indices; for many inside a star, of its 4 N vertices; for "
+      "petals, of the 6 N ends of their edges. \"itself\": Sunder with nothing allowed, where touching is; without "
+      "nets; of as many crossings, where these are overlaps.";
   program.libraries = {"cgal", "geos", "boost", "itself"};
   program.questions = {"circles", "circles any", "circles all", "convex", "polygons", "segments"};
   program.plans = bench::plans;
