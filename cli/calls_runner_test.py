@@ -9,18 +9,18 @@ import unittest
 RUNNER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "calls_test.py")
 
 
-def run(text):
+def run(text, *options):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "x.toml")
         with open(path, "w", encoding="utf-8") as stream:
             stream.write(text)
-        done = subprocess.run([sys.executable, RUNNER, path], capture_output=True, text=True, check=False,
+        done = subprocess.run([sys.executable, RUNNER, *options, path], capture_output=True, text=True, check=False,
                               env={**os.environ, "SUNDER_PROGRAM": "/bin/echo"})
         return done.returncode, done.stdout + done.stderr
 
 
-def step(text):
-    return run('[[test]]\nname = "x"\nstep = [%s]\n' % text)
+def step(text, *options):
+    return run('[[test]]\nname = "x"\nstep = [%s]\n' % text, *options)
 
 
 class Runner(unittest.TestCase):
@@ -47,6 +47,19 @@ class Runner(unittest.TestCase):
             code, out = step(text)
             self.assertEqual(code, 1, text)
             self.assertIn("not so", out)
+
+    def test_what_is_not_as_in_the_net(self):
+        first = '{run = "b", out = ["b"], files = {f = "1"}}'
+        with tempfile.TemporaryDirectory() as folder:
+            net = os.path.join(folder, "net")
+            self.assertEqual(step('{run = "a", out = ["a"]}, ' + first, "--net", net, "--record")[0], 0)
+            for second, calls in ((first, None), ('{run = "bb", out = ["b"], files = {f = "1"}}', "[1] of 2"),
+                                  ('{run = "b", out = ["b"], files = {f = "2"}}', "[1] of 2"),
+                                  ('{run = "b", out = ["b"], files = {g = "1"}}', "[1] of 2"),
+                                  (first + ', {run = "c", out = ["c"]}', "[2] of 3")):
+                code, out = step('{run = "a", out = ["a"]}, ' + second, "--net", net)
+                self.assertEqual(code, 0 if calls is None else 1, out)
+                self.assertIn("0 not so" if calls is None else "not as in the net: calls " + calls, out)
 
     def test_data_that_are_wrong(self):
         for text, part in (('{run = "a", uot = ["x"]}', "there is no key 'uot'"), ('{out = ["x"]}', "'out' needs 'run'"),

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs the calls of the program that cli/calls/*.toml list, and checks what they say of each.
 
-    calls_test.py [--jobs N] [--only PART] [--stop] [SUBJECT...]     subjects, or files *.toml; all if none is named
+    calls_test.py [--jobs N] [--only PART] [--stop] [--net FILE [--record]] [SUBJECT...]
+                                            # subjects, or files *.toml; all if none is named
 
 A file holds tests, a test holds steps, a step is a call with what must be so. Tests run side by side, each in a new
 folder with a link `cases` to the cases; the steps of a test share that folder, in their order. Unknown keys, unknown
@@ -48,6 +49,10 @@ elements that have this; .length the number of elements; .values the list of all
 `@NAME:PATH` in the place of the JSON is a value of the report of the step NAME, of a file, or with no NAME of the same
 document, to which a number may be added: `@:low + 1e-9`; `@sha256:FILE` is a digest. `each PATH: FACT` is the fact of
 every element there.
+
+A net holds what a change of the program's structure must not change: of each test its name and, for each of its calls,
+a hash of the exit code, of both outputs, and of the files in the folder after it. With --net the tests that give other
+hashes than the file are named, and fail; with --record too, the file is written.
 """
 import argparse
 import concurrent.futures
@@ -167,6 +172,7 @@ class Test:
         self.name, self.variables, self.folder = name, variables, folder
         self.calls = self.facts = 0
         self.faults, self.saved = [], {}
+        self.hashes = None  # of the calls, where there is a net
         os.symlink(CASES, self.path("cases"))
 
     def path(self, name):
@@ -197,9 +203,21 @@ class Test:
         found = Done(words, done.returncode, *(s.decode("utf-8", "surrogateescape") for s in (done.stdout, done.stderr)))
         if is_program:
             self.calls += 1
+            if self.hashes is not None:
+                self.hashes.append(self.hash_of(done))
             if "Sanitizer" in found.err or "runtime error:" in found.err:
                 self.faults.append("%s: %s: %s" % (self.name, words, found.err))
         return found
+
+    def hash_of(self, done):
+        digest = hashlib.sha256(b"%d" % done.returncode)
+        for name in sorted(os.listdir(self.folder)):
+            if os.path.isfile(self.path(name)):
+                with open(self.path(name), "rb") as stream:
+                    digest.update(os.fsencode(name) + hashlib.sha256(stream.read()).digest())
+        for text in (done.stdout, done.stderr):
+            digest.update(hashlib.sha256(text).digest())
+        return digest.hexdigest()[:12]
 
     def run(self, arguments):
         return self.execute([PROGRAM, *shlex.split(arguments)], "sunder " + arguments)
@@ -484,13 +502,14 @@ def tests_of(subject):
     return found
 
 
-def run_test(name, test, steps, variables):
+def run_test(name, test, steps, variables, has_net=False):
     if "slow" in test and float(os.environ.get("SUNDER_TEST_SCALE") or 1) < 0.05:
         return None
     if "unsanitized" in test and IS_SANITIZED:
         return None
     with tempfile.TemporaryDirectory(prefix="sunder_calls_") as folder:
         one = Test(name, variables, folder)
+        one.hashes = [] if has_net else None
         try:
             for step in steps:
                 one.take(step)
@@ -502,20 +521,40 @@ def run_test(name, test, steps, variables):
         return one
 
 
+def read_net(path):
+    """The hashes of the calls of each test."""
+    with open(path, encoding="utf-8") as stream:
+        return dict(line.rstrip("\n").split("\t") for line in stream)
+
+
+def compare_with_net(run, path):
+    """A fault for each test whose calls have other outputs than the net says; a test that it does not know is one."""
+    known_hashes = read_net(path)
+    for one in run:
+        before, now = known_hashes.get(one.name, "").split(), one.hashes
+        others = [k for k, (a, b) in enumerate(itertools.zip_longest(before, now)) if a != b]
+        if others:
+            one.faults.append("%s: not as in the net: calls %s of %d" % (one.name, others, len(now)))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many tests run side by side")
     parser.add_argument("--only", default="", help="tests whose name has this part")
     parser.add_argument("--stop", action="store_true", help="run no more tests after one that fails")
+    parser.add_argument("--net", metavar="FILE", help="name the tests whose calls write other things than the file says")
+    parser.add_argument("--record", action="store_true", help="with --net: write that file")
     parser.add_argument("subjects", nargs="*")
     options = parser.parse_args()
+    if options.record and not options.net:
+        parser.error("--record needs --net")
     if not PROGRAM:
         print("skipped: SUNDER_PROGRAM does not name the program")
         return 0
     subjects = options.subjects or sorted(n[:-5] for n in os.listdir(FOLDER) if n.endswith(".toml"))
     tests = [test for subject in subjects for test in tests_of(subject) if options.only in test[0]]
     with concurrent.futures.ThreadPoolExecutor(max(1, min(options.jobs, os.cpu_count()))) as pool:
-        runs = [pool.submit(run_test, *test) for test in tests]
+        runs = [pool.submit(run_test, *test, has_net=bool(options.net)) for test in tests]
         done = []
         for one in runs:
             done.append(one.result())
@@ -523,6 +562,11 @@ def main():
                 pool.shutdown(cancel_futures=True)
                 break
     run = [one for one in done if one]
+    if options.record:
+        with open(options.net, "w", encoding="utf-8") as stream:
+            stream.writelines("%s\t%s\n" % (one.name, " ".join(one.hashes)) for one in run)
+    elif options.net:
+        compare_with_net(run, options.net)
     faults = [fault for one in run for fault in one.faults]
     for fault in faults:
         print(fault.encode("utf-8", "surrogateescape").decode("utf-8", "replace"))
