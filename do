@@ -7,7 +7,7 @@
 #   bench [OPTIONS]     run the benchmarks against other libraries; --check: the ratios that are promised
 #   check [PART...]     lint (of what has changed since scripts/lint.base), sanitizers, fuzzers, the Python verifier
 #                       (20 minutes); parts: format headers bench sanitize tidy fuzz verify
-#   soak [PART...]      hours: parts: differential[=FROM-TO] structure claims tsan clang libcxx fuzz coverage lint
+#   soak [PART...]      hours: parts: differential[=FROM-TO] structure claims tsan clang libcxx fuzz corpus coverage lint
 #   docs                check the pages, and list them; the reference of all functions: build/docs/index.html
 #   help                this text
 #
@@ -384,7 +384,10 @@ part_format() {
     say "Skipped: clang-format $clang sees some lines differently from 19, which is the rule."
     return 0
   fi
-  check_format() { sources sunder cli python verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" --dry-run -Werror; }
+  check_format() {
+    sources sunder cli python verifier tests fuzz bench examples |
+      xargs -0 -n 64 -P "$(job_count)" "clang-format-$clang" --dry-run -Werror
+  }
   run format "clang-format-$clang (to mend: ./do format)" check_format
 }
 
@@ -485,23 +488,23 @@ part_sanitize() {
     run_tests asan-ubsan sanitize --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
 }
 
-# One fuzzer: starts from all cases; what it finds new is kept in build/fuzz/corpus, what fails in build/fuzz/failures.
+# fuzz_one PROGRAM OPTION... FOLDER...: with the options that are its own, and those that all have.
 fuzz_one() {
-  local program=$1 seconds=$2 name options=() seeds=(cases)
+  local program=$1 name own=()
   name=$(basename "$program")
-  mkdir -p "build/fuzz/corpus/$name" build/fuzz/failures
-  if [ -f "fuzz/$name.options" ]; then mapfile -t options < <(grep -vE '^[[:space:]]*(#|$)' "fuzz/$name.options"); fi
-  [ ! -d "fuzz/corpus/$name" ] || seeds+=("fuzz/corpus/$name")
-  UBSAN_OPTIONS=print_stacktrace=1 "$program" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 \
-    -max_len=8192 -artifact_prefix="build/fuzz/failures/$name-" -print_final_stats=1 \
-    "${options[@]}" "build/fuzz/corpus/$name" "${seeds[@]}"
+  if [ -f "fuzz/$name.options" ]; then mapfile -t own < <(grep -vE '^[[:space:]]*(#|$)' "fuzz/$name.options"); fi
+  UBSAN_OPTIONS=print_stacktrace=1 "$program" -timeout=20 -rss_limit_mb=2048 -max_len=8192 "${own[@]}" "${@:2}"
 }
 
-# Two at a time.
+# Two at a time; all begin with the cases, and with what longer runs have found (cases/fuzz). What a run finds new is in
+# build/fuzz/corpus, what fails in build/fuzz/failures.
 part_fuzz() {
-  local seconds=${SUNDER_FUZZ_SECONDS:-30} programs=() program result=0 first
+  local seconds=${SUNDER_FUZZ_SECONDS:-15} programs=() program result=0 first
   configure asan-ubsan "clang++-$clang" || return 1
   build asan-ubsan fuzzers || return 1
+  rm -rf build/fuzz/kept
+  mkdir -p build/fuzz/kept build/fuzz/failures
+  tar -xzf cases/fuzz/corpus.tar.gz -C build/fuzz/kept || return 1
   for program in build/asan-ubsan/fuzz/*_fuzz; do [ ! -x "$program" ] || programs+=("$program"); done
   if [ ${#programs[@]} -eq 0 ]; then
     say "There is no fuzzer."
@@ -511,7 +514,9 @@ part_fuzz() {
     local pids=() names=()
     for program in "${programs[@]:first:2}"; do
       names+=("$(basename "$program")")
-      fuzz_one "$program" "$seconds" >"$log_folder/${names[-1]}.log" 2>&1 </dev/null &
+      mkdir -p "build/fuzz/corpus/${names[-1]}" "build/fuzz/kept/${names[-1]}"
+      fuzz_one "$program" -max_total_time="$seconds" -artifact_prefix="build/fuzz/failures/${names[-1]}-" \
+        -print_final_stats=1 build/fuzz/{corpus,kept}/"${names[-1]}" cases >"$log_folder/${names[-1]}.log" 2>&1 </dev/null &
       pids+=($!)
     done
     local i status

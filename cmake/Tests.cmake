@@ -189,7 +189,7 @@ endforeach()
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/tools/*.cpp)
 foreach(source ${sources})
   cmake_path(GET source STEM name)
-  sunder_add_executable(${name} tools FAST SOURCES ${source})
+  sunder_add_executable(${name} tools SOURCES ${source})
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)

@@ -4,7 +4,7 @@ command_soak() {
   [ $# -gt 0 ] || set -- clang libcxx tsan coverage fuzz lint claims structure differential
   for part in "$@"; do
     case $part in
-      differential | differential=[0-9]*-[0-9]* | structure | claims | tsan | clang | libcxx | fuzz | coverage | lint) ;;
+      differential | differential=[0-9]*-[0-9]* | structure | claims | tsan | clang | libcxx | fuzz | corpus | coverage | lint) ;;
       *) wrong_call "soak has no part '$part'" ;;
     esac
   done
@@ -56,6 +56,24 @@ part_claims() {
     grep -E '^(question|[a-z_]+ .* [0-9]+ +[0-9]+ +[0-9]+$)' "$log_folder/soak-claims-$name.log" || true
   done
   return "$result"
+}
+
+# Makes cases/fuzz/corpus.tar.gz anew: of what it held and of what runs have found since, few inputs that reach all branches.
+part_corpus() {
+  local program name result=0
+  configure asan-ubsan "clang++-$clang" || return 1
+  build asan-ubsan fuzzers || return 1
+  rm -rf build/fuzz/{kept,new}
+  mkdir -p build/fuzz/kept
+  tar -xzf cases/fuzz/corpus.tar.gz -C build/fuzz/kept || return 1
+  for program in build/asan-ubsan/fuzz/*_fuzz; do
+    name=$(basename "$program")
+    mkdir -p build/fuzz/{new,kept,corpus}/"$name"
+    run "corpus-$name" "$name" fuzz_one "$program" -set_cover_merge=1 -use_counters=0 \
+      build/fuzz/{new,kept,corpus}/"$name" cases || result=1
+  done
+  [ "$result" -eq 0 ] || return 1
+  tar --sort=name --mtime=@0 --owner=0 --group=0 --numeric-owner -C build/fuzz/new -cf - . | gzip -9n >cases/fuzz/corpus.tar.gz
 }
 
 part_tsan() {

@@ -2,6 +2,7 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/set/segments_all.h>
 
+#include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
 #include <gtest/gtest.h>
@@ -170,6 +171,7 @@ TEST(SegmentsAllTest, StopsWhenTold) {
 TEST(SegmentsAllTest, Crowds) {
   Random random(166);
   for (const double grain : {0x1p-7, 0x1p-40}) {  // coarse: touches and overlaps
+    if (grain == 0x1p-40 && tests::is_scaled_down()) continue;
     std::vector<Segment> given = short_segments(1000, {0, 0}, 30, 0.5, random);
     for (Segment s : short_segments(270, {10.25, 10.25}, 0.02, 0.05, random)) {
       for (double* x : {&s.a.x, &s.a.y, &s.b.x, &s.b.y}) *x = std::round(*x / grain) * grain;
