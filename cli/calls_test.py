@@ -51,7 +51,7 @@ document, to which a number may be added: `@:low + 1e-9`; `@sha256:FILE` is a di
 every element there.
 
 A net holds what a change of the program's structure must not change: of each test its name and, for each of its calls,
-a hash of the exit code, of both outputs, and of the files in the folder after it. With --net the tests that give other
+a hash of the exit code, of both outputs and of the files in the folder after it, but for times. With --net the tests that give other
 hashes than the file are named, and fail; with --record too, the file is written.
 """
 import argparse
@@ -91,6 +91,7 @@ CALL_KEYS = {"code", "out", "err", "report", "keep", "as"}  # those that need a 
 STEP_KEYS = CALL_KEYS | {"run", "shell", "let", "for", "files", "make", "edit", "replace", "bad", "file", "absent",
                          "accepted", "refused", "check"}
 TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json", "json_lines"}
+TIMES = re.compile(rb' +[0-9.]+ (?:us|ms|s)\b|"seconds": [0-9.e+-]+')  # what no two calls tell alike
 REPORT_KEYS = ("sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes")
 
 
@@ -210,13 +211,20 @@ class Test:
         return found
 
     def hash_of(self, done):
+        """Of the exit code, both outputs and all files in the folder; but for times, and where the folders are."""
         digest = hashlib.sha256(b"%d" % done.returncode)
+
+        def add(data):
+            for path in (self.folder, CASES, ROOT):
+                data = data.replace(os.fsencode(path), b"")
+            digest.update(hashlib.sha256(TIMES.sub(b"", data)).digest())
+        add(done.stdout)
+        add(done.stderr)
         for name in sorted(os.listdir(self.folder)):
             if os.path.isfile(self.path(name)):
+                digest.update(os.fsencode(name))
                 with open(self.path(name), "rb") as stream:
-                    digest.update(os.fsencode(name) + hashlib.sha256(stream.read()).digest())
-        for text in (done.stdout, done.stderr):
-            digest.update(hashlib.sha256(text).digest())
+                    add(stream.read())
         return digest.hexdigest()[:12]
 
     def run(self, arguments):
