@@ -420,10 +420,15 @@ part_headers() {
 }
 build_headers() { cmake --build build --parallel "$(job_count)" --target "$@"; }
 
-# The compiler reads the benchmarks' own sources. Only ./do bench builds them: the libraries that they are measured against
-# are not installed for a check.
+# The compiler reads the benchmarks' own sources, where these or what they include have changed since the commit of
+# scripts/lint.base. Only ./do bench builds them: the libraries that they are measured against are not installed for a
+# check.
 part_bench() {
   local files
+  if knows_lint_base && [ -z "$(changed_since_lint_base bench tests/support sunder | grep -vE '_test\.(h|cpp)$')" ]; then
+    say "Nothing that benchmarks are made of has changed since $(cat scripts/lint.base)."
+    return 0
+  fi
   mapfile -t files < <(grep -LE '#include <(libqhull_r/|ppl\.hh)' \
     bench/*.cpp bench/{contest,inputs}/*.cpp bench/peers/sunder_*.cpp)
   check_bench() {
@@ -499,7 +504,7 @@ fuzz_one() {
 # Two at a time; all begin with the cases, and with what longer runs have found (cases/fuzz). What a run finds new is in
 # build/fuzz/corpus, what fails in build/fuzz/failures.
 part_fuzz() {
-  local seconds=${SUNDER_FUZZ_SECONDS:-15} programs=() program result=0 first
+  local seconds=${SUNDER_FUZZ_SECONDS:-12} programs=() program result=0 first
   configure asan-ubsan "clang++-$clang" || return 1
   build asan-ubsan fuzzers || return 1
   rm -rf build/fuzz/kept

@@ -1,10 +1,35 @@
 #include <sunder/base/error.h>
 #include <sunder/planar/object/polygon.h>
+#include <sunder/predicate/orient.h>
 
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 namespace sunder::planar {
+
+namespace {
+
+// Directions turn by less than half a turn at a vertex, all to one side, so with each round they change twice between
+// those that go on lexicographically and those that go back.
+bool surely_turns_once(std::span<const Point2> ring) {
+  bool is_left = false, goes_on = lexicographically_less(ring.back(), ring[0]);
+  std::size_t changes = 0;
+  const Point2* before = &ring.back();
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point2 &here = ring[k], &after = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const RoundedOrientation turn(*before, here, after);
+    if (k == 0) is_left = turn.value > 0;
+    if (!turn.is_sure() || (turn.value > 0) != is_left) return false;
+    const bool went_on = std::exchange(goes_on, lexicographically_less(here, after));
+    changes += went_on != goes_on;
+    before = &here;
+  }
+  return changes == 2;
+}
+
+}  // namespace
 
 Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
   if (rings.empty()) throw Error(ErrorCode::bad_shape, "a polygon has at least one ring");
@@ -32,6 +57,7 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
   LanesBox all = boxes[0];
   for (const LanesBox& box : boxes) all = hull(all, box);
   box_ = {{all.low[0], all.low[1]}, {all.high[0], all.high[1]}};
+  surely_convex_ = ring_count() == 1 && surely_turns_once(vertices_);
 }
 
 }  // namespace sunder::planar

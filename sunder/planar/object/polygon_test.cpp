@@ -1,0 +1,85 @@
+#include <sunder/base/random.h>
+#include <sunder/planar/object/polygon.h>
+#include <sunder/planar/set/polygon_simple.h>
+
+#include <tests/support/scale.h>
+#include <tests/support/shapes.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace sunder::planar {
+namespace {
+
+using Ring = std::vector<Point2>;
+
+bool surely_convex(const std::vector<Ring>& rings) { return Polygon(rings).surely_convex(); }
+
+// n points of a circle, each so many steps after the one before.
+Ring star(std::size_t n, std::size_t steps) {
+  Ring ring;
+  for (std::size_t k = 0; k < n; ++k) {
+    ring.push_back(tests::on_circle(static_cast<double>(k * steps % n) / static_cast<double>(n)));
+  }
+  return ring;
+}
+
+TEST(PolygonTest, SurelyConvexWhereItTurnsOnceToOneSide) {
+  for (const std::size_t n : {3U, 4U, 5U, 17U, 1000U}) {
+    Ring ring = star(n, 1);
+    for (int turn = 0; turn < 2; ++turn) {
+      EXPECT_TRUE(surely_convex({ring})) << n;
+      EXPECT_FALSE(surely_convex({ring, ring})) << n;
+      Ring closed = ring;
+      closed.push_back(ring[0]);
+      EXPECT_TRUE(surely_convex({closed})) << n;
+      closed.push_back(ring[1]);
+      EXPECT_FALSE(surely_convex({closed})) << n;
+      std::reverse(ring.begin(), ring.end());
+    }
+  }
+  EXPECT_FALSE(surely_convex({star(5, 2)}));  // it turns left only, but goes round twice
+  EXPECT_FALSE(surely_convex({star(9, 4)}));
+  EXPECT_FALSE(surely_convex({star(7, 3)}));
+  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 0}, {2, 0}, {1, 1}}}));
+  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 1}, {2, 2}}}));
+  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));
+  EXPECT_FALSE(surely_convex({{{0, 0}, {4, 0}, {4, 4}, {3, 1}}}));
+  EXPECT_FALSE(surely_convex({{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}));
+  EXPECT_TRUE(surely_convex({{{0, 0}, {0x1p-500, 0}, {0, 0x1p-500}}}));
+}
+
+// Rings of small whole numbers, where turns are sure: those that are simple and turn strictly to one side, and no others.
+TEST(PolygonTest, SurelyConvexMeansSimple) {
+  Random random(tests::chosen_seed(20261129));
+  int convex = 0, turning = 0;
+  const int count = tests::scaled_count(20000, 2000);
+  for (int i = 0; i < count; ++i) {
+    Ring ring(3 + random.below(5));
+    for (Point2& p : ring) {
+      p = {static_cast<double>(random.between(-3, 3)), static_cast<double>(random.between(-3, 3))};
+    }
+    const std::size_t n = ring.size();
+    if (ring.front() == ring.back()) continue;
+    int left = 0, right = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const Point2 &a = ring[k], &b = ring[(k + 1) % n], &c = ring[(k + 2) % n];
+      const double turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      left += turn > 0;
+      right += turn < 0;
+    }
+    const bool turns = left == static_cast<int>(n) || right == static_cast<int>(n);
+    const Polygon polygon(std::vector<Ring>{ring});
+    ASSERT_EQ(polygon.surely_convex(), turns && polygon_simple_by_scan(polygon).simple()) << i;
+    convex += polygon.surely_convex();
+    turning += turns && !polygon.surely_convex();
+  }
+  EXPECT_GT(convex, count / 50);
+  EXPECT_GT(turning, 0);
+}
+
+}  // namespace
+}  // namespace sunder::planar
