@@ -107,7 +107,7 @@ std::vector<Plan> plans(const Options&) {
                     return star_contest(n);
                   }});
   list.push_back(
-      {"petals in one point", "polygon valid", petals, {1000, 100000, 1000000}, [](std::size_t n, std::uint64_t) {
+      {"petals in one point", "polygons valid", petals, {1000, 100000, 1000000}, [](std::size_t n, std::uint64_t) {
          return petals_contest(n);
        }});
   list.push_back({"cross-hatch", "segments count", a_half, {1000, 4000}, [](std::size_t n, std::uint64_t) {
