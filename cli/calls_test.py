@@ -51,8 +51,8 @@ document, to which a number may be added: `@:low + 1e-9`; `@sha256:FILE` is a di
 every element there.
 
 A net holds what a change of the program's structure must not change: of each test its name and, for each of its calls,
-a hash of the exit code, of both outputs and of the files in the folder after it, but for times. With --net the tests that give other
-hashes than the file are named, and fail; with --record too, the file is written.
+a hash of the exit code, of both outputs and of the files in the folder after it, but for times. With --net the tests
+that give other hashes than the file are named, and fail; with --record too, the file is written.
 """
 import argparse
 import concurrent.futures
