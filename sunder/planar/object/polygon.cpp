@@ -5,26 +5,23 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 namespace sunder::planar {
 
 namespace {
 
-// Directions turn by less than half a turn at a vertex, all to one side, so with each round they change twice between
-// those that go on lexicographically and those that go back.
-bool surely_turns_once(std::span<const Point2> ring) {
-  bool is_left = false, goes_on = lexicographically_less(ring.back(), ring[0]);
+// Does the ring turn to one side at each vertex, and go round once? Directions turn by less than half a turn at a vertex,
+// so with each round they change twice between those that go on lexicographically and those that go back.
+bool is_strictly_convex(std::span<const Point2> ring) {
+  Sign side = Sign::zero;
   std::size_t changes = 0;
-  const Point2* before = &ring.back();
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point2 &here = ring[k], &after = ring[k + 1 < ring.size() ? k + 1 : 0];
-    const RoundedOrientation turn(*before, here, after);
-    if (k == 0) is_left = turn.value > 0;
-    if (!turn.is_sure() || (turn.value > 0) != is_left) return false;
-    const bool went_on = std::exchange(goes_on, lexicographically_less(here, after));
-    changes += went_on != goes_on;
-    before = &here;
+    const Point2 &before = ring[k > 0 ? k - 1 : ring.size() - 1], &here = ring[k];
+    const Point2& after = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const Sign turn = orient_2d(before, here, after);
+    if (k == 0) side = turn;
+    if (turn == Sign::zero || turn != side) return false;
+    changes += lexicographically_less(before, here) != lexicographically_less(here, after);
   }
   return changes == 2;
 }
@@ -57,7 +54,7 @@ Polygon::Polygon(std::span<const std::vector<Point2>> rings) {
   LanesBox all = boxes[0];
   for (const LanesBox& box : boxes) all = hull(all, box);
   box_ = {{all.low[0], all.low[1]}, {all.high[0], all.high[1]}};
-  surely_convex_ = ring_count() == 1 && surely_turns_once(vertices_);
+  strictly_convex_ = ring_count() == 1 && is_strictly_convex(vertices_);
 }
 
 }  // namespace sunder::planar

@@ -28,9 +28,9 @@ class Polygon {
   const Box2& box() const { return box_; }                     // the smallest that holds all vertices
   const EdgeBoxes& edge_boxes() const { return edge_boxes_; }  // for searches
 
-  // One ring that turns strictly to one side at each vertex, and goes round once: so it is convex, and meets itself
-  // nowhere. By floating point: false says nothing.
-  bool surely_convex() const { return surely_convex_; }
+  // Is it one ring that turns to one side at each vertex, straight on at none, and goes round once? Exact. Such a ring
+  // meets itself nowhere.
+  bool strictly_convex() const { return strictly_convex_; }
 
   std::uint32_t ring_count() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
   std::uint32_t ring_begin(std::uint32_t ring) const { return begin_[ring]; }  // also of ring ring_count(): the end
@@ -56,7 +56,7 @@ class Polygon {
   std::vector<std::uint32_t> begin_{0}, ring_;  // ring_ is empty where there is one
   Box2 box_;
   EdgeBoxes edge_boxes_;
-  bool surely_convex_ = false;
+  bool strictly_convex_ = false;
 };
 
 }  // namespace sunder::planar

@@ -15,7 +15,7 @@ namespace {
 
 using Ring = std::vector<Point2>;
 
-bool surely_convex(const std::vector<Ring>& rings) { return Polygon(rings).surely_convex(); }
+bool strictly_convex(const std::vector<Ring>& rings) { return Polygon(rings).strictly_convex(); }
 
 // n points of a circle, each so many steps after the one before.
 Ring star(std::size_t n, std::size_t steps) {
@@ -26,34 +26,39 @@ Ring star(std::size_t n, std::size_t steps) {
   return ring;
 }
 
-TEST(PolygonTest, SurelyConvexWhereItTurnsOnceToOneSide) {
+TEST(PolygonTest, StrictlyConvexWhereItTurnsOnceToOneSide) {
   for (const std::size_t n : {3U, 4U, 5U, 17U, 1000U}) {
     Ring ring = star(n, 1);
     for (int turn = 0; turn < 2; ++turn) {
-      EXPECT_TRUE(surely_convex({ring})) << n;
-      EXPECT_FALSE(surely_convex({ring, ring})) << n;
+      EXPECT_TRUE(strictly_convex({ring})) << n;
+      EXPECT_FALSE(strictly_convex({ring, ring})) << n;
       Ring closed = ring;
       closed.push_back(ring[0]);
-      EXPECT_TRUE(surely_convex({closed})) << n;
+      EXPECT_TRUE(strictly_convex({closed})) << n;
       closed.push_back(ring[1]);
-      EXPECT_FALSE(surely_convex({closed})) << n;
+      EXPECT_FALSE(strictly_convex({closed})) << n;
       std::reverse(ring.begin(), ring.end());
     }
   }
-  EXPECT_FALSE(surely_convex({star(5, 2)}));  // it turns left only, but goes round twice
-  EXPECT_FALSE(surely_convex({star(9, 4)}));
-  EXPECT_FALSE(surely_convex({star(7, 3)}));
-  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 0}, {2, 0}, {1, 1}}}));
-  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 1}, {2, 2}}}));
-  EXPECT_FALSE(surely_convex({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));
-  EXPECT_FALSE(surely_convex({{{0, 0}, {4, 0}, {4, 4}, {3, 1}}}));
-  EXPECT_FALSE(surely_convex({{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}));
-  EXPECT_TRUE(surely_convex({{{0, 0}, {0x1p-500, 0}, {0, 0x1p-500}}}));
+  EXPECT_FALSE(strictly_convex({star(5, 2)}));  // it turns left only, but goes round twice
+  EXPECT_FALSE(strictly_convex({star(9, 4)}));
+  EXPECT_FALSE(strictly_convex({star(7, 3)}));
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {1, 0}, {2, 0}, {1, 1}}}));
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {1, 1}, {2, 2}}}));
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}));
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {4, 0}, {4, 4}, {3, 1}}}));
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {0, 0}, {1, 0}, {0, 1}}}));
+  for (const double size : {5e-324, 0x1p-500, 0x1p1023}) {
+    EXPECT_TRUE(strictly_convex({{{0, 0}, {size, 0}, {0, size}}})) << size;
+    EXPECT_FALSE(strictly_convex({{{0, 0}, {size, 0}, {size, size}, {size / 2, size / 2}}})) << size;
+  }
+  EXPECT_TRUE(strictly_convex({{{0, 0}, {1, 0x1p-1074}, {2, 0x1p-1072}, {0, 1}}}));  // by the last bit
+  EXPECT_FALSE(strictly_convex({{{0, 0}, {1, 0x1p-1074}, {2, 0x1p-1073}, {0, 1}}}));
 }
 
-// Rings of small whole numbers, whose turns are sure: those that have all other vertices strictly on one side of each
+// Rings of small whole numbers: those that have all other vertices strictly on one side of each
 // edge, on the same one, and no others.
-TEST(PolygonTest, SurelyConvexMeansAllOnOneSideOfEachEdge) {
+TEST(PolygonTest, StrictlyConvexMeansAllOnOneSideOfEachEdge) {
   Random random(tests::chosen_seed(20261129));
   int convex = 0, only_turning = 0;
   const int count = tests::scaled_count(20000, 2000);
@@ -77,7 +82,7 @@ TEST(PolygonTest, SurelyConvexMeansAllOnOneSideOfEachEdge) {
       }
     }
     const bool expected = left == n * (n - 2) || right == n * (n - 2);
-    ASSERT_EQ(surely_convex({ring}), expected) << i;
+    ASSERT_EQ(strictly_convex({ring}), expected) << i;
     convex += expected;
     only_turning += !expected && (turns_left == n || turns_right == n);
   }

@@ -85,7 +85,7 @@ class VertexSearch {
 }  // namespace
 
 bool overlap_at_crossing(const Polygon& a, std::uint32_t e, const Polygon& b, std::uint32_t f, std::uint64_t& probes) {
-  if (a.surely_convex() || b.surely_convex()) return true;  // on an edge it has no vertex
+  if (a.strictly_convex() || b.strictly_convex()) return true;  // on an edge it has no vertex
   VertexSearch search(a, e, b, f, probes);
   return !search.finds_one_of(a, e) || !search.finds_one_of(b, f);
 }

@@ -17,7 +17,7 @@ namespace sunder::planar {
 
 // Is there none, or just one of the polygons, that has a vertex where edge e of a and edge f of b cross? Then they
 // overlap around that point. Requires that these cross. `probes` grows by the boxes and vertices looked at. Cost:
-// nothing where one is surely convex; else what the boxes of edges that hold the point take, mostly logarithmic.
+// nothing where one is strictly convex; else what the boxes of edges that hold the point take, mostly logarithmic.
 bool overlap_at_crossing(const Polygon& a, std::uint32_t e, const Polygon& b, std::uint32_t f, std::uint64_t& probes);
 
 }  // namespace sunder::planar

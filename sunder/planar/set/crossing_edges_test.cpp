@@ -18,7 +18,7 @@ bool overlap(const Rings& a, const Rings& b) {
   const Polygon of_a(a), of_b(b);
   std::uint64_t probes = 0;
   const bool forward = overlap_at_crossing(of_a, 0, of_b, 0, probes);
-  EXPECT_EQ(probes > 0, !of_a.surely_convex() && !of_b.surely_convex());
+  EXPECT_EQ(probes > 0, !of_a.strictly_convex() && !of_b.strictly_convex());
   EXPECT_EQ(overlap_at_crossing(of_b, 0, of_a, 0, probes), forward);
   return forward;
 }
