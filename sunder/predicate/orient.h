@@ -72,16 +72,6 @@ inline Guess surely_cross_2d(const Point2& a, const Point2& b, const Point2& c, 
   return cross ? Guess::positive : Guess::negative;
 }
 
-// Are c and d surely on one side of the line through a and b, none of them on it? By the first stage, without branches.
-inline bool surely_on_one_side(const Point2& a, const Point2& b, const Point2& c, const Point2& d) {
-  const RoundedOrientation of_c(a, b, c), of_d(a, b, d);
-  const auto both_beyond = [](double p, double p_error, double q, double q_error) {
-    return static_cast<int>(p > p_error) & static_cast<int>(q > q_error);
-  };
-  return (both_beyond(of_c.value, of_c.error, of_d.value, of_d.error) |
-          both_beyond(-of_c.value, of_c.error, -of_d.value, of_d.error)) != 0;
-}
-
 // The sign of the determinant of the 3 x 3 matrix of a pose, row by row.
 Sign determinant_sign(const Affine3& pose);
 

@@ -466,7 +466,7 @@ TEST(OrientTest, OnePoseMultipliesByItsDeterminant) {
 TEST(OrientTest, SurelyCross) {
   Random random(tests::chosen_seed(9));
   const int n = tests::scaled_count(30000, 1000);
-  std::array<int, 4> cross{}, apart{}, unsure{}, on_line{}, beside{};
+  std::array<int, 4> cross{}, apart{}, unsure{}, on_line{};
   for (int i = 0; i < n; ++i) {
     const std::size_t kind = static_cast<std::size_t>(i % 4);
     const double scale = power_of_two(random.between(-1070, 1020));
@@ -499,9 +499,6 @@ TEST(OrientTest, SurelyCross) {
     }
     ++(guess == Guess::positive ? cross : guess == Guess::negative ? apart : unsure)[kind];
     on_line[kind] += !none_zero;
-    const bool one_side = surely_on_one_side(p[0], p[1], p[2], p[3]);
-    ASSERT_TRUE(!one_side || (c != Sign::zero && c == d)) << i;
-    beside[kind] += one_side;
   }
   EXPECT_GT(cross[0], n / 40);
   EXPECT_GT(apart[0], n / 20);
@@ -511,8 +508,6 @@ TEST(OrientTest, SurelyCross) {
   for (const std::size_t kind : {1u, 2u, 3u}) EXPECT_GT(cross[kind] + apart[kind], n / 100) << kind;
   EXPECT_GT(on_line[2], n / 20);
   EXPECT_GT(on_line[3], n / 20);
-  EXPECT_GT(beside[0], n / 20);
-  for (const std::size_t kind : {1u, 2u, 3u}) EXPECT_GT(beside[kind], n / 200) << kind;
 }
 
 TEST(OrientTest, SurelyCrossAtTheEndsOfTheRange) {
@@ -526,7 +521,6 @@ TEST(OrientTest, SurelyCrossAtTheEndsOfTheRange) {
   for (const double s : {tests::least, 0x1p-1022, 0x1p-540, 0x1p-531, 0x1p512, 0x1p1023, tests::largest}) {
     EXPECT_EQ(plus(s), Guess::unsure) << s;
     EXPECT_EQ(side_by_side(s), Guess::unsure) << s;
-    EXPECT_FALSE(surely_on_one_side({-s, 0}, {s, 0}, {-s, s}, {s, s})) << s;
   }
   EXPECT_EQ(surely_cross_2d({0, 0}, {0, 0}, {1, 1}, {2, 0}), Guess::unsure);
   // A product that vanishes next to one that does not.
