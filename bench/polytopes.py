@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Sunder's polytopes against HiGHS, GLPK, Clp and SciPy, on the same inputs in one run.
 
-    bench/polytopes.py build/bench/bin/bench_polytopes [--pairs N] [--quick] [--check]
+    bench/polytopes.py build/bench/bin/bench_polytopes [--pairs N] [--rounds N] [--quick] [--check]
 
 Needs numpy, scipy and highspy; of swiglpk (GLPK) and cylp (Clp) what is there. Linear programs: bodies of points have
 weights with one common point; half-spaces are rows about a point, which is free; both are of d + 2 rows, or d columns.
@@ -10,6 +10,10 @@ each peer is the boolean only. Sunder's times are with exact evidence. A peer's 
 are counted; those of bodies that touch, or are a last bit apart, are known by construction. --quick leaves Delaunay
 out, which takes some 5 s and 300 MB to prepare. OpenBLAS gets one thread: with more, the matrices of Delaunay's
 simplices, five numbers a side, take fifteen times the processor time.
+
+In each round (five, if nothing else is said) Sunder answers all pairs, and then each peer all, or the first N. Times are
+medians over the rounds, of means over the pairs; a ratio is the median of the rounds' ratios, with the least and the
+greatest in brackets.
 
 --check exits 1 where Sunder is less than 200 times as fast as HiGHS or 100 times as GLPK about pairs of polytopes of 1,000
 points or half-spaces; less than 500 times as fast as linprog about points and a hull of 10,000; or slower than
@@ -153,15 +157,20 @@ def clp(p):
 SOLVERS = [("HiGHS", highs)] + ([("GLPK", glpk_simplex)] if glpk else []) + ([("Clp", clp)] if CyClpSimplex else [])
 
 
-def main():
+def number_after(word, default):
     words = sys.argv[2:]
-    most = int(words[words.index("--pairs") + 1]) if "--pairs" in words else 16
-    missed = []
+    return int(words[words.index(word) + 1]) if word in words else default
+
+
+def inputs():
+    """Sunder's answers and times, and what it answered, as a reader."""
     with tempfile.NamedTemporaryFile() as file:
-        print(subprocess.run([sys.argv[1], "--write", file.name], check=True, capture_output=True, text=True).stdout)
-        reader = Reader(file.name)
-    print("| bodies | pairs | Sunder, us |" + "".join(" %s, us | ratio | wrong |" % name for name, _ in SOLVERS))
-    print("|---|---|---|" + "---|---|---|" * len(SOLVERS))
+        said = subprocess.run([sys.argv[1], "--write", file.name], check=True, capture_output=True, text=True).stdout
+        return said, Reader(file.name)
+
+
+def regimes(reader):
+    """Of each kind of pair: its name, Sunder's time, its answers, and the pairs as rows."""
     for _ in range(int(reader.next()[0])):
         of_points_a, of_points_b, _, sunder = reader.next()
         name = "".join(chr(int(c)) for c in reader.next())
@@ -169,15 +178,34 @@ def main():
         forms = [of_points_a > 0, of_points_b > 0]
         pairs = [[(form, reader.next().reshape(-1, D if form else D + 1)) for form in forms] for _ in truths]
         kind = "points" if all(forms) else "half-spaces and points" if any(forms) else "half-spaces"
-        line = "| %s | %s | %.1f |" % (kind, name, sunder)
-        programs = [Program(bodies) for bodies in pairs[:most]]
-        for solver, call in SOLVERS:
-            results = [call(program) for program in programs]
-            took = np.mean([t for t, _ in results])
-            wrong = sum(bool(truth) != said for truth, (_, said) in zip(truths, results))
-            line += " %.0f | %.0f | %d of %d |" % (took, took / sunder, wrong, len(results))
-            if took / sunder < DEMANDED.get(solver, 0):
-                missed.append("%s, %s: %.0f times %s" % (kind, name, took / sunder, solver))
+        yield kind + " | " + name, sunder, truths, pairs
+
+
+def main():
+    missed, times, wrong = [], {}, {}
+    for round_ in range(number_after("--rounds", 5)):
+        said, reader = inputs()
+        if round_ == 0:
+            print(said)
+        for name, sunder, truths, pairs in regimes(reader):
+            programs = [Program(bodies) for bodies in pairs[:number_after("--pairs", len(pairs))]]
+            took = times.setdefault(name, {"Sunder": []})
+            took["Sunder"].append(sunder)
+            for solver, call in SOLVERS:
+                results = [call(program) for program in programs]
+                took.setdefault(solver, []).append(np.mean([t for t, _ in results]))
+                wrong[name, solver] = "%d of %d" % (
+                    sum(bool(truth) != answer for truth, (_, answer) in zip(truths, results)), len(results))
+    print("| bodies | pairs | Sunder, us |" + "".join(" %s, us | ratio | wrong |" % name for name, _ in SOLVERS))
+    print("|---|---|---|" + "---|---|---|" * len(SOLVERS))
+    for name, took in times.items():
+        line = "| %s | %.1f |" % (name, np.median(took["Sunder"]))
+        for solver, _ in SOLVERS:
+            ratios = np.divide(took[solver], took["Sunder"])
+            line += " %.0f | %.0f (%.0f-%.0f) | %s |" % (np.median(took[solver]), np.median(ratios), min(ratios),
+                                                         max(ratios), wrong[name, solver])
+            if np.median(ratios) < DEMANDED.get(solver, 0):
+                missed.append("%s: %.0f times %s" % (name, np.median(ratios), solver))
         print(line, flush=True)
     rows = reader.next().reshape(-1, D)
     asked = []
@@ -185,11 +213,11 @@ def main():
         many, with_evidence = reader.next()
         asked.append((name, many, with_evidence, reader.next() > 0, reader.next().reshape(-1, D)))
     missed += ask_linprog(rows, asked)
-    if "--quick" not in words:
+    if "--quick" not in sys.argv:
         missed += ask_delaunay(rows, asked)
-    for line in missed if "--check" in words else []:
+    for line in missed if "--check" in sys.argv else []:
         print("missed: " + line)
-    return 1 if missed and "--check" in words else 0
+    return 1 if missed and "--check" in sys.argv else 0
 
 
 def ask_linprog(rows, asked):
