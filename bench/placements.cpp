@@ -20,7 +20,6 @@
 #include <sunder/ask/scene/placements.h>
 #include <sunder/base/random.h>
 #include <sunder/io/robot_motion.h>
-#include <sunder/io/urdf_kinematics.h>
 
 #include <fmt/format.h>
 

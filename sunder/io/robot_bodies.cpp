@@ -1,6 +1,6 @@
 #include <sunder/io/robot_bodies.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
-#include <sunder/io/urdf_kinematics.h>
 
 #include <algorithm>
 #include <map>

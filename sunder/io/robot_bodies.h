@@ -53,7 +53,7 @@ RobotBodies read_robot_bodies(const Robot& robot, const std::filesystem::path& f
 // Has a link a collision shape, read or not? Visuals are none.
 bool has_collision_shapes(const Robot& robot);
 
-// Parts at their place in the world, where the link is at `link` (urdf_kinematics.h). Throws Error bad_pose
+// Parts at their place in the world, where the link is at `link` (robot_motion.h). Throws Error bad_pose
 // where a pose overflows.
 scene::Body placed_body(const std::string& name, const std::vector<BodyPart>& parts, const solid::Pose& link);
 

@@ -1,5 +1,5 @@
 #include <sunder/io/robot_bodies.h>
-#include <sunder/io/urdf_kinematics.h>
+#include <sunder/io/robot_motion.h>
 
 #include <gtest/gtest.h>
 

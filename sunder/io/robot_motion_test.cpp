@@ -1,6 +1,5 @@
 #include <sunder/base/random.h>
 #include <sunder/io/robot_motion.h>
-#include <sunder/io/urdf_kinematics.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Robots out of URDF files: links, the shapes to test for collisions, and joints. Where the links are for given joint
-// values: urdf_kinematics.h.
+// values: robot_motion.h.
 #pragma once
 
 #include <sunder/base/error.h>

@@ -1,8 +1,8 @@
 #include <sunder/base/error.h>
 #include <sunder/io/mesh.h>
 #include <sunder/io/packages.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/urdf.h>
-#include <sunder/io/urdf_kinematics.h>
 
 #include <tests/support/places.h>
 
@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sunder::io {
 namespace {
@@ -33,6 +34,17 @@ std::size_t link_number(const Robot& robot, const std::string& name) {
     if (robot.links[i].name == name) return i;
   }
   throw std::runtime_error("no link " + name);
+}
+
+// The values of all joints, where some are given by name.
+std::vector<double> joint_values(const Robot& robot, const std::map<std::string, double>& given) {
+  std::vector<std::string> joints;
+  std::vector<double> values;
+  for (const auto& [name, value] : given) {
+    joints.push_back(name);
+    values.push_back(value);
+  }
+  return RobotMotion(robot, joints).joint_values(values);
 }
 
 // Where the pose puts the point, near enough for a test.

@@ -5,7 +5,6 @@
 #include <sunder/io/joint_values.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/text.h>
-#include <sunder/io/urdf_kinematics.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
