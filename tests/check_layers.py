@@ -51,6 +51,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 
 # layer: its folders from the lowest to the highest
 ORDER = {
+    "number": ["exact"],
     "planar": ["represent", "object", "pair", "sweep", "set", "region"],
     "solid": ["hull", "represent", "object", "pair", "round"],
     "polytope": ["object", "represent", "pair", "hull", "region"],

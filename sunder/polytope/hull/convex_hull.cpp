@@ -107,16 +107,8 @@ std::vector<std::vector<Dyadic>> flat_equations(const ConvexHull& hull, const Po
     if (std::find(hull.columns.begin(), hull.columns.end(), c) != hull.columns.end()) continue;
     // x_c - o_c is the sum of (x - o)_column / pivot times the vectors' component c.
     std::vector<Dyadic> row(hull.space + 1);
-    Dyadic pivots(1.0);
-    for (const AffineColumns::Column& of : flat.columns) pivots = pivots * of.vector[of.column];
-    row[c] = pivots;
-    for (const AffineColumns::Column& of : flat.columns) {
-      Dyadic others = of.vector[c];
-      for (const AffineColumns::Column& other : flat.columns) {
-        if (other.column != of.column) others = others * other.vector[other.column];
-      }
-      row[of.column] = -others;
-    }
+    row[c] = flat.pivot;
+    for (const AffineColumns::Column& of : flat.columns) row[of.column] = -of.vector[c];
     for (std::size_t i = 0; i < hull.space; ++i) row[hull.space] = row[hull.space] + row[i] * origin[i];
     result.push_back(std::move(row));
   }

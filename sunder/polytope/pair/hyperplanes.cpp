@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/polytope/object/exact_matrix_internal.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/phase_one_internal.h>
 #include <sunder/polytope/pair/placed.h>

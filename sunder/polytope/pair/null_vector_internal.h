@@ -1,4 +1,4 @@
-// Linear relations of few vectors of R^d, in integers, by determinants.
+// Linear relations of few vectors of R^d, in integers: by determinants, or of long integers by elimination.
 // Also called: Cramer's rule; kernel (null space) of a matrix with one column more than its rank.
 #pragma once
 
@@ -20,9 +20,10 @@ inline constexpr std::size_t most_vectors = most_dimension + 1;
 // not found, which tells nothing.
 //   Floating point says which n of the d equations to solve, of n + 1 vectors; the determinants of these without one of
 //   their columns are the numbers, but for signs; the other equations are checked. So what is returned is right, and of
-//   vectors of which some n are independent there is no other.
-// Requires 1 to d + 1 vectors, of the same d <= 6 numbers. Cost: some n 2^n products of integers, of some 60 n bits
-// where the numbers of an equation are of one size; no divisions.
+//   vectors of which some n are independent there is no other. Where determinants may be of more than 511 bits, exact
+//   elimination finds the numbers (number/exact/elimination_internal.h).
+// Requires 1 to d + 1 vectors, of the same d <= 6 numbers. Cost: some n 2^n products of few words and no divisions, or
+// some n^3 products and divisions of long integers.
 std::optional<std::array<Integer, most_vectors>> null_vector(std::span<const ExactVector> vectors);
 
 // Vectors whose equations are of integers of at most so many bits each: entry [r][j] is that of vector j in equation r.

@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/polytope/region/exact_rank_internal.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/region/half_space_region.h>
 #include <sunder/polytope/region/program_outcome_internal.h>
 #include <sunder/polytope/region/program_search_internal.h>
@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace sunder::polytope {
 
@@ -123,7 +124,7 @@ class RegionSearch {
 
   // Across the points that there are, and rows that are known to be flat: further points, or a row.
   void widen() {
-    ExactSpan known(d_);
+    Elimination known(d_);
     const Place& first = region_.points.front();
     for (const Place& point : region_.points) {
       ExactVector difference(d_);
@@ -136,8 +137,9 @@ class RegionSearch {
       const std::span<const double> normal = body_.row(part.row).first(d_);
       known.add(ExactVector(normal.begin(), normal.end()));
     }
-    const ExactVector along = *known.across();
-    ExactVector back;
+    const std::vector<Integer> across = *known.across();
+    ExactVector along, back;
+    for (const Integer& x : across) along.push_back(dyadic_of(x, 0));
     for (const Dyadic& x : along) back.push_back(-x);
     const std::size_t rank = points_.rank();
     const LinearProgramAnswer greatest = best_along(along);
@@ -151,7 +153,7 @@ class RegionSearch {
   const Polytope& body_;
   std::size_t d_;
   HalfSpaceRegion region_;
-  ExactSpan points_, across_;
+  Elimination points_, across_;
 };
 
 }  // namespace
@@ -173,7 +175,7 @@ HalfSpaceRegion half_space_region(const Polytope& half_spaces) {
 bool check(const Polytope& half_spaces, const HalfSpaceRegion& region) {
   const std::size_t d = half_spaces.dimension();
   if (region.empty()) return contradicts(half_spaces, region.contradiction);
-  ExactSpan points(d + 1);
+  Elimination points(d + 1);
   for (const Place& point : region.points) {
     if (!keeps(half_spaces, point) || !points.add(homogeneous(point))) return false;
   }

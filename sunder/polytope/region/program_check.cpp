@@ -1,4 +1,4 @@
-#include <sunder/polytope/region/exact_rank_internal.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/region/linear_program.h>
 #include <sunder/polytope/region/rows_check_internal.h>
 
@@ -39,7 +39,7 @@ bool recedes(const Polytope& body, std::span<const Dyadic> direction) {
 std::optional<SumOfRows> sum_of(const Polytope& body, const RowWeights& multipliers) {
   const std::size_t d = body.dimension();
   SumOfRows result{ExactVector(d + 1), 0};
-  ExactSpan span(d);
+  Elimination span(d);
   if (multipliers.denominator.sign() != Sign::positive) return std::nullopt;
   for (const auto& [row, weight] : multipliers.parts) {
     if (row >= body.size() || weight.sign() != Sign::positive) return std::nullopt;

@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/vertices_internal.h>
-#include <sunder/polytope/region/exact_rank_internal.h>
 #include <sunder/polytope/region/region_vertices.h>
 
 #include <algorithm>
@@ -160,7 +160,7 @@ class FlatPart {
   // As many columns of these rows as tell the others.
   std::vector<std::size_t> columns_across() const {
     std::vector<std::size_t> columns;
-    ExactSpan span(region_.flat.parts.size());
+    Elimination span(region_.flat.parts.size());
     for (std::size_t c = 0; c < d_; ++c) {
       std::vector<Dyadic> column;
       for (const RowWeights::Part& part : region_.flat.parts) column.emplace_back(body_.row(part.row)[c]);

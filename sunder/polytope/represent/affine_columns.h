@@ -13,13 +13,14 @@
 namespace sunder::polytope {
 
 // Of rows x and x0, the difference is the sum over the columns of (x - x0)_column / pivot times the vector, which has
-// its pivot, a positive number, in its column, and 0 in the others'.
+// the pivot, a positive number, in its column, and 0 in the others'.
 struct AffineColumns {
   struct Column {
     std::size_t column = 0;
     std::vector<Dyadic> vector;
   };
   std::vector<Column> columns;  // by number; as many as the flat has dimensions
+  Dyadic pivot{1.0};
 
   // A direction of as many components as there are columns, whose products with the columns of rows are, but for a
   // positive factor and a number that all rows share, those of the direction with the rows.

@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/polytope/object/exact_matrix_internal.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/predicate/cone_weights.h>
 
