@@ -3,10 +3,9 @@
 #include <sunder/io/robot_motion.h>
 #include <sunder/io/scene_file.h>
 #include <sunder/io/srdf.h>
-#include <sunder/scene/chains.h>
-#include <sunder/scene/follower.h>
 #include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
+#include <sunder/scene/timeline.h>
 #include <sunder/solid/object/affine_product.h>
 
 #include "common.h"
@@ -116,7 +115,7 @@ class Robot {
   }
 
   Collisions collisions(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
-    return unlocked([&] { return Run(*this, joints, values, evidence).run(threads); });
+    return unlocked([&] { return found(joints, values, evidence, threads); });
   }
 
   nb::bytes certificate(const Names& joints, const Doubles& values) const {
@@ -236,97 +235,63 @@ class Robot {
     return text;
   }
 
-  // One call about many placements.
-  class Run {
-   public:
-    Run(const Robot& of, const Names& joints, const Doubles& values, bool evidence)
-        : of_(of),
-          motion_(of.robot_, joints),
-          values_(values.data(), values.size()),
-          columns_(joints.size()),
-          rows_(values.shape(0)),
-          evidence_(evidence),
-          start_(of.bodies_at(std::vector<solid::Pose>(of.robot_.links.size())), of.question()) {}
+  // The rows of one call, for run_timeline.
+  struct Rows {
+    const Robot& of;
+    const io::RobotMotion motion;
+    std::span<const double> values;
+    std::size_t columns, count;
 
-    Collisions run(std::uint64_t wish) {
-      const std::size_t threads = scene::thread_count(wish);
-      chains_.resize(scene::chain_places(threads));
-      scene::run_chains(
-          threads, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
-                    [&](std::size_t place) {
-                      all_.append(chains_[place]->found);
-                      return true;
-                    }});
-      all_.placements = rows_;
-      return std::move(all_);
-    }
-
-   private:
-    struct Chain {
-      scene::Follower follower;
-      std::vector<Affine3> links;  // where they are
-      std::size_t begin = 0, end = 0;
-      Collisions found{};
-    };
-
-    bool begin(std::size_t place) {
-      if (next_ == rows_) return false;
-      if (!chains_[place]) {
-        chains_[place] = std::make_unique<Chain>(Chain{start_, std::vector<Affine3>(of_.robot_.links.size())});
-      }
-      chains_[place]->begin = next_;
-      next_ = chains_[place]->end = std::min(next_ + scene::chain_length, rows_);
-      return true;
-    }
-
-    void run(Chain& chain) const {
-      chain.found = {};
-      chain.follower.forget();
-      for (std::size_t k = chain.begin; k < chain.end; ++k) {
-        may_be_interrupted(100);
-        try {
-          motion_.place(values_.subspan(k * columns_, columns_), chain.links);
-          std::uint32_t number = 0;
-          for (const io::LinkBody& body : of_.links_.bodies) {
-            for (const io::BodyPart& part : body.parts) {
-              const Affine3 &link = chain.links[body.link], &inner = part.pose.affine();
-              const Affine3 at = io::is_identity(inner) ? link : solid::affine_product(link, inner);
-              chain.follower.place(number++, solid::Pose::from_matrix(at.linear, at.translation));
-            }
+    std::size_t size() const { return count; }
+    std::string name(std::size_t row) const { return "joints[" + std::to_string(row) + "]"; }
+    auto placer() const {
+      return [this, links = std::vector<Affine3>(of.robot_.links.size())](std::size_t row, const auto& put) mutable {
+        motion.place(values.subspan(row * columns, columns), links);
+        std::uint32_t number = 0;
+        for (const io::LinkBody& body : of.links_.bodies) {
+          for (const io::BodyPart& part : body.parts) {
+            const Affine3 &link = links[body.link], &inner = part.pose.affine();
+            const Affine3 at = io::is_identity(inner) ? link : solid::affine_product(link, inner);
+            put(number++, solid::Pose::from_matrix(at.linear, at.translation));
           }
-        } catch (const Error& error) {
-          throw Error(error.code(), text_of(error), "joints[" + std::to_string(k) + "]");
         }
-        take(k, chain.follower.ask(), chain.follower.bodies(), chain.found);
-      }
+      };
     }
-
-    void take(std::size_t k, const scene::Answer& answer, std::span<const scene::Body> bodies, Collisions& out) const {
-      constexpr double none = std::numeric_limits<double>::quiet_NaN();
-      for (const scene::PartPair& pair : answer.pairs) {
-        if (!pair.counts && !pair.undecided()) continue;
-        out.placement.push_back(k);
-        out.bodies.push_back({pair.body_a, pair.body_b});
-        out.parts.push_back({pair.part_a, pair.part_b});
-        out.decided.push_back(pair.undecided() ? 0 : 1);
-        if (!evidence_) continue;
-        out.points.push_back(pair.undecided()
-                                 ? Point3{none, none, none}
-                                 : scene::rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a],
-                                                               bodies[pair.body_b].parts[pair.part_b]));
-      }
-    }
-
-    const Robot& of_;
-    const io::RobotMotion motion_;
-    std::span<const double> values_;
-    const std::size_t columns_, rows_;
-    const bool evidence_;
-    const scene::Follower start_;
-    std::vector<std::unique_ptr<Chain>> chains_;
-    std::size_t next_ = 0;
-    Collisions all_;
   };
+
+  Collisions found(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
+    const Rows rows{
+        *this, io::RobotMotion(robot_, joints), {values.data(), values.size()}, joints.size(), values.shape(0)};
+    const scene::MomentFollower start(bodies_at(std::vector<solid::Pose>(robot_.links.size())), question());
+    Collisions all;
+    all.placements = scene::run_timeline<Collisions>(
+        practised(start, rows), rows, scene::thread_count(threads),
+        [&](std::size_t k, const scene::Moment& moment, Collisions& out) {
+          take(k, moment, evidence, out);
+          return true;
+        },
+        [&](const Collisions& chain, std::size_t) {
+          all.append(chain);
+          return true;
+        });
+    return all;
+  }
+
+  static void take(std::size_t k, const scene::Moment& moment, bool evidence, Collisions& out) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (const scene::PartPair& pair : moment.meeting.pairs) {
+      if (!pair.counts && !pair.undecided()) continue;
+      out.placement.push_back(k);
+      out.bodies.push_back({pair.body_a, pair.body_b});
+      out.parts.push_back({pair.part_a, pair.part_b});
+      out.decided.push_back(pair.undecided() ? 0 : 1);
+      if (!evidence) continue;
+      out.points.push_back(pair.undecided()
+                               ? Point3{none, none, none}
+                               : scene::rounded_common_point(pair, moment.bodies[pair.body_a].parts[pair.part_a],
+                                                             moment.bodies[pair.body_b].parts[pair.part_b]));
+    }
+  }
 
   io::Robot robot_;
   io::RobotBodies links_;

@@ -77,6 +77,7 @@
 #include <sunder/scene/scene.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/scene/sweep.h>
+#include <sunder/scene/timeline.h>
 #include <sunder/solid/hull/convex_hull.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/frame.h>

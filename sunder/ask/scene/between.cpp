@@ -5,10 +5,6 @@
 #include <sunder/ask/scene/between.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/scene/chains.h>
-#include <sunder/scene/sweep.h>
 #include <sunder/scene/sweep_claims.h>
 
 #include <fmt/format.h>
@@ -85,12 +81,7 @@ class StepLines {
       list += fmt::format("{}{} and {} ({}{})", list.empty() ? "" : "; ", name_a(pair), name_b(pair),
                           pair.meet() ? time_text(pair) : "undecided", is_hull(pair) ? ", as hulls" : "");
     }
-    if (!list.empty()) {
-      out += '"';
-      for (const char c : list) out.append(c == '"' ? 2 : 1, c);
-      out += '"';
-    }
-    out += '\n';
+    out += quoted_csv(list) + '\n';
   }
 
  private:
@@ -109,25 +100,6 @@ class StepLines {
   std::span<const Body> bodies_;
 };
 
-// What all steps have in common: the first line of JSON lines.
-std::string steps_header_line(const SceneInput& input, const scene::Question& question, std::span<const Body> bodies,
-                              const io::JointTable& table, std::span<const AllowedPair> allowed,
-                              const PlacementsCall& call) {
-  Json json{{"verb", "scene"}, {"between", true}, {"joints", table.joints}, {"placements", table.rows()}};
-  json["bodies"] = Json::array();
-  for (const Body& body : bodies) {
-    Json parts = Json::array();
-    for (const scene::Part& part : body.parts) parts.push_back(part.name);
-    json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
-  }
-  json["allowed_pairs"] = Json::array();
-  for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
-  json["allowed_reasons"] = allowed_json(allowed);
-  if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
-  if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
-  return json.on_one_line() + "\n";
-}
-
 struct Stated {
   std::size_t step;
   std::vector<SweptPair> pairs;
@@ -145,12 +117,9 @@ struct Totals {
   }
 };
 
-struct StepChain {
-  explicit StepChain(const std::vector<Body>& bodies) : last(bodies), next(bodies) {}
-
-  std::size_t begin = 0, end = 0;  // steps
-  std::vector<Body> last, next;
-  std::string text, json, csv;
+// What a chain of steps came to.
+struct FoundSteps {
+  LineTexts lines;
   std::vector<Stated> stated;
   Totals totals;
 };
@@ -165,120 +134,67 @@ class Between {
         input_(input),
         table_(table),
         question_(question),
-        motion_(input.robot(between_option), table.joints),
+        rows_(input, table),
         bodies_(input.bodies({})),
         lines_(input, bodies_),
         steps_(table.rows() - 1),
-        prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()) {
+        files_(call) {
     question_.every_pair = call.parted;
   }
 
   int run() {
-    open(call_.json_lines, json_);
-    open(call_.csv, csv_);
-    if (json_) json_->write(steps_header_line(input_, question_, bodies_, table_, allowed_, call_));
-    if (csv_) csv_->write("step,answer,meeting,pairs\n");
+    files_.write(
+        {"", header_line(input_, question_, bodies_, table_, allowed_, call_, true), "step,answer,meeting,pairs\n"});
     Progress progress("placements");
     const auto report = progress.reporter();
-    const std::size_t threads = scene::thread_count(call_.threads);
-    chains_.resize(scene::chain_places(threads));
-    scene::run_chains(
-        threads, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
-                  [&](std::size_t place) { return end(*chains_[place], report); }});
+    asked_ = scene::run_timeline<FoundSteps>(
+        scene::StepFollower(bodies_, question_), rows_, scene::thread_count(call_.threads),
+        [&](std::size_t k, scene::SweptAnswer answer, FoundSteps& found) { return take(k, std::move(answer), found); },
+        [&](FoundSteps& found, std::size_t asked) {
+          files_.write(found.lines);
+          std::move(found.stated.begin(), found.stated.end(), std::back_inserter(stated_));
+          totals_.add(found.totals);
+          if (report) report(static_cast<double>(asked) / static_cast<double>(steps_));
+          return !call_.first || totals_.some == 0;
+        });
     if (!call_.meeting_certificate.empty()) write_certificate();
-    for (auto* file : {&json_, &csv_, &certificate_}) {
-      if (*file) (*file)->commit();
-    }
+    files_.commit();
     print_for_people(summary());
     return totals_.some + totals_.unknown > 0 ? exit_code::yes : exit_code::no;
   }
 
  private:
-  static void open(const std::string& name, std::optional<io::OutputFile>& file) {
-    if (!name.empty()) file.emplace(name);
-  }
-
-  void place(std::size_t row, std::vector<Body>& bodies) const {
-    std::vector<scene::Part*> parts;
-    for (Body& body : bodies) {
-      for (scene::Part& part : body.parts) parts.push_back(&part);
+  // The lines of a step, and what is counted and kept of it. Are later ones wanted?
+  bool take(std::size_t k, SweptAnswer answer, FoundSteps& found) const {
+    if (files_.has_text()) lines_.add_text(k, answer, found.lines.text);
+    if (files_.has_json()) lines_.add_json(k, answer, found.lines.json);
+    if (files_.has_csv()) lines_.add_csv(k, answer, found.lines.csv);
+    found.totals.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(),
+                      answer.counts.by_boxes + answer.counts.by_method, answer.counts.at_ends_only});
+    const bool goes_on = !call_.first || !answer.some_meet();
+    if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) {
+      for (const SweptPair& pair : answer.pairs) found.totals.stated += !pair.undecided();
+      found.stated.push_back({k, std::move(answer.pairs)});
     }
-    std::vector<Affine3> links(input_.robot(between_option).links.size());
-    try {
-      motion_.place(table_.row(row), links);
-      input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
-    } catch (const Error& error) {
-      throw Error(error.code(), error.what(), table_.place(row));
-    }
-  }
-
-  bool begin(std::size_t place) {
-    if (next_ == steps_) return false;
-    auto& chain = chains_[place];
-    if (!chain) chain = std::make_unique<StepChain>(bodies_);
-    chain->begin = next_;
-    next_ = chain->end = std::min(next_ + scene::chain_length, steps_);
-    return true;
-  }
-
-  void run(StepChain& chain) const {
-    for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.stated.clear();
-    chain.totals = {};
-    place(chain.begin, chain.next);
-    for (std::size_t k = chain.begin; k < chain.end; ++k) {
-      std::swap(chain.last, chain.next);
-      place(k + 1, chain.next);
-      SweptAnswer answer = meeting_on_the_way(chain.last, chain.next, question_);
-      if (prints_text_) lines_.add_text(k, answer, chain.text);
-      if (json_) lines_.add_json(k, answer, chain.json);
-      if (csv_) lines_.add_csv(k, answer, chain.csv);
-      Totals& totals = chain.totals;
-      totals.some += answer.some_meet();
-      totals.unknown += !answer.some_meet() && !answer.none_meet();
-      totals.all_the_way += answer.counts.by_boxes + answer.counts.by_method;
-      totals.at_ends_only += answer.counts.at_ends_only;
-      const bool is_last = call_.first && answer.some_meet();
-      if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) {
-        for (const SweptPair& pair : answer.pairs) totals.stated += !pair.undecided();
-        chain.stated.push_back({k, std::move(answer.pairs)});
-      }
-      if (!is_last) continue;
-      chain.end = k + 1;
-      return;
-    }
-  }
-
-  bool end(StepChain& chain, const std::function<void(double)>& report) {
-    if (prints_text_) print_for_people(chain.text);
-    if (json_) json_->write(chain.json);
-    if (csv_) csv_->write(chain.csv);
-    std::move(chain.stated.begin(), chain.stated.end(), std::back_inserter(stated_));
-    totals_.add(chain.totals);
-    asked_ = chain.end;
-    if (report) report(static_cast<double>(asked_) / static_cast<double>(steps_));
-    return !call_.first || totals_.some == 0;
+    return goes_on;
   }
 
   void write_certificate() {
     if (totals_.stated == 0) return;
-    certificate_.emplace(call_.meeting_certificate);
-    std::vector<Body> last = bodies_, next = bodies_;
+    RowBodies last(rows_, bodies_), next(rows_, bodies_);
     auto stated = stated_.cbegin();
     const auto step = [&](std::size_t k) {
       if (k == 0) stated = stated_.cbegin();
       while (stated != stated_.cend() && stated->step < k) ++stated;
       const bool has_some = stated != stated_.cend() && stated->step == k;
-      if (!has_some) return scene::SweptStep{last, next, {}};
-      place(k, last);
-      place(k + 1, next);
-      return scene::SweptStep{last, next, stated->pairs};
+      if (!has_some) return scene::SweptStep{bodies_, bodies_, {}};
+      return scene::SweptStep{last.at(k), next.at(k + 1), stated->pairs};
     };
     const scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_),
                                   [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
-    write_motion_certificate(
-        bodies_, asked_, step, question_, origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)),
-        [&](std::string_view text) { certificate_->write(text); }, said);
+    write_motion_certificate(bodies_, asked_, step, question_,
+                             origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), files_.certificate(),
+                             said);
   }
 
   std::string summary() const {
@@ -296,7 +212,7 @@ class Between {
     text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
             file_line("table", call_.csv);
     if (call_.meeting_certificate.empty()) return text;
-    if (!certificate_) return text + "  no proofs are written, as there is nothing to be stated\n";
+    if (!files_.has_certificate()) return text + "  no proofs are written, as there is nothing to be stated\n";
     return text + file_line(fmt::format("proofs of {}", count_of(totals_.stated, "pair")), call_.meeting_certificate) +
            not_proved_line(not_proved(call_));
   }
@@ -307,15 +223,13 @@ class Between {
   const SceneInput& input_;
   const io::JointTable& table_;
   scene::Question question_;
-  const io::RobotMotion motion_;
+  const JointRows rows_;
   const std::vector<Body> bodies_;
   const StepLines lines_;
   const std::size_t steps_;
-  const bool prints_text_;
-  std::optional<io::OutputFile> json_, csv_, certificate_;
-  std::vector<std::unique_ptr<StepChain>> chains_;
+  LineFiles files_;
   std::vector<Stated> stated_;  // where there is to be a certificate
-  std::size_t next_ = 0, asked_ = 0;
+  std::size_t asked_ = 0;
   Totals totals_;
 };
 

@@ -1,6 +1,7 @@
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/nearness_lines.h>
+#include <sunder/ask/scene/placements.h>
 
 #include <sunder/base/contract.h>
 
@@ -27,27 +28,7 @@ void insert(std::string_view ending, std::string_view piece, std::string& text) 
   (text += piece) += ending;
 }
 
-std::string quoted_csv(std::string_view list) {
-  if (list.empty()) return "";
-  std::string text = "\"";
-  for (const char c : list) text.append(c == '"' ? 2 : 1, c);
-  return text + '"';
-}
-
 }  // namespace
-
-std::optional<scene::ClearanceFollower> NearnessLines::follower() const {
-  if (!question_.clearance) return std::nullopt;
-  return scene::ClearanceFollower(bodies_, *question_.clearance);
-}
-
-Nearness NearnessLines::ask(std::span<const scene::Body> placed,
-                            std::optional<scene::ClearanceFollower>& follower) const {
-  Nearness found;
-  if (follower) found.clearance = follower->ask(placed);
-  if (question_.nearest) found.nearest = scene::nearest_parts(placed, allowed_);
-  return found;
-}
 
 bool NearnessLines::is_hull(const PartDistance& pair) const {
   return input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
@@ -59,7 +40,7 @@ std::string NearnessLines::names_of(const PartDistance& pair) const {
 
 // "; none are closer", "; hand and post are closer than 0.1: about 0.07 apart; nearest: hand and post: about 0.07
 // apart"
-void NearnessLines::add_text(const Nearness& found, std::string& text) const {
+void NearnessLines::add_text(const scene::Nearness& found, std::string& text) const {
   std::string piece;
   const auto hulls = [&](const PartDistance& pair) { return is_hull(pair) ? " as hulls" : ""; };
   if (found.clearance) {
@@ -97,7 +78,7 @@ std::string NearnessLines::json_of(const PartDistance& pair, bool has_margin) co
   return json.on_one_line();
 }
 
-void NearnessLines::add_json(const Nearness& found, std::string& text) const {
+void NearnessLines::add_json(const scene::Nearness& found, std::string& text) const {
   std::string piece;
   const auto add_list = [&](const char* key, const std::vector<PartDistance>& list) {
     fmt::format_to(std::back_inserter(piece), ", \"{}\": [", key);
@@ -131,7 +112,7 @@ void NearnessLines::add_csv_header(std::string& text) const {
   if (question_.nearest) insert("\n", ",nearest_low,nearest_high,nearest_pair", text);
 }
 
-void NearnessLines::add_csv(const Nearness& found, std::string& text) const {
+void NearnessLines::add_csv(const scene::Nearness& found, std::string& text) const {
   std::string piece;
   if (found.clearance) {
     std::string list;
@@ -152,7 +133,7 @@ void NearnessLines::add_csv(const Nearness& found, std::string& text) const {
   insert("\n", piece, text);
 }
 
-std::size_t list_closer(const Nearness& found, std::vector<scene::CloserPair>& list) {
+std::size_t list_closer(const scene::Nearness& found, std::vector<scene::CloserPair>& list) {
   if (!found.clearance) return 0;
   const auto add = [&](const PartDistance& pair, bool is_undecided) {
     list.push_back({pair.body_a, pair.body_b, pair.part_a, pair.part_b, pair.least, is_undecided});

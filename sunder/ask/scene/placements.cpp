@@ -9,8 +9,6 @@
 #include <sunder/io/file.h>
 #include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
-#include <sunder/scene/chains.h>
-#include <sunder/scene/follower.h>
 #include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
 
@@ -209,17 +207,213 @@ class Lines {
   std::vector<std::vector<PartNames>> names_;  // by body, by part
 };
 
-// What all placements have in common: the first line of JSON lines.
+// What meets, or is undecided, in a placement; and what is closer than it has to be, likewise.
+struct Met {
+  std::size_t row;
+  std::vector<PartPair> pairs;
+  std::vector<scene::CloserPair> closer;
+};
+
+// What a chain of placements came to.
+struct FoundPlacements {
+  LineTexts lines;
+  std::vector<Met> met;
+  PlacementsCounts counts;
+};
+
+class Placements {
+ public:
+  Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+             const io::JointTable& table, const InputFiles& inputs, const scene::NearnessQuestion& near,
+             std::span<const AllowedPair> allowed)
+      : call_(call),
+        allowed_(allowed),
+        inputs_(inputs),
+        near_(near),
+        input_(input),
+        table_(table),
+        question_(question),
+        rows_(input, table),
+        bodies_(input.bodies({})),
+        lines_(input, question, bodies_),
+        near_lines_(near, input, bodies_),
+        files_(call) {
+    note_limits(table, rows_.motion());
+  }
+
+  PlacementsAnswer run() {
+    LineTexts header{"", header_line(input_, question_, bodies_, table_, allowed_, call_, false),
+                     "placement,answer,meeting,pairs\n"};
+    near_lines_.add_json_header(header.json);
+    near_lines_.add_csv_header(header.csv);
+    files_.write(header);
+    Progress progress("placements");
+    const auto report = progress.reporter();
+    answer_.asked = scene::run_timeline<FoundPlacements>(
+        practised(scene::MomentFollower(bodies_, question_, near_), rows_), rows_, scene::thread_count(call_.threads),
+        [&](std::size_t k, const scene::Moment& moment, FoundPlacements& found) { return take(k, moment, found); },
+        [&](FoundPlacements& found, std::size_t asked) {
+          files_.write(found.lines);
+          std::move(found.met.begin(), found.met.end(), std::back_inserter(met_));
+          answer_.add(found.counts);
+          if (report) report(static_cast<double>(asked) / static_cast<double>(rows_.size()));
+          return !call_.first || answer_.some + answer_.not_kept == 0;
+        });
+    if (!call_.meeting_certificate.empty()) write_certificate();
+    files_.commit();
+    answer_.summary = summary();
+    return answer_;
+  }
+
+ private:
+  std::string summary() const {
+    const LeftOutList& left_out = input_.left_out();
+    const auto& [some, undecided, meeting, not_kept, closer] = static_cast<const PlacementsCounts&>(answer_);
+    std::string text = fmt::format("{} of {} {} bodies that meet{}", some, count_of(answer_.asked, "placement"),
+                                   some == 1 || answer_.asked == 1 ? "has" : "have",
+                                   left_out.empty() ? "" : ", among the bodies read");
+    if (undecided > 0) text += fmt::format("; placements where this is undecided: {}", undecided);
+    if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept);
+    if (answer_.asked < table_.rows()) {
+      text += fmt::format("; not tested, because they follow the first that meets{}: {}",
+                          near_.clearance ? " or is closer" : "", table_.rows() - answer_.asked);
+    }
+    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
+            file_line("table", call_.csv);
+    if (call_.meeting_certificate.empty()) return text;
+    if (!files_.has_certificate())
+      return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
+                                near_.clearance ? ", or to be closer" : "");
+    std::string of = call_.parted ? count_of(answer_.asked, "placement") : count_of(meeting, "pair");
+    if (near_.clearance && !call_.parted) of += fmt::format(" that meet, and of {} closer", closer);
+    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate) +
+           not_proved_line(not_proved(call_));
+  }
+
+  // The lines of a placement, and what is counted and kept of it. Are later ones wanted?
+  bool take(std::size_t k, const scene::Moment& moment, FoundPlacements& found) const {
+    const scene::Answer& answer = moment.meeting;
+    LineTexts& lines = found.lines;
+    if (files_.has_text()) lines_.add_text(k, answer, lines.text);
+    if (files_.has_json()) lines_.add_json(k, answer, moment.bodies, lines.json);
+    if (files_.has_csv()) lines_.add_csv(k, answer, lines.csv);
+    std::vector<scene::CloserPair> closer;
+    if (near_.asks()) {
+      if (files_.has_text()) near_lines_.add_text(moment.near, lines.text);
+      if (files_.has_json()) near_lines_.add_json(moment.near, lines.json);
+      if (files_.has_csv()) near_lines_.add_csv(moment.near, lines.csv);
+      found.counts.closer += list_closer(moment.near, closer);
+    }
+    const bool is_kept = moment.near.is_kept();
+    found.counts.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(), answer.counts.meeting, !is_kept});
+    if (!call_.meeting_certificate.empty() && !(answer.pairs.empty() && closer.empty())) {
+      found.met.push_back({k, answer.pairs, std::move(closer)});
+    }
+    return !call_.first || (!answer.some_meet() && is_kept);
+  }
+
+  // Of what was found to meet, or to be closer; links are placed again, to the same numbers.
+  void write_certificate() {
+    if (answer_.meeting + answer_.closer == 0 && !call_.parted) return;
+    RowBodies placed(rows_, bodies_);
+    const Met nothing{};
+    const auto placement_of = [&](std::size_t row, const Met& met) {
+      return scene::MeetingPlacement{std::to_string(row), placed.at(row), met.pairs, met.closer};
+    };
+    const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
+    scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_), joints_in};
+    const Origin origin = origin_of(inputs_, left_out_texts(input_.left_out(), allowed_));
+    if (call_.parted) {
+      const auto any = [&](std::size_t k) {
+        const auto met =
+            std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
+        return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
+      };
+      scene::write_whole_certificate(bodies_, answer_.asked, any, question_, origin, files_.certificate(),
+                                     near_.clearance ? &*near_.clearance : nullptr, said);
+      return;
+    }
+    const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
+    said.joints = [&](std::size_t k) { return joints_in(met_[k].row); };
+    scene::write_meeting_certificate(bodies_, met_.size(), placement, question_, origin, files_.certificate(), said);
+  }
+
+  const PlacementsCall& call_;
+  const std::span<const AllowedPair> allowed_;
+  const InputFiles& inputs_;
+  const scene::NearnessQuestion& near_;
+  const SceneInput& input_;
+  const io::JointTable& table_;
+  const scene::Question& question_;
+  const JointRows rows_;
+  const std::vector<scene::Body> bodies_;
+  const Lines lines_;
+  const NearnessLines near_lines_;
+  LineFiles files_;
+  std::vector<Met> met_;  // where there is to be a certificate
+  PlacementsAnswer answer_;
+};
+
+}  // namespace
+
+void PlacementsCounts::add(const PlacementsCounts& other) {
+  some += other.some;
+  undecided += other.undecided;
+  meeting += other.meeting;
+  not_kept += other.not_kept;
+  closer += other.closer;
+}
+
+RowBodies::RowBodies(const JointRows& rows, std::span<const scene::Body> bodies)
+    : rows_(rows), placer_(rows.placer()), bodies_(bodies.begin(), bodies.end()) {
+  for (scene::Body& body : bodies_) {
+    for (scene::Part& part : body.parts) parts_.push_back(&part);
+  }
+}
+
+std::span<const scene::Body> RowBodies::at(std::size_t row) {
+  scene::place_row(rows_, row, placer_,
+                   [&](std::uint32_t part, const solid::Pose& pose) { parts_[part]->pose = pose; });
+  return bodies_;
+}
+
+LineFiles::LineFiles(const PlacementsCall& call)
+    : call_(call), has_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()) {
+  if (!call.json_lines.empty()) json_.emplace(call.json_lines);
+  if (!call.csv.empty()) csv_.emplace(call.csv);
+}
+
+void LineFiles::write(const LineTexts& lines) {
+  if (has_text_) print_for_people(lines.text);
+  if (json_) json_->write(lines.json);
+  if (csv_) csv_->write(lines.csv);
+}
+
+TextSink LineFiles::certificate() {
+  certificate_.emplace(call_.meeting_certificate);
+  return [&](std::string_view text) { certificate_->write(text); };
+}
+
+void LineFiles::commit() {
+  for (auto* file : {&json_, &csv_, &certificate_}) {
+    if (*file) (*file)->commit();
+  }
+}
+
 std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
-                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call) {
-  Json json{{"verb", "scene"}, {"joints", table.joints}, {"placements", table.rows()}};
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call,
+                        bool between) {
+  Json json{{"verb", "scene"}};
+  if (between) json["between"] = true;
+  json["joints"] = table.joints;
+  json["placements"] = table.rows();
   json["bodies"] = Json::array();
   for (const scene::Body& body : bodies) {
     Json parts = Json::array();
     for (const scene::Part& part : body.parts) parts.push_back(part.name);
     json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
   }
-  json["allowed"] = question.touching_allowed ? "touch" : "nothing";
+  if (!between) json["allowed"] = question.touching_allowed ? "touch" : "nothing";
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   json["allowed_reasons"] = allowed_json(allowed);
@@ -228,245 +422,12 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   return json.on_one_line() + "\n";
 }
 
-// What meets, or is undecided, in a placement; and what is closer than it has to be, likewise.
-struct Met {
-  std::size_t row;
-  std::vector<PartPair> pairs;
-  std::vector<scene::CloserPair> closer;
-};
-
-// A chain of placements, and what it came to.
-struct Chain {
-  Chain(const scene::Follower& start, std::size_t link_count) : follower(start), links(link_count) {}
-
-  scene::Follower follower;
-  std::optional<scene::ClearanceFollower> near{};
-  std::vector<Affine3> links;      // where they are
-  std::size_t begin = 0, end = 0;  // rows
-  std::string text, json, csv;
-  std::vector<Met> met;
-  std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0;  // as in PlacementsAnswer
-  std::uint64_t closer = 0;                                          // pairs that are known to be
-};
-
-class Placements {
- public:
-  Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-             const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
-             std::span<const AllowedPair> allowed)
-      : call_(call),
-        allowed_(allowed),
-        inputs_(inputs),
-        near_(near),
-        input_(input),
-        table_(table),
-        motion_(input.robot(placements_option), table.joints),
-        start_(input.bodies({}), question),
-        lines_(input, question, start_.bodies()),
-        near_lines_(near, input, start_.bodies(), question.allowed),
-        near_start_(near_lines_.follower()),
-        prints_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()),
-        threads_(scene::thread_count(call.threads)),
-        question_(question) {
-    note_limits(table, motion_);
-  }
-
-  PlacementsAnswer run() {
-    open(call_.json_lines, json_);
-    open(call_.csv, csv_);
-    if (json_) {
-      std::string header = header_line(input_, question_, start_.bodies(), table_, allowed_, call_);
-      near_lines_.add_json_header(header);
-      json_->write(header);
-    }
-    if (csv_) {
-      std::string header = "placement,answer,meeting,pairs\n";
-      near_lines_.add_csv_header(header);
-      csv_->write(header);
-    }
-    practise();
-    Progress progress("placements");
-    const auto report = progress.reporter();
-    chains_.resize(scene::chain_places(threads_));
-    scene::run_chains(
-        threads_, {[&](std::size_t place) { return begin(place); }, [&](std::size_t place) { run(*chains_[place]); },
-                   [&](std::size_t place) { return end(*chains_[place], report); }});
-    if (!call_.meeting_certificate.empty()) write_certificate();
-    if (json_) json_->commit();
-    if (csv_) csv_->commit();
-    if (certificate_) certificate_->commit();
-    return {asked_, some_, undecided_, meeting_, not_kept_, summary()};
-  }
-
- private:
-  std::string summary() const {
-    const LeftOutList& left_out = input_.left_out();
-    std::string text =
-        fmt::format("{} of {} {} bodies that meet{}", some_, count_of(asked_, "placement"),
-                    some_ == 1 || asked_ == 1 ? "has" : "have", left_out.empty() ? "" : ", among the bodies read");
-    if (undecided_ > 0) text += fmt::format("; placements where this is undecided: {}", undecided_);
-    if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept_);
-    if (asked_ < table_.rows()) {
-      text += fmt::format("; not tested, because they follow the first that meets{}: {}",
-                          near_.clearance ? " or is closer" : "", table_.rows() - asked_);
-    }
-    text += left_out.clause() + allowed_clause(allowed_) + "\n" + file_line("JSON lines", call_.json_lines) +
-            file_line("table", call_.csv);
-    if (call_.meeting_certificate.empty()) return text;
-    if (!certificate_)
-      return text + fmt::format("  no proofs are written, as nothing is known to meet{}\n",
-                                near_.clearance ? ", or to be closer" : "");
-    std::string of = call_.parted ? count_of(asked_, "placement") : count_of(meeting_, "pair");
-    if (near_.clearance && !call_.parted) of += fmt::format(" that meet, and of {} closer", closer_);
-    return text + file_line(fmt::format("proofs of {}", of), call_.meeting_certificate) +
-           not_proved_line(not_proved(call_));
-  }
-
-  static void open(const std::string& name, std::optional<io::OutputFile>& file) {
-    if (!name.empty()) file.emplace(name);
-  }
-
-  bool begin(std::size_t place) {
-    if (next_ == table_.rows()) return false;
-    auto& chain = chains_[place];
-    if (!chain) chain = std::make_unique<Chain>(start_, input_.robot(placements_option).links.size());
-    chain->begin = next_;
-    next_ = chain->end = std::min(next_ + scene::chain_length, table_.rows());
-    return true;
-  }
-
-  void run(Chain& chain) const {
-    for (std::string* out : {&chain.text, &chain.json, &chain.csv}) out->clear();
-    chain.some = chain.undecided = chain.meeting = chain.not_kept = chain.closer = 0;
-    chain.met.clear();
-    chain.follower = start_;
-    chain.near = near_start_;
-    for (std::size_t k = chain.begin; k < chain.end; ++k) {
-      try {
-        motion_.place(table_.row(k), chain.links);
-        input_.place_links(chain.links,
-                           [&](std::uint32_t part, const solid::Pose& pose) { chain.follower.place(part, pose); });
-      } catch (const Error& error) {
-        throw Error(error.code(), error.what(), table_.place(k));
-      }
-      const scene::Answer& answer = chain.follower.ask();
-      if (prints_text_) lines_.add_text(k, answer, chain.text);
-      if (json_) lines_.add_json(k, answer, chain.follower.bodies(), chain.json);
-      if (csv_) lines_.add_csv(k, answer, chain.csv);
-      std::vector<scene::CloserPair> closer;
-      const bool is_kept = !near_.asks() || look_near(chain, closer);
-      chain.meeting += answer.counts.meeting;
-      if (!call_.meeting_certificate.empty() && !(answer.pairs.empty() && closer.empty())) {
-        chain.met.push_back({k, answer.pairs, std::move(closer)});
-      }
-      if (!answer.some_meet() && !answer.none_meet()) ++chain.undecided;
-      chain.some += answer.some_meet();
-      if (!call_.first || (!answer.some_meet() && is_kept)) continue;
-      chain.end = k + 1;
-      return;
-    }
-  }
-
-  // Adds to the lines of the placement, and lists what is closer than it has to be, or may be. Is there nothing?
-  bool look_near(Chain& chain, std::vector<scene::CloserPair>& closer) const {
-    const Nearness found = near_lines_.ask(chain.follower.bodies(), chain.near);
-    if (prints_text_) near_lines_.add_text(found, chain.text);
-    if (json_) near_lines_.add_json(found, chain.json);
-    if (csv_) near_lines_.add_csv(found, chain.csv);
-    chain.not_kept += !found.is_kept();
-    chain.closer += list_closer(found, closer);
-    return found.is_kept();
-  }
-
-  // What all chains begin from: what the first one leaves of evidence, where there are several. A fixed beginning, so
-  // that nothing depends on threads; and evidence of other placements mostly serves.
-  void practise() {
-    if (table_.rows() < 4 * scene::chain_length) return;
-    std::vector<Affine3> links(input_.robot(placements_option).links.size());
-    try {
-      for (std::size_t k = 0; k < scene::chain_length; ++k) {
-        motion_.place(table_.row(k), links);
-        input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { start_.place(part, pose); });
-        (void)start_.ask();
-        if (near_start_) (void)near_start_->ask(start_.bodies());
-      }
-    } catch (const Error&) {  // which is told in its turn
-    }
-  }
-
-  // Of what was found to meet, or to be closer; links are placed again, to the same numbers.
-  void write_certificate() {
-    if (meeting_ + closer_ == 0 && !call_.parted) return;
-    certificate_.emplace(call_.meeting_certificate);
-    std::vector<scene::Body> bodies(start_.bodies().begin(), start_.bodies().end());
-    std::vector<scene::Part*> parts;
-    for (scene::Body& body : bodies) {
-      for (scene::Part& part : body.parts) parts.push_back(&part);
-    }
-    std::vector<Affine3> links(input_.robot(placements_option).links.size());
-    const Met nothing{};
-    const auto placement_of = [&](std::size_t row, const Met& met) {
-      motion_.place(table_.row(row), links);
-      input_.place_links(links, [&](std::uint32_t part, const solid::Pose& pose) { parts[part]->pose = pose; });
-      return scene::MeetingPlacement{std::to_string(row), bodies, met.pairs, met.closer};
-    };
-    const auto write = [&](std::string_view text) { certificate_->write(text); };
-    const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
-    scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_), joints_in};
-    if (call_.parted) {
-      const auto any = [&](std::size_t k) {
-        const auto met =
-            std::lower_bound(met_.begin(), met_.end(), k, [](const Met& m, std::size_t row) { return m.row < row; });
-        return placement_of(k, met != met_.end() && met->row == k ? *met : nothing);
-      };
-      scene::write_whole_certificate(start_.bodies(), asked_, any, question_,
-                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write,
-                                     near_.clearance ? &*near_.clearance : nullptr, said);
-      return;
-    }
-    const auto placement = [&](std::size_t k) { return placement_of(met_[k].row, met_[k]); };
-    said.joints = [&](std::size_t k) { return joints_in(met_[k].row); };
-    scene::write_meeting_certificate(start_.bodies(), met_.size(), placement, question_,
-                                     origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), write, said);
-  }
-
-  bool end(Chain& chain, const std::function<void(double)>& report) {
-    if (prints_text_) print_for_people(chain.text);
-    if (json_) json_->write(chain.json);
-    if (csv_) csv_->write(chain.csv);
-    std::move(chain.met.begin(), chain.met.end(), std::back_inserter(met_));
-    some_ += chain.some;
-    undecided_ += chain.undecided;
-    meeting_ += chain.meeting;
-    not_kept_ += chain.not_kept;
-    closer_ += chain.closer;
-    asked_ = chain.end;
-    if (report) report(static_cast<double>(asked_) / static_cast<double>(table_.rows()));
-    return !call_.first || some_ + not_kept_ == 0;
-  }
-
-  const PlacementsCall& call_;
-  const std::span<const AllowedPair> allowed_;
-  const InputFiles& inputs_;
-  const NearnessQuestion& near_;
-  const SceneInput& input_;
-  const io::JointTable& table_;
-  const io::RobotMotion motion_;
-  scene::Follower start_;
-  const Lines lines_;
-  const NearnessLines near_lines_;
-  std::optional<scene::ClearanceFollower> near_start_;
-  const bool prints_text_;
-  const std::size_t threads_;
-  const scene::Question& question_;
-  std::optional<io::OutputFile> json_, csv_, certificate_;
-  std::vector<std::unique_ptr<Chain>> chains_;
-  std::vector<Met> met_;  // where there is to be a certificate
-  std::size_t next_ = 0, asked_ = 0;
-  std::uint64_t some_ = 0, undecided_ = 0, meeting_ = 0, not_kept_ = 0, closer_ = 0;
-};
-
-}  // namespace
+std::string quoted_csv(std::string_view list) {
+  if (list.empty()) return "";
+  std::string text = "\"";
+  for (const char c : list) text.append(c == '"' ? 2 : 1, c);
+  return text + '"';
+}
 
 SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs) {
   const auto file = std::find_if(inputs.begin(), inputs.end(),
@@ -535,8 +496,8 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
 }
 
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs, const NearnessQuestion& near,
-                                   std::span<const AllowedPair> allowed) {
+                                   const io::JointTable& table, const InputFiles& inputs,
+                                   const scene::NearnessQuestion& near, std::span<const AllowedPair> allowed) {
   return Placements(call, input, question, table, inputs, near, allowed).run();
 }
 

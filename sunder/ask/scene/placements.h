@@ -5,13 +5,20 @@
 #include <sunder/ask/scene/nearness_lines.h>
 #include <sunder/ask/scene/scene_input.h>
 
+#include <sunder/io/file.h>
 #include <sunder/io/joint_table.h>
 #include <sunder/io/joint_values.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/scene/scene.h>
+#include <sunder/scene/timeline.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::ask {
@@ -26,14 +33,90 @@ struct PlacementsCall {
   std::uint64_t threads = 0;        // 0: all cores
 };
 
-// How many were asked about, and of these: where something meets, where that is undecided; pairs that meet, in all;
-// where something is closer than it has to be, or where that is undecided.
-struct PlacementsAnswer {
-  std::uint64_t asked = 0, some = 0, undecided = 0, meeting = 0, not_kept = 0;
-  std::string summary;  // for people
+// Of the placements that were asked about: where something meets, where that is undecided; pairs that meet, in all;
+// where something is closer than it has to be, or where that is undecided; pairs that are known to be closer, in all.
+struct PlacementsCounts {
+  std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0, closer = 0;
+
+  void add(const PlacementsCounts& other);
+};
+
+struct PlacementsAnswer : PlacementsCounts {
+  std::uint64_t asked = 0;  // how many were asked about
+  std::string summary;      // for people
 
   int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
+
+// The rows of a table, for run_timeline (scene/timeline.h). Keeps references to both.
+class JointRows {
+ public:
+  // Throws Error as RobotMotion does, and where there is no robot.
+  JointRows(const SceneInput& input, const io::JointTable& table)
+      : input_(input), table_(table), robot_(input.robot("--placements")), motion_(robot_, table.joints) {}
+
+  std::size_t size() const { return table_.rows(); }
+  std::string name(std::size_t row) const { return table_.place(row); }
+  const io::RobotMotion& motion() const { return motion_; }
+  auto placer() const {
+    return [this, links = std::vector<Affine3>(robot_.links.size())](std::size_t row, const auto& put) mutable {
+      motion_.place(table_.row(row), links);
+      input_.place_links(links, put);
+    };
+  }
+
+ private:
+  const SceneInput& input_;
+  const io::JointTable& table_;
+  const io::Robot& robot_;
+  io::RobotMotion motion_;
+};
+
+// Bodies that are moved to one row after another.
+class RowBodies {
+ public:
+  RowBodies(const JointRows& rows, std::span<const scene::Body> bodies);
+
+  // Where they are in a row; holds until the next one is asked for. Throws Error with the row's name.
+  std::span<const scene::Body> at(std::size_t row);
+
+ private:
+  const JointRows& rows_;
+  decltype(std::declval<const JointRows&>().placer()) placer_;
+  std::vector<scene::Body> bodies_;
+  std::vector<scene::Part*> parts_;
+};
+
+// The lines of some rows, and where lines go: to standard output, or to the files that the call names.
+struct LineTexts {
+  std::string text, json, csv;
+};
+
+class LineFiles {
+ public:
+  explicit LineFiles(const PlacementsCall& call);
+
+  bool has_text() const { return has_text_; }
+  bool has_json() const { return json_.has_value(); }
+  bool has_csv() const { return csv_.has_value(); }
+  void write(const LineTexts& lines);
+  bool has_certificate() const { return certificate_.has_value(); }
+  TextSink certificate();  // opens the file
+  void commit();           // all files are there, then
+
+ private:
+  const PlacementsCall& call_;
+  bool has_text_;
+  std::optional<io::OutputFile> json_, csv_, certificate_;
+};
+
+// What all rows have in common: the first line of JSON lines.
+std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
+                        const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call,
+                        bool between);
+
+// A list as a field of a table: in quotes; nothing where it is empty.
+std::string quoted_csv(std::string_view list);
 
 // What the answer says and a proof of --meeting-certificate does not, in words.
 std::vector<std::string> not_proved(const PlacementsCall& call);
@@ -50,12 +133,12 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 // The least and the greatest value of each joint.
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
-// Asks the question of each placement, in chains (scene/chains.h), and writes what comes out: lines of text on standard
+// Asks the question of each placement, in chains (scene/timeline.h), and writes what comes out: lines of text on standard
 // output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
 // nearest no certificate is written. allowed: the pairs of question.allowed, with their reasons. Throws Error; then no
 // file is written.
 PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs = {},
-                                   const NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
+                                   const scene::NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

@@ -3,7 +3,7 @@
 
 #include <sunder/ask/scene/scene_input.h>
 
-#include <sunder/scene/clearance.h>
+#include <sunder/scene/timeline.h>
 
 #include <array>
 #include <cstdint>
@@ -26,15 +26,6 @@ struct ClearanceCall {
 // margin. Throws Error bad_call for what is no distance, bodies that do not exist, and a pair with two margins.
 std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const SceneInput& input,
                                                            const std::vector<std::array<std::uint32_t, 2>>& allowed);
-
-// Of one placement; nothing of what was not asked, or of bodies of which there are no two parts to be near.
-struct Nearness {
-  std::optional<scene::ClearanceAnswer> clearance;
-  std::optional<scene::PartDistance> nearest;
-
-  // Is it known that none are closer?
-  bool is_kept() const { return !clearance || (clearance->closer.empty() && clearance->undecided.empty()); }
-};
 
 struct Placed;
 struct SceneReport;

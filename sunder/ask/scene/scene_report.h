@@ -20,7 +20,7 @@ struct Placed {
   std::string title;  // for people: the placement's name, or its number
   std::vector<scene::Body> bodies;
   scene::Answer answer;
-  Nearness near{};
+  scene::Nearness near{};
   std::optional<scene::Answer> of_allowed{};  // about the pairs that are allowed to meet, where they were asked about
   double seconds = 0;                         // of the question itself, without reading files
 };

@@ -221,7 +221,7 @@ int run(const SceneCall& call) {
     input.note_limits(extremes_of(table));
     note_hulls(input.meshes());
     if (call.between) return answer_between(call.placements, input, question, table, files, report.allowed);
-    const NearnessQuestion near{report.clearance, report.asks_for_nearest};
+    const scene::NearnessQuestion near{report.clearance, report.asks_for_nearest, question.allowed};
     const PlacementsAnswer answer =
         answer_placements(call.placements, input, question, table, files, near, report.allowed);
     print_for_people(answer.summary);
