@@ -26,8 +26,8 @@ Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const Plac
 }
 
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
-  if (evidence.verdict == solid::RoundVerdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
-  if (evidence.verdict == solid::RoundVerdict::undecided) {
+  if (evidence.verdict == Verdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
+  if (evidence.verdict == Verdict::undecided) {
     return {{"direction_about", to_json(scene::rounded_direction(evidence))}};
   }
   const scene::RoundedGap gap = scene::rounded_gap(evidence, a, b);

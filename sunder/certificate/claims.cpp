@@ -284,6 +284,11 @@ void ClaimsWriter::fractions(std::string_view name, std::span<const Dyadic> valu
   append_fractions(text_, values, denominator);
 }
 
+void ClaimsWriter::fractions(std::string_view name, const ExactPoint3& p, std::size_t dimension) {
+  const std::array numerators{p.x, p.y, p.z};
+  fractions(name, std::span(numerators).first(dimension), p.denominator);
+}
+
 void ClaimsWriter::begin_list(std::string_view name) {
   key(name);
   text_ += '[';

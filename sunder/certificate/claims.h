@@ -7,6 +7,7 @@
 #include <sunder/certificate/origin.h>
 #include <sunder/certificate/said.h>
 #include <sunder/number/dyadic.h>
+#include <sunder/predicate/exact_point.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -80,6 +81,8 @@ class ClaimsWriter {
   void fraction(std::string_view key, const Dyadic& value, const Dyadic& denominator);
   // Each divided by it.
   void fractions(std::string_view key, std::span<const Dyadic> values, const Dyadic& denominator);
+  // The first so many of the point's coordinates; its denominator is not zero.
+  void fractions(std::string_view key, const ExactPoint3& point, std::size_t dimension = 3);
   void begin_list(std::string_view key);
   void end_list();
 

@@ -28,12 +28,12 @@ void begin_surrounds(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, doubl
 // Of a hull the weights alone, of its core.
 void add_end(ClaimsWriter& file, const PointOf& point, bool is_curved) {
   file.begin_entry();
-  if (is_curved) file.fractions("point", point.coordinates, point.denominator);
+  if (is_curved) file.fractions("point", point.at);
   const Combination& made = point.of_body;
   file.begin_list("weights");
-  for (const auto& [entry, numerator] : made.parts) file.add_weight(entry, numerator, made.denominator);
+  for (const auto& [index, numerator] : made.parts) file.add_weight(index, numerator, made.denominator);
   file.end_list();
-  if (made.from) file.fractions("from", made.from->coordinates, made.from->denominator);
+  if (made.from) file.fractions("from", *made.from);
   file.end_entry();
 }
 

@@ -11,10 +11,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 
 namespace sunder {
 
-enum class Verdict : std::uint8_t { apart, meet };
+enum class Verdict : std::uint8_t { apart, meet, undecided };
+
+std::string_view name_of(Verdict);  // "undecided"
 
 // A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job,
 // it is `given`; otherwise it is named by features of the placed bodies A and B, whose exact coordinates make it, or
@@ -38,7 +41,7 @@ struct Direction {
 };
 
 struct PairCertificate {
-  Verdict verdict = Verdict::apart;
+  Verdict verdict = Verdict::apart;  // never undecided
 
   // apart: extreme_a is a vertex of A furthest along the direction, extreme_b a vertex of B least far along it, and
   // the first is strictly less far than the second. Meaningless for `meet`.

@@ -45,6 +45,15 @@ PairAnswer exchanged(const PairAnswer& answer) {
   return result;
 }
 
+std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::apart: return "apart";
+    case Verdict::meet: return "meet";
+    case Verdict::undecided: break;
+  }
+  return "undecided";
+}
+
 std::string_view name_of(DecidedBy decided_by) {
   return name_in<DecidedBy::scan>({"filter", "evidence", "finishing", "scan"}, decided_by);
 }

@@ -1,7 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/predicate/common_point.h>
 
 #include <cmath>
 
@@ -19,14 +18,6 @@ const char* key_of(RoundKind kind) {
 }
 
 }  // namespace
-
-std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to) {
-  std::array<Dyadic, 3> way;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    way[axis] = to.coordinates[axis] * from.denominator - from.coordinates[axis] * to.denominator;
-  }
-  return way;
-}
 
 void PairClaims::begin_entry(const std::string& name) {
   if (entries_.empty()) file_.begin_table("bodies");
@@ -119,7 +110,7 @@ void PairClaims::add_apart(std::uint32_t a, std::uint32_t b, const std::array<Dy
 
 // The point, then a claim for each body; leaves the list of claims open.
 void PairClaims::add_point_claims(const char* claim, const CommonPoint& point) {
-  file_.fractions("point", std::span(point.coordinates).first(dimension()), point.denominator);
+  file_.fractions("point", point.at, dimension());
   file_.begin_claims();
   for (const Combination* of : {&point.of_a, &point.of_b}) add_combination(claim, *of);
 }
@@ -127,11 +118,11 @@ void PairClaims::add_point_claims(const char* claim, const CommonPoint& point) {
 void PairClaims::add_combination(const char* claim, const Combination& combination) {
   file_.begin_claim(claim);
   file_.begin_list("weights");
-  for (const auto& [entry, numerator] : combination.parts) {
-    file_.add_weight(entry, numerator, combination.denominator);
+  for (const auto& [index, numerator] : combination.parts) {
+    file_.add_weight(index, numerator, combination.denominator);
   }
   file_.end_list();
-  if (combination.from) file_.fractions("from", combination.from->coordinates, combination.from->denominator);
+  if (combination.from) file_.fractions("from", *combination.from);
   file_.end_claim();
 }
 
@@ -195,8 +186,8 @@ void PairClaims::add_all_clearances(const AllPairs& pairs, double least) {
 
 // A point of each body, and the claims that prove them; the last one is of the two points. Ends the statement.
 void PairClaims::add_points(const char* claim, const PointOf& from_a, const PointOf& to_b) {
-  file_.fractions("from_a", std::span(from_a.coordinates).first(dimension()), from_a.denominator);
-  file_.fractions("to_b", std::span(to_b.coordinates).first(dimension()), to_b.denominator);
+  file_.fractions("from_a", from_a.at, dimension());
+  file_.fractions("to_b", to_b.at, dimension());
   file_.begin_claims();
   add_combination("holds", from_a.of_body);
   add_combination("holds", to_b.of_body);
@@ -250,20 +241,9 @@ void PairClaims::add_overlapping(std::uint32_t a, std::uint32_t b, const CommonP
 }
 
 CommonPoint PairClaims::common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& c) const {
-  std::array<Posed3, 5> points{};
-  const std::size_t n = std::size_t{c.count_a} + c.count_b;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Entry& entry = entries_[k < c.count_a ? a : b];
-    points[k] = {entry.vertices[c.vertices[k]], &entry.pose, false};
-  }
-  const std::span<const Posed3> all(points.data(), n);
-  CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
-  CommonPoint point{
-      std::move(weights.point), weights.denominator, {{}, weights.denominator}, {{}, weights.denominator}};
-  for (std::size_t k = 0; k < n; ++k) {
-    (k < c.count_a ? point.of_a : point.of_b).parts.push_back({c.vertices[k], std::move(weights.numerators[k])});
-  }
-  return point;
+  const Entry &of_a = entries_[a], &of_b = entries_[b];
+  return sunder::common_point(c, PlacedVertices{of_a.vertices, of_a.pose, false},
+                              PlacedVertices{of_b.vertices, of_b.pose, false});
 }
 
 void PairClaims::add_pair(std::uint32_t a, std::uint32_t b, const PairCertificate& c) {

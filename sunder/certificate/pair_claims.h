@@ -4,6 +4,7 @@
 #pragma once
 
 #include <sunder/certificate/claims.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/certificate/pair.h>
 #include <sunder/certificate/round_kind.h>
 
@@ -20,43 +21,6 @@ namespace sunder {
 struct Way3 {
   Point3 from, to;
 };
-
-// Where a point of an ellipsoid comes from, before the ellipsoid is placed: each coordinate over the denominator, which
-// is not zero.
-struct PreimagePoint {
-  std::array<Dyadic, 3> coordinates;
-  Dyadic denominator{1.0};
-};
-
-// A combination of a body's points, and of its ways, counted on from these. Each weight is its numerator over the
-// denominator, which is positive. Of a body with a radius it makes a point of the core from which the body reaches the
-// point that is meant; of an ellipsoid, whose one weight is 1, `from` says which point of it that is.
-struct Combination {
-  struct Part {
-    std::uint32_t entry = 0;
-    Dyadic numerator;
-  };
-  std::vector<Part> parts;
-  Dyadic denominator{1.0};
-  std::optional<PreimagePoint> from{};  // of an ellipsoid, and of no other body
-};
-
-// A point of two bodies, each coordinate over the denominator, which is not zero; and how each of the two makes it.
-struct CommonPoint {
-  std::array<Dyadic, 3> coordinates;
-  Dyadic denominator{1.0};
-  Combination of_a, of_b;
-};
-
-// A point of one body, likewise.
-struct PointOf {
-  std::array<Dyadic, 3> coordinates;
-  Dyadic denominator{1.0};
-  Combination of_body;
-};
-
-// From the first point to the second, times a positive number. Requires positive denominators.
-std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to);
 
 // What is said of all pairs of some bodies.
 struct AllPairs {

@@ -134,7 +134,7 @@ TEST(PairClaimsTest, PlanarBodies) {
   File written(PairClaims::Space::planar);
   const auto line = written.pairs.add_body("", points, ways);
   const auto moved = written.pairs.add_placed("moved", line, {{2, 3, 0, 4, 5, 0, 0, 0, 1}, {6, 7, 0}});
-  CommonPoint point{{Dyadic(1.0), Dyadic(3.0), Dyadic(0.0)}, 2.0, {{{0, 1.0}, {2, 5.0}}, 3.0}, {{{1, 1.0}}, 1.0}};
+  CommonPoint point{{1.0, 3.0, 0.0, 2.0}, {{{0, 1.0}, {2, 5.0}}, 3.0}, {{{1, 1.0}}, 1.0}};
   written.pairs.add_touching(line, moved, point, {1.0, -0.5, 0.0});
   written.pairs.add_overlapping(moved, line, point);
   EXPECT_TRUE(written.pairs.states_something());
@@ -171,7 +171,7 @@ TEST(PairClaimsTest, BodiesWithARadius) {
             (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5}));
   EXPECT_EQ(written.pairs.add_placed("cone", cone, Affine3()), cone);
   const CommonPoint point{
-      {3.0, 2.0, 4.0}, 1.0, {{{0, 1.0}}, 1.0, PreimagePoint{{3.0, 4.0, 8.0}, 2.0}}, {{{0, 1.0}, {1, 2.0}}, 3.0}};
+      {3.0, 2.0, 4.0}, {{{0, 1.0}}, 1.0, ExactPoint3{3.0, 4.0, 8.0, 2.0}}, {{{0, 1.0}, {1, 2.0}}, 3.0}};
   written.pairs.add_meet(placed, capsule, point);
   const json file = written.end();
   const json& bodies = file.at("tables").at("bodies");

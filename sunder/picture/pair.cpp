@@ -106,9 +106,7 @@ std::string draw_evidence(PlanePicture& drawing, const PairCertificate& certific
 
 void draw_distance(PlanePicture& drawing, const PicturedPolygon& a, const PicturedPolygon& b,
                    const planar::ClosestFeatures& closest) {
-  const auto rounded = [](const PointOf& p) {
-    return Point2{nearest_ratio(p.coordinates[0], p.denominator), nearest_ratio(p.coordinates[1], p.denominator)};
-  };
+  const auto rounded = [](const PointOf& p) { return Point2{nearest(p.at).x, nearest(p.at).y}; };
   const auto points = planar::closest_points(a.polygon, a.pose, b.polygon, b.pose, closest);
   drawing.segment(rounded(points.of_a), rounded(points.of_b), Ink::dark);
   drawing.legend("<path class='l x' d='M0 0h20'/>", fmt::format("the distance, about {:.12g}", closest.distance.high));

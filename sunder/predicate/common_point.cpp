@@ -194,26 +194,20 @@ bool have_common_point_of(std::span<const Posed3> a, std::span<const Posed3> b, 
 }
 
 template <std::size_t N>
-CommonPointWeights weights_of(std::span<const Posed3> a, std::span<const Posed3> b) {
+std::array<Dyadic, 5> weights_of(std::span<const Posed3> a, std::span<const Posed3> b) {
   const std::array<Posed3, N> points = joined<N>(a, b);
   std::array<Vector3<Dyadic>, N> images;
   for (std::size_t i = 0; i < N; ++i) images[i] = lift<ExactStage>(points[i]);
-  CommonPointWeights weights;
+  std::array<Dyadic, 5> weights;
   if constexpr (N == 2) {
-    weights.numerators[0] = weights.numerators[1] = weights.denominator = Dyadic(1.0);
+    weights[0] = weights[1] = Dyadic(1.0);
   } else {
     int axis = 0;
     while (axis < 2 && minor_of(axis, others(images, 0)).sign() == Sign::zero) ++axis;
     for (std::size_t i = 0; i < N; ++i) {
       const Dyadic c = minor_of(axis, others(images, i));
-      weights.numerators[i] = c.sign() == Sign::negative ? -c : c;
-      if (i < a.size()) weights.denominator = weights.denominator + weights.numerators[i];
+      weights[i] = c.sign() == Sign::negative ? -c : c;
     }
-  }
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    weights.point[0] = weights.point[0] + weights.numerators[i] * images[i].x;
-    weights.point[1] = weights.point[1] + weights.numerators[i] * images[i].y;
-    weights.point[2] = weights.point[2] + weights.numerators[i] * images[i].z;
   }
   return weights;
 }
@@ -235,7 +229,7 @@ bool have_common_point(std::span<const Posed3> a, std::span<const Posed3> b, Sta
   }
 }
 
-CommonPointWeights common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b) {
+std::array<Dyadic, 5> common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b) {
   SUNDER_REQUIRE(have_common_point(a, b));
   switch (a.size() + b.size()) {
     case 2: return weights_of<2>(a, b);

@@ -24,12 +24,7 @@ namespace sunder {
 bool have_common_point(std::span<const Posed3> a, std::span<const Posed3> b, StageTally* tally = nullptr);
 
 // The exact weights of the common point: those of A, then those of B, as numerators over one common denominator, all
-// positive; the rest zero. Requires have_common_point(a, b).
-struct CommonPointWeights {
-  std::array<Dyadic, 5> numerators;
-  Dyadic denominator;
-  std::array<Dyadic, 3> point;  // numerators of the common point, over the same denominator
-};
-CommonPointWeights common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b);
+// positive; the rest zero. Those of A sum up to the denominator, and those of B too. Requires have_common_point(a, b).
+std::array<Dyadic, 5> common_point_weights(std::span<const Posed3> a, std::span<const Posed3> b);
 
 }  // namespace sunder

@@ -58,24 +58,22 @@ bool has_unique_positive_weights(const std::vector<WholePoint>& points, std::siz
   return true;
 }
 
-// The weights are positive, sum up to the denominator on both sides, and give the point on both sides.
-void expect_valid(const CommonPointWeights& w, std::span<const Posed3> a, std::span<const Posed3> b) {
+// The weights are positive, and have the same sum and give the same point on both sides.
+void expect_valid(const std::array<Dyadic, 5>& w, std::span<const Posed3> a, std::span<const Posed3> b) {
   std::array<Exact, 2> sums{0, 0};
   std::array<ExactVector, 2> points{ExactVector{0, 0, 0}, ExactVector{0, 0, 0}};
   const std::size_t k = a.size() + b.size();
   for (std::size_t i = 0; i < k; ++i) {
     const std::size_t side = i < a.size() ? 0 : 1;
     const ExactVector x = image(side == 0 ? a[i] : b[i - a.size()]);
-    const Exact weight(w.numerators[i]);
+    const Exact weight(w[i]);
     ASSERT_GT(weight.sign(), 0) << i;
     sums[side] = sums[side] + weight;
     for (std::size_t j = 0; j < 3; ++j) points[side][j] = points[side][j] + weight * x[j];
   }
-  for (std::size_t i = k; i < 5; ++i) ASSERT_EQ(w.numerators[i].sign(), Sign::zero);
-  for (std::size_t side = 0; side < 2; ++side) {
-    ASSERT_EQ(sums[side], Exact(w.denominator)) << side;
-    for (std::size_t j = 0; j < 3; ++j) ASSERT_EQ(points[side][j], Exact(w.point[j])) << side;
-  }
+  for (std::size_t i = k; i < 5; ++i) ASSERT_EQ(w[i].sign(), Sign::zero);
+  ASSERT_EQ(sums[0], sums[1]);
+  for (std::size_t j = 0; j < 3; ++j) ASSERT_EQ(points[0][j], points[1][j]);
 }
 
 // Small whole numbers, times powers of two that cancel between a body and its pose, and one for both bodies.
@@ -148,12 +146,10 @@ TEST(CommonPointTest, KnownCases) {
   const std::array a{at(1, 1, -1), at(1, 1, 3)};
   const std::array b{at(0, 0, 0), at(4, 0, 0), at(0, 4, 0)};
   EXPECT_TRUE(have_common_point(a, b));
-  const CommonPointWeights w = common_point_weights(a, b);
+  const std::array<Dyadic, 5> w = common_point_weights(a, b);
   expect_valid(w, a, b);
-  EXPECT_EQ(w.numerators[0], w.numerators[1] * Dyadic(3.0));
-  EXPECT_EQ(w.numerators[2], w.numerators[3] * Dyadic(2.0));
-  EXPECT_EQ(w.point[0], w.denominator);
-  EXPECT_EQ(w.point[2].sign(), Sign::zero);
+  EXPECT_EQ(w[0], w[1] * Dyadic(3.0));
+  EXPECT_EQ(w[2], w[3] * Dyadic(2.0));
   // The same triangle lifted past the end, and up to the end: a weight is zero there.
   std::array<Posed3, 3> lifted{};
   for (const double z : {2.0, 3.0}) {

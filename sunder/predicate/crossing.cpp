@@ -81,8 +81,6 @@ ExactPoint2 exact_point(const Crossing& p) {
   return exact_crossing(lift<ExactStage>(p.a), lift<ExactStage>(p.b), lift<ExactStage>(p.c), lift<ExactStage>(p.d));
 }
 
-Point2 nearest(const ExactPoint2& p) { return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)}; }
-
 Enclosure2 enclosure(const Crossing& p) {
   const auto ab = difference<IntervalStage>(p.b, p.a);
   const Interval part = along(p);

@@ -6,6 +6,7 @@
 #include <sunder/number/interval.h>
 #include <sunder/number/sign.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/exact_point.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 
@@ -18,17 +19,9 @@ struct Crossing {
   Point2 a, b, c, d;
 };
 
-// Coordinates x / denominator and y / denominator; the denominator is positive.
-struct ExactPoint2 {
-  Dyadic x, y, denominator;
-};
 ExactPoint2 exact_point(const Crossing& p);
 ExactPoint2 exact_crossing(const Vector2<Dyadic>& a, const Vector2<Dyadic>& b,  // of the lines ab and cd
                            const Vector2<Dyadic>& c, const Vector2<Dyadic>& d);
-inline ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
-
-// The nearest doubles; infinite beyond the range.
-Point2 nearest(const ExactPoint2& p);
 
 // Hold its coordinates; the whole line where floating point can tell nothing.
 struct Enclosure2 {

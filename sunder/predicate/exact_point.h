@@ -1,8 +1,13 @@
-// Fractions, and points of space with one denominator, in exact numbers.
+// Fractions, and points with one denominator, in exact numbers: of the plane (D = 2) and of space (D = 3).
+// Also called: homogeneous coordinates.
 #pragma once
 
 #include <sunder/number/dyadic.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/point.h>
+
+#include <array>
+#include <cstddef>
 
 namespace sunder {
 
@@ -12,12 +17,38 @@ struct ExactFraction {
   double nearest() const { return nearest_ratio(numerator, denominator); }  // ties to even
 };
 
-// Coordinates x / denominator, y / denominator and z / denominator; the denominator is positive.
-struct ExactPoint3 {
-  Dyadic x, y, z, denominator{1.0};
+// Each coordinate is over the denominator, which is positive where nothing else is said.
+template <std::size_t D>
+struct ExactPoint;
+
+template <>
+struct ExactPoint<2> {
+  Dyadic x, y, denominator{1.0};
+  const Dyadic& operator[](std::size_t k) const { return k == 0 ? x : y; }
+  Vector2<Dyadic> numerators() const { return {x, y}; }
 };
 
+template <>
+struct ExactPoint<3> {
+  Dyadic x, y, z, denominator{1.0};
+  const Dyadic& operator[](std::size_t k) const { return k == 0 ? x : k == 1 ? y : z; }
+  Vector3<Dyadic> numerators() const { return {x, y, z}; }
+};
+
+using ExactPoint2 = ExactPoint<2>;
+using ExactPoint3 = ExactPoint<3>;
+
+inline ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
+inline ExactPoint3 exactly(const Point3& p) { return {p.x, p.y, p.z, 1.0}; }
+inline ExactPoint3 exact_point(const Vector3<Dyadic>& numerators, const Dyadic& denominator = Dyadic(1.0)) {
+  return {numerators.x, numerators.y, numerators.z, denominator};
+}
+
+// In the plane z = 0.
+inline ExactPoint3 in_space(const ExactPoint2& p) { return {p.x, p.y, Dyadic(), p.denominator}; }
+
 // The nearest doubles; infinite beyond the range.
+Point2 nearest(const ExactPoint2& p);
 Point3 nearest(const ExactPoint3& p);
 
 }  // namespace sunder

@@ -76,7 +76,7 @@ Sign LineInBody::facing(const Point3& u, const Point3& v, const Point3& w, Stage
                        [&]<class Stage>(Stage) { return dot(normal<Stage>(u, v, w), choose<Stage>(way_in_, way_)); });
 }
 
-PlaceOnLine LineInBody::at_plane(const Point3& u, const Point3& v, const Point3& w) const {
+ExactPoint3 LineInBody::at_plane(const Point3& u, const Point3& v, const Point3& w) const {
   const Exact n = normal<ExactStage>(u, v, w);
   Dyadic up = dot(n, lift<ExactStage>(u) * scale_ - point_), down = dot(n, way_);
   SUNDER_REQUIRE(down.sign() != Sign::zero);
@@ -84,30 +84,31 @@ PlaceOnLine LineInBody::at_plane(const Point3& u, const Point3& v, const Point3&
     up = -up;
     down = -down;
   }
-  return {point_ * down + way_ * up, scale_ * down};
+  return exact_point(point_ * down + way_ * up, scale_ * down);
 }
 
-PlaceOnLine LineInBody::at(const ExactFraction& t) const {
-  return {point_ * t.denominator + way_ * t.numerator, scale_ * t.denominator};
+ExactPoint3 LineInBody::at(const ExactFraction& t) const {
+  return exact_point(point_ * t.denominator + way_ * t.numerator, scale_ * t.denominator);
 }
 
-PlaceOnLine LineInBody::from_afar() const { return {{-way_.x, -way_.y, -way_.z}, Dyadic()}; }
+ExactPoint3 LineInBody::from_afar() const { return {-way_.x, -way_.y, -way_.z, Dyadic()}; }
 
-PlaceOnLine LineInBody::between(const PlaceOnLine& p, const PlaceOnLine& q) {
-  return {p.point * q.denominator + q.point * p.denominator, (p.denominator * q.denominator).scaled(1)};
+ExactPoint3 LineInBody::between(const ExactPoint3& p, const ExactPoint3& q) {
+  return exact_point(p.numerators() * q.denominator + q.numerators() * p.denominator,
+                     (p.denominator * q.denominator).scaled(1));
 }
 
-Sign side_of_plane(const Point3& u, const Point3& v, const Point3& w, const PlaceOnLine& p, StageTally* tally) {
-  const Exact to = p.point - lift<ExactStage>(u) * p.denominator;
+Sign side_of_plane(const Point3& u, const Point3& v, const Point3& w, const ExactPoint3& p, StageTally* tally) {
+  const Exact to = p.numerators() - lift<ExactStage>(u) * p.denominator;
   const Vector3<Interval> to_in = scaled_enclosure(to);
   return decide_by_two(tally,
                        [&]<class Stage>(Stage) { return dot(normal<Stage>(u, v, w), choose<Stage>(to_in, to)); });
 }
 
-WayFromMiddle::WayFromMiddle(const std::array<Point3, 4>& of, const PlaceOnLine& to) : middle_of_(of) {
+WayFromMiddle::WayFromMiddle(const std::array<Point3, 4>& of, const ExactPoint3& to) : middle_of_(of) {
   Exact sum = lift<ExactStage>(of[0]);
   for (std::size_t k = 1; k < 4; ++k) sum = sum + lift<ExactStage>(of[k]);
-  way_ = Exact{to.point.x.scaled(2), to.point.y.scaled(2), to.point.z.scaled(2)} - sum * to.denominator;
+  way_ = Exact{to.x.scaled(2), to.y.scaled(2), to.z.scaled(2)} - sum * to.denominator;
   way_in_ = scaled_enclosure(way_);
 }
 

@@ -15,12 +15,8 @@
 
 namespace sunder {
 
-// A point of a line, in the body's frame; or, where there is no such point, the direction in which it comes from afar.
-struct PlaceOnLine {
-  Vector3<Dyadic> point;  // over the denominator
-  Dyadic denominator;     // positive; zero for a direction
-};
-
+// Places on it are points in the body's frame; one with denominator zero is a direction, in which the line comes from
+// afar.
 class LineInBody {
  public:
   // The line through a and b. Requires an invertible pose and two different points. Cost: exact arithmetic.
@@ -30,16 +26,16 @@ class LineInBody {
   Sign facing(const Point3& u, const Point3& v, const Point3& w, StageTally* tally = nullptr) const;
 
   // Where it meets the plane of u, v and w. Requires that it is not parallel to that.
-  PlaceOnLine at_plane(const Point3& u, const Point3& v, const Point3& w) const;
+  ExactPoint3 at_plane(const Point3& u, const Point3& v, const Point3& w) const;
 
   // The image of a + t (b - a).
-  PlaceOnLine at(const ExactFraction& t) const;
+  ExactPoint3 at(const ExactFraction& t) const;
 
   // Where all of it comes from: the direction from b to a.
-  PlaceOnLine from_afar() const;
+  ExactPoint3 from_afar() const;
 
   // In the middle of two of its points.
-  static PlaceOnLine between(const PlaceOnLine& p, const PlaceOnLine& q);
+  static ExactPoint3 between(const ExactPoint3& p, const ExactPoint3& q);
 
  private:
   Vector3<Dyadic> point_, way_;  // (point + t way) / scale is the image of a + t (b - a)
@@ -48,13 +44,13 @@ class LineInBody {
 };
 
 // The sign of N.(p - u), N as above. Requires a point.
-Sign side_of_plane(const Point3& u, const Point3& v, const Point3& w, const PlaceOnLine& p,
+Sign side_of_plane(const Point3& u, const Point3& v, const Point3& w, const ExactPoint3& p,
                    StageTally* tally = nullptr);
 
 // From the mean o of four points to a place on a line.
 class WayFromMiddle {
  public:
-  WayFromMiddle(const std::array<Point3, 4>& of, const PlaceOnLine& to);
+  WayFromMiddle(const std::array<Point3, 4>& of, const ExactPoint3& to);
 
   // The sign of the determinant of p - o, q - o and the way.
   Sign turn(const Point3& p, const Point3& q, StageTally* tally = nullptr) const;

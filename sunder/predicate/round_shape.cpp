@@ -349,13 +349,13 @@ Guess side_in_doubles(const RoundShape& s, const WeightedPoint& x) {
   return lesser(within, sure(slope * rest - across, slope * (size + all) * (all / of_axis) + size));
 }
 
-Homogeneous<Dyadic> homogeneous(const ExactPoint& p) { return {p.at, p.weight}; }
+Homogeneous<Dyadic> homogeneous(const ExactPoint3& p) { return {p.numerators(), p.denominator}; }
 
 }  // namespace
 
-ExactPoint exact_point(const WeightedPoint& point) {
+ExactPoint3 exact_point(const WeightedPoint& point) {
   const auto [at, weight] = lift<ExactStage>(point);
-  return {at, weight};
+  return exact_point(at, weight);
 }
 
 Sign gap_sign(const WorldDirection& direction, const RoundShape& a, const RoundShape& b, StageTally* tally) {
@@ -389,7 +389,7 @@ Sign side_of(const RoundShape& shape, const WeightedPoint& point, StageTally* ta
   return counted(&StageTally::exact, tally, to_sign(side_formula<ExactStage>(shape, lift<ExactStage>(point))));
 }
 
-Sign side_of(const RoundShape& shape, const ExactPoint& point) {
+Sign side_of(const RoundShape& shape, const ExactPoint3& point) {
   SUNDER_REQUIRE(shape.kind != RoundKind::hull);
   return to_sign(side_formula<ExactStage>(shape, homogeneous(point)));
 }
@@ -403,7 +403,7 @@ Sign nearness(const WeightedPoint& p, double radius_p, const WeightedPoint& q, d
   return counted(&StageTally::exact, tally, nearness(exact_point(p), radius_p, exact_point(q), radius_q));
 }
 
-Sign nearness(const ExactPoint& p, double radius_p, const ExactPoint& q, double radius_q) {
+Sign nearness(const ExactPoint3& p, double radius_p, const ExactPoint3& q, double radius_q) {
   return to_sign(nearness_formula(homogeneous(p), homogeneous(q), Dyadic(radius_p) + Dyadic(radius_q)));
 }
 

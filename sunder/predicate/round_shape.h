@@ -13,6 +13,7 @@
 
 #include <sunder/number/dyadic.h>
 #include <sunder/predicate/along.h>
+#include <sunder/predicate/exact_point.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/predicate/round_kind.h>
 
@@ -39,12 +40,7 @@ struct WeightedPoint {
   std::array<double, 4> weights{};
 };
 
-// Homogeneous: coordinates over a weight above zero, exactly.
-struct ExactPoint {
-  Vector3<Dyadic> at;
-  Dyadic weight{1.0};
-};
-ExactPoint exact_point(const WeightedPoint& point);
+ExactPoint3 exact_point(const WeightedPoint& point);
 
 // positive: the plane across the direction parts A from B strictly, A before B. zero: weakly, and they come up to it.
 // Of hulls: as far as the vertices named are the furthest of A, the least far of B. Requires a direction other than 0.
@@ -62,12 +58,12 @@ Sign clear_sign(const WorldDirection& direction, const RoundShape& a, const Roun
 // positive: the body holds the point, and not on its boundary; zero: on its boundary; negative: it does not. Requires
 // that it is no hull; of an ellipsoid, that L has an inverse.
 Sign side_of(const RoundShape& shape, const WeightedPoint& point, StageTally* tally = nullptr);
-Sign side_of(const RoundShape& shape, const ExactPoint& point);
+Sign side_of(const RoundShape& shape, const ExactPoint3& point);
 
 // positive: the points are nearer to each other than both radii together; zero: so far apart.
 Sign nearness(const WeightedPoint& p, double radius_p, const WeightedPoint& q, double radius_q,
               StageTally* tally = nullptr);
-Sign nearness(const ExactPoint& p, double radius_p, const ExactPoint& q, double radius_q);
+Sign nearness(const ExactPoint3& p, double radius_p, const ExactPoint3& q, double radius_q);
 
 // positive: the points are nearer to each other than both radii and `least` together; zero: so far apart. Requires a
 // finite `least` that is not negative.

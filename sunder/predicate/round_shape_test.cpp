@@ -71,8 +71,8 @@ TEST(RoundShape, SidesOfPoints) {
 
 TEST(RoundShape, PointsAsCombinations) {
   WeightedPoint third{2, {Posed3{{0, 0, 0}, &here, false}, Posed3{{3, 0, 0}, &here, false}}, {2, 1}};
-  const ExactPoint x = exact_point(third);
-  EXPECT_EQ(nearest_ratio(x.at.x, x.weight), 1);
+  const ExactPoint3 x = exact_point(third);
+  EXPECT_EQ(nearest(x).x, 1);
   EXPECT_EQ(nearness(third, 0, at({1, 0, 0}), 0), Sign::zero);
   EXPECT_EQ(nearness(third, 1, at({4, 0, 0}), 2), Sign::zero);
   EXPECT_EQ(nearness(third, 1, at({4, 0, 0}), std::nextafter(2, 0)), Sign::negative);

@@ -224,11 +224,7 @@ std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance
     return NearestPoints{of_a, of_b};
   }
   if (!distance.points) return std::nullopt;
-  const auto rounded = [](const PointOf& p) {
-    const auto at = [&](std::size_t k) { return nearest_ratio(p.coordinates[k], p.denominator); };
-    return Point3{at(0), at(1), at(2)};
-  };
-  return NearestPoints{rounded((*distance.points)[0]), rounded((*distance.points)[1])};
+  return NearestPoints{nearest((*distance.points)[0].at), nearest((*distance.points)[1].at)};
 }
 
 }  // namespace sunder::scene

@@ -54,7 +54,7 @@ void take_boxes(PartPair& pair, const Part& a, const Part& b, const PairCertific
     return;
   }
   solid::RoundEvidence evidence;
-  evidence.verdict = solid::RoundVerdict::apart;
+  evidence.verdict = Verdict::apart;
   evidence.direction = certificate.direction.given;
   pair.round = std::make_shared<const solid::RoundEvidence>(std::move(evidence));
 }

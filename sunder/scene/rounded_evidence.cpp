@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/common_point.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/scene/rounded_evidence.h>
 
 #include <algorithm>
@@ -11,14 +11,7 @@
 namespace sunder::scene {
 
 Point3 rounded_common_point(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
-  SUNDER_REQUIRE(c.verdict == Verdict::meet);
-  std::array<Posed3, 5> points{};
-  const std::size_t n = std::size_t{c.count_a} + c.count_b;
-  for (std::size_t i = 0; i < n; ++i) points[i] = i < c.count_a ? a[c.vertices[i]] : b[c.vertices[i]];
-  const std::span<const Posed3> all(points.data(), n);
-  const CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
-  const auto coordinate = [&](std::size_t k) { return nearest_ratio(weights.point[k], weights.denominator); };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  return nearest(common_point(c, a, b).at);
 }
 
 RoundedGap rounded_gap(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
@@ -46,7 +39,7 @@ Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) 
 }
 
 Point3 rounded_direction(const solid::RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict != solid::RoundVerdict::meet);
+  SUNDER_REQUIRE(evidence.verdict != Verdict::meet);
   const Point3& d = evidence.direction;
   const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const Point3 e{d.x / largest, d.y / largest, d.z / largest};
@@ -55,7 +48,7 @@ Point3 rounded_direction(const solid::RoundEvidence& evidence) {
 }
 
 RoundedGap rounded_gap(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
-  SUNDER_REQUIRE(evidence.verdict == solid::RoundVerdict::apart);
+  SUNDER_REQUIRE(evidence.verdict == Verdict::apart);
   return {rounded_direction(evidence), gap_about(a, b, evidence)};
 }
 

@@ -64,8 +64,6 @@ std::string part_name(const Body& body, std::uint32_t part) {
   return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
 }
 
-std::string_view PartPair::verdict() const { return undecided() ? "undecided" : meet() ? "meet" : "apart"; }
-
 std::string_view Answer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
 
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question) {

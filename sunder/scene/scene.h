@@ -65,9 +65,9 @@ struct PartPair {
   bool counts = false;              // they meet, and it is not known to be in a way that is allowed
   Contact contact = Contact::none;  // none, of a pair that meets: not asked for, or undecided
 
-  bool meet() const { return round ? round->verdict == solid::RoundVerdict::meet : answer.meet(); }
-  bool undecided() const { return round && round->verdict == solid::RoundVerdict::undecided; }
-  std::string_view verdict() const;  // "apart", "meet", "undecided"
+  Verdict verdict() const { return round ? round->verdict : answer.evidence.verdict; }
+  bool meet() const { return verdict() == Verdict::meet; }
+  bool undecided() const { return verdict() == Verdict::undecided; }
 };
 
 struct Counts {

@@ -81,7 +81,7 @@ class Sweep {
       if (!polyhedron_polyhedron_sweep(a.core(), way_a, b.core(), way_b).meet()) return;
     }
     solid::RoundSweepAnswer swept = round_round_sweep(a, way_a, b, way_b);
-    if (swept.verdict == solid::RoundVerdict::apart) {
+    if (swept.verdict == Verdict::apart) {
       if (every_pair_) list_apart(i, j, std::move(swept.direction));
       return;
     }
@@ -117,7 +117,7 @@ class Sweep {
     }
     if (!is_undecided) return;
     ++answer_.counts.undecided;
-    list(i, j, false).verdict = solid::RoundVerdict::undecided;
+    list(i, j, false).verdict = Verdict::undecided;
   }
 
   SweptPair& list(std::uint32_t i, std::uint32_t j, bool all_the_way) {
@@ -131,7 +131,7 @@ class Sweep {
 
   void list_apart(std::uint32_t i, std::uint32_t j, std::array<Dyadic, 3> direction) {
     SweptPair& pair = list(i, j, true);
-    pair.verdict = solid::RoundVerdict::apart;
+    pair.verdict = Verdict::apart;
     pair.direction = std::make_shared<const std::array<Dyadic, 3>>(std::move(direction));
   }
 

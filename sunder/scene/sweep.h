@@ -27,7 +27,7 @@ namespace sunder::scene {
 struct SweptPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::RoundVerdict verdict = solid::RoundVerdict::meet;
+  Verdict verdict = Verdict::meet;
   bool all_the_way = true;  // false: asked at its ends only
   Interval time{0, 0};      // meet: encloses the first time; of one asked at its ends, that end. Else meaningless
 
@@ -37,8 +37,8 @@ struct SweptPair {
   std::shared_ptr<const PartPair> at_an_end{};
   std::shared_ptr<const std::array<Dyadic, 3>> direction{};
 
-  bool meet() const { return verdict == solid::RoundVerdict::meet; }
-  bool undecided() const { return verdict == solid::RoundVerdict::undecided; }
+  bool meet() const { return verdict == Verdict::meet; }
+  bool undecided() const { return verdict == Verdict::undecided; }
 };
 
 struct SweptCounts {

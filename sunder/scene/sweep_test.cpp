@@ -98,7 +98,7 @@ TEST(SceneSweep, TakesBodiesWithARadiusAllTheWay) {
   EXPECT_LE(through.time.high - through.time.low, 0x1p-40);
   ASSERT_TRUE(through.first != nullptr);
   for (const std::size_t k : {1u, 2u}) {
-    EXPECT_EQ(answer.pairs[k].verdict, solid::RoundVerdict::apart);
+    EXPECT_EQ(answer.pairs[k].verdict, Verdict::apart);
     EXPECT_TRUE(answer.pairs[k].direction != nullptr);
   }
   EXPECT_EQ(answer.counts.meeting, 1u);

@@ -33,7 +33,6 @@ using scene::Question;
 using solid::PlacedRound;
 using solid::Pose;
 using solid::RoundBody;
-using solid::RoundVerdict;
 
 Pose anywhere(double size, Random& random) {
   const auto u = [&] { return random.uniform(-1, 1); };
@@ -53,7 +52,7 @@ std::vector<Body> some_bodies(std::size_t count, double size, Random& random) {
   return bodies;
 }
 
-using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, RoundVerdict>;
+using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, Verdict>;
 
 // The pairs that are not apart, without boxes.
 std::vector<Key> by_all_pairs(const std::vector<Body>& bodies) {
@@ -63,8 +62,8 @@ std::vector<Key> by_all_pairs(const std::vector<Body>& bodies) {
       for (std::uint32_t i = 0; i < bodies[a].parts.size(); ++i) {
         for (std::uint32_t j = 0; j < bodies[b].parts.size(); ++j) {
           const Part &p = bodies[a].parts[i], &q = bodies[b].parts[j];
-          const RoundVerdict verdict = round_round(p.shape, p.pose, q.shape, q.pose).verdict();
-          if (verdict != RoundVerdict::apart) keys.emplace_back(a, b, i, j, verdict);
+          const Verdict verdict = round_round(p.shape, p.pose, q.shape, q.pose).verdict();
+          if (verdict != Verdict::apart) keys.emplace_back(a, b, i, j, verdict);
         }
       }
     }
@@ -76,7 +75,7 @@ std::vector<Key> listed(const Answer& answer) {
   std::vector<Key> keys;
   for (const PartPair& p : answer.pairs) {
     if (!p.meet() && !p.undecided()) continue;
-    keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.meet() ? RoundVerdict::meet : RoundVerdict::undecided);
+    keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.meet() ? Verdict::meet : Verdict::undecided);
   }
   return keys;
 }

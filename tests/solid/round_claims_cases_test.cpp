@@ -64,7 +64,7 @@ TEST(RoundClaims, TouchingAndOverlapping) {
     return told([=](PairClaims& pairs) {
       const auto a = pairs.add_round_body("a", up, RoundKind::cylinder, radius);
       const auto b = pairs.add_round_body("b", far, RoundKind::hull, 5);
-      pairs.add_touching(a, b, {{3.0, y, 0.0}, 1.0, {{{0, 3.0}, {1, 1.0}}, 4.0}, {{{0, 1.0}, {1, 1.0}}, 2.0}},
+      pairs.add_touching(a, b, {{3.0, y, 0.0}, {{{0, 3.0}, {1, 1.0}}, 4.0}, {{{0, 1.0}, {1, 1.0}}, 2.0}},
                          {3.0, 4.0, 0.0});
     });
   };
@@ -79,7 +79,7 @@ TEST(RoundClaims, TouchingAndOverlapping) {
     return told([=](PairClaims& pairs) {
       const auto a = pairs.add_round_body("a", up, RoundKind::cone, 2);
       const auto b = pairs.add_round_body("b", origin, RoundKind::hull, 4);
-      pairs.add_overlapping(a, b, {{x, 0.0, 1.0}, 1.0, {{{0, 1.0}, {1, 1.0}}, 2.0}, all_of_one});
+      pairs.add_overlapping(a, b, {{x, 0.0, 1.0}, {{{0, 1.0}, {1, 1.0}}, 2.0}, all_of_one});
     });
   };
   EXPECT_EQ(overlapping(0.5), R"(the cone of radius 0x1p+1 of the 2 points of "a" and the ball of radius 0x1p+2 )"
@@ -93,8 +93,8 @@ TEST(RoundClaims, EllipsoidsAndClearances) {
     return told([=](PairClaims& pairs) {
       const auto ball = pairs.add_round_body("ball", origin, RoundKind::ellipsoid, radius);
       const auto a = pairs.add_placed("a", ball, stretched()), b = pairs.add_body("b", far);
-      const Combination of_a{{{0, 1.0}}, 1.0, PreimagePoint{{6.0, 2.0 * y, 0.0}, 3.0}};
-      pairs.add_meet(a, b, {{6.0, 8.0, 0.0}, 1.0, of_a, {{{0, 1.0}, {1, 1.0}}, 2.0}});
+      const Combination of_a{{{0, 1.0}}, 1.0, ExactPoint3{6.0, 2.0 * y, 0.0, 3.0}};
+      pairs.add_meet(a, b, {{6.0, 8.0, 0.0}, of_a, {{{0, 1.0}, {1, 1.0}}, 2.0}});
     });
   };
   // (6, 8, 0) comes from (2, 2, 0), which is the root of 8 from the middle.
@@ -116,8 +116,8 @@ TEST(RoundClaims, EllipsoidsAndClearances) {
     return told([=](PairClaims& pairs) {
       const auto a = pairs.add_round_body("a", origin, RoundKind::hull, 5);
       const auto b = pairs.add_round_body("b", far, RoundKind::cylinder, 5.0 / 2);
-      pairs.add_clearance_broken(a, b, least, {{3.0, 4.0, 0.0}, 1.0, all_of_one},
-                                 {{9.0, 12.0, 0.0}, 2.0, {{{0, 1.0}, {1, 1.0}}, 2.0}});
+      pairs.add_clearance_broken(a, b, least, {{3.0, 4.0, 0.0}, all_of_one},
+                                 {{9.0, 12.0, 0.0, 2.0}, {{{0, 1.0}, {1, 1.0}}, 2.0}});
     });
   };
   EXPECT_EQ(broken(std::nextafter(2.5, 3.0)).substr(0, 145),

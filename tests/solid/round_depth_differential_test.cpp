@@ -57,7 +57,7 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
       tally.with_low += low > 0;
     }
     const RoundDepth back = round_depth(b, a);
-    ASSERT_TRUE(back.meet() || (is_curved && back.verdict == solid::RoundVerdict::undecided));
+    ASSERT_TRUE(back.meet() || (is_curved && back.verdict == Verdict::undecided));
     if (back.meet()) {
       ASSERT_LE(back.depth.low, high);
       ASSERT_GE(back.depth.high, low);

@@ -15,8 +15,6 @@
 namespace sunder::tests {
 namespace {
 
-using solid::RoundVerdict;
-
 // Random curved bodies are brought to touch to the last bit of B's place; then A moves from about the origin, in which
 // doubles tell steps of 2^-100, to where it is last known to be apart. About there are verdicts at gaps and depths of
 // some 2^-k: how many are undecided is what the header says. (An ellipsoid's centre is rounded as it is placed.)
@@ -38,20 +36,20 @@ TEST(RoundLastBits, UndecidedAreOnlyPairsWithin2ToTheMinus76) {
     const solid::Pose from = solid::Pose::from_matrix(c.pose_b.affine().linear, {0, 0, 0});
     const Point3 way{pairs.random().uniform(2, 4), pairs.random().uniform(-4, 4), pairs.random().uniform(-4, 4)};
     const auto said = [&](const solid::Pose& a, const solid::Pose& b) { return round_round(c.a, a, c.b, b).verdict(); };
-    if (said(pose_a, from) != RoundVerdict::meet || said(pose_a, moved(from, way, 1)) != RoundVerdict::apart) continue;
+    if (said(pose_a, from) != Verdict::meet || said(pose_a, moved(from, way, 1)) != Verdict::apart) continue;
     const solid::Pose pose_b = moved(from, way, last_meeting(c.a, pose_a, c.b, from, way));
     const auto verdict = [&](double t) { return said(moved(pose_a, way, t), pose_b); };
     double apart = -0x1p-36, nearer = 0x1p-36;  // A comes nearer with t
-    if (verdict(apart) != RoundVerdict::apart || verdict(nearer) != RoundVerdict::meet) continue;
+    if (verdict(apart) != Verdict::apart || verdict(nearer) != Verdict::meet) continue;
     while (nearer - apart > 0x1p-100) {
       const double middle = apart + (nearer - apart) / 2;
-      (verdict(middle) == RoundVerdict::apart ? apart : nearer) = middle;
+      (verdict(middle) == Verdict::apart ? apart : nearer) = middle;
     }
     ++told;
     for (std::size_t p = 0; p < powers.size(); ++p) {
       for (int place = -places; place < places; ++place) {
         const double t = apart + std::ldexp((place + 0.5) / places, -powers[p]);
-        undecided[p] += verdict(t) == RoundVerdict::undecided;
+        undecided[p] += verdict(t) == Verdict::undecided;
       }
     }
   }

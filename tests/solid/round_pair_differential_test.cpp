@@ -23,7 +23,6 @@ namespace {
 
 using solid::PlacedRound;
 using solid::RoundAnswer;
-using solid::RoundVerdict;
 
 struct RoundPairTally {
   int apart = 0, meet = 0, undecided = 0, finished = 0;
@@ -47,7 +46,7 @@ bool is_close(const RoundCase& c, const RoundAnswer& answer) {
   const Point3 e{d.x / largest, d.y / largest, d.z / largest};
   const double by = 0x1p-40 * size / std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
   const auto verdict = [&](double t) { return round_round(c.a, c.pose_a, c.b, moved(c.pose_b, e, t)).verdict(); };
-  return verdict(by) == RoundVerdict::apart && verdict(-by) == RoundVerdict::meet;
+  return verdict(by) == Verdict::apart && verdict(-by) == Verdict::meet;
 }
 
 TEST(RoundPairDifferential, EachAnswerIsProved) {
@@ -66,7 +65,7 @@ TEST(RoundPairDifferential, EachAnswerIsProved) {
       ASSERT_FALSE(answer.undecided()) << i << " " << named(c);
     }
     if (c.family == RoundFamily::touching) {
-      ASSERT_NE(answer.verdict(), RoundVerdict::apart) << i << " " << named(c);
+      ASSERT_NE(answer.verdict(), Verdict::apart) << i << " " << named(c);
       if (c.a.is_polyhedron() || c.b.is_polyhedron()) {
         ASSERT_TRUE(answer.meet()) << i << " " << named(c);
       }
@@ -169,15 +168,15 @@ TEST(RoundPairDifferential, TheVerifierRefusesWhatIsNotTrue) {
     solid::RoundEvidence other = answer.evidence;
     ASSERT_TRUE(is_accepted(c, answer.evidence)) << i << " " << named(c);
     if (answer.meet()) {
-      other.verdict = RoundVerdict::apart;
+      other.verdict = Verdict::apart;
       other.direction = {1, 0.25, -0.5};
       ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
       ASSERT_FALSE(is_accepted(
           c, answer.evidence,
           [](CommonPoint& x) { x.of_a.parts[0].numerator = x.of_a.parts[0].numerator + x.of_a.denominator; }))
           << i << " " << named(c);
-      ASSERT_FALSE(is_accepted(
-          c, answer.evidence, [](CommonPoint& x) { x.coordinates[0] = x.coordinates[0] + x.denominator.scaled(1000); }))
+      ASSERT_FALSE(
+          is_accepted(c, answer.evidence, [](CommonPoint& x) { x.at.x = x.at.x + x.at.denominator.scaled(1000); }))
           << i << " " << named(c);
       refused += 3;
     } else {

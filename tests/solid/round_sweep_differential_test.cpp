@@ -27,7 +27,6 @@ using solid::Pose;
 using solid::RoundBody;
 using solid::RoundFirstContact;
 using solid::RoundSweepAnswer;
-using solid::RoundVerdict;
 using solid::Translation;
 
 struct Motion {
@@ -159,12 +158,12 @@ TEST(RoundSweepDifferential, GrazesToTheLastBit) {
       }
       return low;
     };
-    if (!motion(0).ask().meet() || motion(2).ask().verdict != RoundVerdict::apart) continue;
+    if (!motion(0).ask().meet() || motion(2).ask().verdict != Verdict::apart) continue;
     const double meets = last(0, false), apart = std::nextafter(last(meets, true), 3.0);
     const Motion near = motion(meets), far = motion(apart);
     const RoundSweepAnswer answer = near.ask(), other = far.ask();
     ASSERT_TRUE(answer.meet());
-    ASSERT_EQ(other.verdict, RoundVerdict::apart);
+    ASSERT_EQ(other.verdict, Verdict::apart);
     ASSERT_TRUE(checked(near, answer, nullptr).accepted()) << i;
     ASSERT_TRUE(checked(far, other, nullptr).accepted()) << i;
     if (near.are_hulls()) {

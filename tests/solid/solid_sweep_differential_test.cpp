@@ -92,8 +92,9 @@ Fraction expect_contact(const Moving& m, const SweepContact& contact) {
   const Fraction time = fraction_of(contact.time) / fraction_of(contact.denominator);
   EXPECT_TRUE(time >= 0 && time <= 1);
   const MovingHull a = m.hull_a(), b = m.hull_b();
-  FractionPoint point = fractions(contact.point.coordinates);
-  for (Fraction& x : point) x /= fraction_of(contact.point.denominator);
+  const auto& [x, y, z, denominator] = contact.point.at;
+  FractionPoint point = fractions({x, y, z});
+  for (Fraction& number : point) number /= fraction_of(denominator);
   EXPECT_EQ(mean(a, contact.point.of_a, time), point);
   EXPECT_EQ(mean(b, contact.point.of_b, time), point);
   const Interval about = contact.about();

@@ -19,6 +19,12 @@ using Triple = std::array<Fraction, 3>;
 inline Fraction dot(const Triple& p, const Triple& q) { return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]; }
 inline Triple less(const Triple& p, const Triple& q) { return {p[0] - q[0], p[1] - q[1], p[2] - q[2]}; }
 
+inline Triple triple(const ExactPoint3& p) {
+  Triple x;
+  for (std::size_t i = 0; i < 3; ++i) x[i] = fraction(p[i]) / fraction(p.denominator);
+  return x;
+}
+
 // A body as the page of certificates defines it.
 struct OracleBody {
   RoundKind kind;
@@ -79,8 +85,7 @@ struct OracleBody {
     if (sum != 1) return false;
     if (kind == RoundKind::ellipsoid) {
       if (!c.from) return false;
-      Triple v, centre{0, 0, 0};
-      for (std::size_t i = 0; i < 3; ++i) v[i] = fraction(c.from->coordinates[i]) / fraction(c.from->denominator);
+      const Triple v = triple(*c.from);
       return image(v) == x && dot(v, v) <= radius * radius;  // the ball's centre is the origin
     }
     if (c.from) return false;
@@ -131,29 +136,21 @@ inline bool is_clear(const OracleBody& a, const OracleBody& b, const Triple& d, 
   return true;
 }
 
-inline Triple triple(const std::array<Dyadic, 3>& coordinates, const Dyadic& over = Dyadic(1.0)) {
-  Triple x;
-  for (std::size_t i = 0; i < 3; ++i) x[i] = fraction(coordinates[i]) / fraction(over);
-  return x;
-}
-
 // Points of both bodies, as they say: the square of how far apart they are; -1 where one of them does not hold its own.
 inline Fraction squared_way(const OracleBody& a, const OracleBody& b, const std::array<PointOf, 2>& points) {
-  const Triple p = triple(points[0].coordinates, points[0].denominator),
-               q = triple(points[1].coordinates, points[1].denominator), way = less(q, p);
+  const Triple p = triple(points[0].at), q = triple(points[1].at), way = less(q, p);
   return a.holds(p, points[0].of_body) && b.holds(q, points[1].of_body) ? dot(way, way) : Fraction(-1);
 }
 
 // Is the answer's evidence that of its verdict? Nothing of undecided ones.
 inline bool is_proved(const solid::PlacedRound& a, const solid::PlacedRound& b, const solid::RoundEvidence& evidence) {
   const OracleBody of_a(a), of_b(b);
-  if (evidence.verdict == solid::RoundVerdict::apart) {
+  if (evidence.verdict == Verdict::apart) {
     const std::array<Dyadic, 3> d = solid::direction_of(evidence);
     return is_parted(of_a, of_b, {fraction(d[0]), fraction(d[1]), fraction(d[2])});
   }
   const CommonPoint point = solid::common_point_of(a, b, evidence);
-  Triple x;
-  for (std::size_t i = 0; i < 3; ++i) x[i] = fraction(point.coordinates[i]) / fraction(point.denominator);
+  const Triple x = triple(point.at);
   return of_a.holds(x, point.of_a) && of_b.holds(x, point.of_b);
 }
 

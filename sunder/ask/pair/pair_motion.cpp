@@ -75,10 +75,7 @@ class MotionPair : public PairQuestion {
 
  private:
   Fact told_point() const {
-    const auto coordinate = [&](std::size_t k) {
-      return nearest_ratio(first_->point.coordinates[k], first_->point.denominator);
-    };
-    const Point3 p{coordinate(0), coordinate(1), coordinate(2)};
+    const Point3 p = nearest(first_->point.at);
     return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point then at about {}", about(p))};
   }
 

@@ -18,7 +18,6 @@ namespace {
 
 using solid::PlacedRound;
 using solid::RoundBody;
-using solid::RoundVerdict;
 using RoundObjectKind = io::SpaceObject::Kind;
 
 // A body that is bounded, as one with a radius.
@@ -46,7 +45,7 @@ class RoundPair : public PairQuestion {
 
   const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
   // What is undecided is not known to be apart.
-  bool yes() const { return least_ > 0 ? !clearance_.kept() : answer_.verdict() != RoundVerdict::apart; }
+  bool yes() const { return least_ > 0 ? !clearance_.kept() : answer_.verdict() != Verdict::apart; }
 
   void ask() {
     answer_ = round_round(placed_a_, placed_b_);
@@ -62,7 +61,7 @@ class RoundPair : public PairQuestion {
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
     const bool is_said_of_hulls =
-        is_hull && (answer_.verdict() != RoundVerdict::apart || call.distance || (least_ > 0 && !clearance_.kept()));
+        is_hull && (answer_.verdict() != Verdict::apart || call.distance || (least_ > 0 && !clearance_.kept()));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
     if (call.classify && meet_ && !found_.contact) {

@@ -20,7 +20,6 @@ namespace sunder::ask {
 namespace {
 
 using solid::PlacedRound;
-using solid::RoundVerdict;
 using solid::SweepContact;
 using solid::Translation;
 
@@ -41,14 +40,14 @@ class RoundMotionPair : public PairQuestion {
 
   const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
   // What is undecided is not known to be apart.
-  bool yes() const { return answer_.verdict != RoundVerdict::apart; }
+  bool yes() const { return answer_.verdict != Verdict::apart; }
 
   void ask() {
     answer_ = round_round_sweep(round_a_.body, of_a_, round_b_.body, of_b_);
     take(answer_, answer_.undecided()
                       ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"
                       : decided_text(answer_.decided_by));
-    const bool is_said_of_hulls = answer_.verdict != RoundVerdict::apart && (round_a_.is_hull() || round_b_.is_hull());
+    const bool is_said_of_hulls = answer_.verdict != Verdict::apart && (round_a_.is_hull() || round_b_.is_hull());
     verdict_ = answer_.undecided() ? "undecided whether they meet on the way"
                : !meet_            ? "apart all the way"
                : is_said_of_hulls  ? "meet on the way, as hulls"
@@ -88,9 +87,7 @@ class RoundMotionPair : public PairQuestion {
 
  private:
   Fact told_point() const {
-    const CommonPoint& point = first_->contact.point;
-    const auto coordinate = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
-    const Point3 p{coordinate(0), coordinate(1), coordinate(2)};
+    const Point3 at = nearest(first_->contact.point.at), p{at.x + 0.0, at.y + 0.0, at.z + 0.0};
     return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point then at about {}", about(p))};
   }
 
@@ -105,7 +102,7 @@ class RoundMotionPair : public PairQuestion {
 
   Fact told_apart() const {
     solid::RoundEvidence evidence;
-    evidence.verdict = RoundVerdict::apart;
+    evidence.verdict = Verdict::apart;
     evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(answer_.direction);
     const auto gap = [&](bool at_end) {
       const PlacedRound a(round_a_.body, at_end ? of_a_.end() : of_a_.begin());

@@ -63,9 +63,8 @@ class StepLines {
                    {"all_the_way", pair.all_the_way}};
       if (pair.meet()) of_pair["time"] = {{"low", pair.time.low}, {"high", pair.time.high}};
       if (pair.first) {
-        const CommonPoint& point = pair.first->contact.point;
-        const auto at = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
-        of_pair["evidence"] = {{"point", {at(0), at(1), at(2)}}};
+        const Point3 p = nearest(pair.first->contact.point.at);
+        of_pair["evidence"] = {{"point", {p.x + 0.0, p.y + 0.0, p.z + 0.0}}};
       }
       json["pairs"].push_back(std::move(of_pair));
     }

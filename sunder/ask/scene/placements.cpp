@@ -153,7 +153,7 @@ class Lines {
     add_number(pair.part_a, out);
     add(R"(, "part_b": )", "");
     add_number(pair.part_b, out);
-    add(R"(, "answer": ")", pair.verdict());
+    add(R"(, "answer": ")", name_of(pair.verdict()));
     out += '"';
     if (question_.contacts && pair.meet()) {
       if (has_unknown_contact(pair)) {

@@ -281,7 +281,7 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
             {"b", placed.bodies[pair.body_b].name},
             {"part_a", pair.part_a},
             {"part_b", pair.part_b},
-            {"answer", pair.verdict()}};
+            {"answer", name_of(pair.verdict())}};
   if (report.question.contacts) add_contact(pair, json);
   json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
   json["counted"] = pair.counts;
@@ -310,7 +310,7 @@ Json allowed_meeting_json(const SceneReport& report) {
                 {"part_a", pair.part_a},
                 {"part_b", pair.part_b},
                 {"reason", reasons.at({pair.body_a, pair.body_b})},
-                {"answer", pair.verdict()},
+                {"answer", name_of(pair.verdict())},
                 {"said_of", meet_as_hulls(report, pair) ? "hulls" : "bodies"}};
       if (pair.meet()) json["point_about"] = to_json(common_point(placed, pair));
       list.push_back(std::move(json));

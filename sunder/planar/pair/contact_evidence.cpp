@@ -100,14 +100,14 @@ std::optional<Combination> combination(const ConvexPolygon& polygon, const Pose&
     const Dyadic all = turn(u, v) * point.denominator, of_u = turn(d, v), of_v = turn(u, d);
     found = {{{0, all - of_u - of_v}, {low, of_u}, {low + 1, of_v}}, all};
   }
-  const auto is_negative = [](const Combination::Part& part) { return part.numerator.sign() == Sign::negative; };
+  const auto is_negative = [](const Weights::Part& part) { return part.numerator.sign() == Sign::negative; };
   if (std::any_of(found.parts.begin(), found.parts.end(), is_negative)) return std::nullopt;
   return found;
 }
 
 PointOf vertex_point(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
   const Exact p = image(polygon, pose, v);
-  return {{p.x, p.y, 0.0}, 1.0, {{{v, 1.0}}, 1.0}};
+  return {{p.x, p.y, 0.0}, {{{v, 1.0}}}};
 }
 
 // The foot of the point q on the line of edge v.
@@ -115,8 +115,7 @@ PointOf foot(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v, co
   const std::uint32_t w = polygon.next(v);
   const Exact from = image(polygon, pose, v), edge = image(polygon, pose, w) - from;
   const Dyadic whole = dot(edge, edge), part = dot(edge, q - from);
-  return {{from.x * whole + edge.x * part, from.y * whole + edge.y * part, 0.0},
-          whole,
+  return {{from.x * whole + edge.x * part, from.y * whole + edge.y * part, 0.0, whole},
           {{{v, whole - part}, {w, part}}, whole}};
 }
 
@@ -165,9 +164,8 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertifi
                    const PolygonDistance& distance, double least) {
   const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
   if (!distance.closest) {
-    const auto& [coordinates, denominator, of_a, of_b] = pairs.common_point(index_a, index_b, certificate);
-    const PointOf point_a{coordinates, denominator, of_a}, point_b{coordinates, denominator, of_b};
-    return pairs.add_clearance_broken(index_a, index_b, least, point_a, point_b);
+    const auto& [at, of_a, of_b] = pairs.common_point(index_a, index_b, certificate);
+    return pairs.add_clearance_broken(index_a, index_b, least, {at, of_a}, {at, of_b});
   }
   const auto [of_a, of_b] = closest_points(a, pose_a, b, pose_b, *distance.closest);
   if (compare_distance(distance, least) == Sign::negative) {
@@ -198,7 +196,7 @@ ClosestPoints closest_points(const ConvexPolygon& a, const Pose& pose_a, const C
 }
 
 Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, const ExactPoint2& point) {
-  if (polygon.size() == 1) return {{{0, 1.0}}, 1.0};
+  if (polygon.size() == 1) return {{{0, 1.0}}};
   // The point is between the middle m and a point x of the polygon a little further on: x = p + e (p - m), so that
   // p = (x + e m) / (1 + e).
   const std::vector<std::uint32_t> corners = spanning(polygon);
@@ -217,11 +215,7 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
     for (const auto& [v, numerator] : further->parts) {
       if (numerator.sign() != Sign::zero) sum.parts.push_back({v, numerator * count});
     }
-    for (const std::uint32_t v : corners) {
-      auto part = std::find_if(sum.parts.begin(), sum.parts.end(), [&](const auto& known) { return known.entry == v; });
-      if (part == sum.parts.end()) part = sum.parts.insert(part, {v, 0.0});
-      part->numerator = part->numerator + e * further->denominator;
-    }
+    for (const std::uint32_t v : corners) sum.add(v, e * further->denominator);
     return sum;
   }
   return {};  // not of a point inside
@@ -244,7 +238,7 @@ CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const 
       p = exactly(rounded);
     }
   }
-  return {{p.x, p.y, 0.0}, p.denominator, inner_combination(a, pose_a, p), inner_combination(b, pose_b, p)};
+  return {in_space(p), inner_combination(a, pose_a, p), inner_combination(b, pose_b, p)};
 }
 
 }  // namespace sunder::planar

@@ -93,14 +93,14 @@ Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Unbou
 // in the polygon's relative interior, or meets it and the ray does not, the polygon is behind the ray's beginning.
 std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
                               const PolygonCommon& common) {
-  const auto in_space = [](const Exact& d) { return std::array<Dyadic, 3>{d.x, d.y, Dyadic()}; };
-  if (std::holds_alternative<HalfPlane>(other)) return in_space(left_of(along(other)));
+  const auto way_in_space = [](const Exact& d) { return std::array<Dyadic, 3>{d.x, d.y, Dyadic()}; };
+  if (std::holds_alternative<HalfPlane>(other)) return way_in_space(left_of(along(other)));
   const bool is_ray = std::holds_alternative<Ray>(other);
   const PolygonCut by_line = is_ray ? polygon_line(polygon, pose, line_of(other)) : common.cut;
   const Contact of_line = contact_of(by_line, polygon.size());
   const bool is_behind = common.meet() ? of_line == Contact::overlapping : of_line != Contact::none;
-  return in_space(is_behind ? out_of_polygon(polygon, pose, other, by_line.last)
-                            : across_line(polygon, pose, other, by_line));
+  return way_in_space(is_behind ? out_of_polygon(polygon, pose, other, by_line.last)
+                                : across_line(polygon, pose, other, by_line));
 }
 
 // ---- Points.
@@ -148,7 +148,7 @@ CommonPoint overlapping_point(const ConvexPolygon& polygon, const Pose& pose, co
                             ? inside_half_plane(polygon, pose, other, common.witness)
                         : cut.kind == CutKind::point ? end(cut.last)
                                                      : between(end(cut.first), end(cut.last));
-  return {{p.x, p.y, Dyadic()}, p.denominator, inner_combination(polygon, pose, p), combination_of(other, p, true)};
+  return {in_space(p), inner_combination(polygon, pose, p), combination_of(other, p, true)};
 }
 
 // A vertex, or a point of an edge: the last one along the line is never the beginning of a ray inside the polygon.
@@ -158,13 +158,12 @@ CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unb
   if (std::holds_alternative<HalfPlane>(other)) at = {Place::vertex, common.witness};
   const Line line = line_of(other);
   const ExactEnd end = exact_end(polygon, pose, line.a, line.b, at);
-  Combination of_polygon{{{at.feature, 1.0}}, 1.0};
+  Combination of_polygon{{{at.feature, 1.0}}};
   if (at.place == Place::edge) {
     const auto& [part, whole] = end.along_edge;
     of_polygon = {{{at.feature, whole - part}, {polygon.next(at.feature), part}}, whole};
   }
-  const ExactPoint2& p = end.point;
-  return {{p.x, p.y, Dyadic()}, p.denominator, std::move(of_polygon), combination_of(other, p, false)};
+  return {in_space(end.point), std::move(of_polygon), combination_of(other, end.point, false)};
 }
 
 }  // namespace

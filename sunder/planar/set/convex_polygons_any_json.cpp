@@ -1,3 +1,4 @@
+#include <sunder/certificate/common_point.h>
 #include <sunder/near/set_statement.h>
 #include <sunder/planar/set/convex_polygons_any_json.h>
 #include <sunder/planar/set/polygons_any.h>
@@ -5,7 +6,6 @@
 #include <sunder/planar/set/polygons_json.h>
 #include <sunder/planar/set/segments_all.h>
 #include <sunder/planar/sweep/sweep_json.h>
-#include <sunder/predicate/common_point.h>
 #include <sunder/predicate/crossing.h>
 #include <sunder/predicate/orient.h>
 
@@ -23,16 +23,13 @@ const Affine3 in_place;
 
 // What the certificate of a pair says: some common point.
 ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const PairCertificate& c) {
-  std::vector<Point3> vertices;
+  std::vector<Posed3> points;
   for (std::uint32_t k = 0; k < c.count_a + c.count_b; ++k) {
     const Point2& p = (k < c.count_a ? a : b)[c.vertices[k]];
-    vertices.push_back({p.x, p.y, 0});
+    points.push_back({{p.x, p.y, 0}, &in_place, false});
   }
-  std::vector<Posed3> points;
-  for (const Point3& p : vertices) points.push_back({p, &in_place, false});
-  const std::span<const Posed3> all(points);
-  const CommonPointWeights w = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
-  return {w.point[0], w.point[1], w.denominator};
+  const ExactPoint3 p = sunder::common_point(c, points).at;
+  return {p.x, p.y, p.denominator};
 }
 
 bool is_same(const ExactPoint2& p, const ExactPoint2& q) {

@@ -1,3 +1,4 @@
+#include <sunder/number/exact_vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 
 namespace sunder::solid {
@@ -7,14 +8,14 @@ ClosestPoints closest_points(const ClosestFeatures& closest) {
   const auto [way, weights] = closest.way();
   const std::array<Posed3, 4> images = closest.images();
   const auto point = [&](std::size_t begin, std::size_t end) {
-    PointOf made{{}, way.denominator, {{}, way.denominator}};
+    PointOf made;
+    Vector3<Dyadic> numerators{};
     for (std::size_t k = begin; k < end; ++k) {
-      const auto [x, y, z] = lift<ExactStage>(images[k]);
-      const Dyadic& weight = weights[k];
-      made.coordinates = {made.coordinates[0] + x * weight, made.coordinates[1] + y * weight,
-                          made.coordinates[2] + z * weight};
-      made.of_body.parts.push_back({f.vertices[k], weight});
+      numerators = sum(numerators, times(weights[k], lift<ExactStage>(images[k])));
+      made.of_body.parts.push_back({f.vertices[k], weights[k]});
     }
+    made.of_body.denominator = way.denominator;
+    made.at = exact_point(numerators, way.denominator);
     return made;
   };
   return {point(0, f.count_a), point(f.count_a, std::size_t{f.count_a} + f.count_b)};
@@ -30,8 +31,7 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronD
   const std::uint32_t a = pair.index_a, b = pair.index_b;
   if (!distance.closest) {
     const CommonPoint common = pairs.common_point(a, b, distance.answer.certificate());
-    return pairs.add_clearance_broken(a, b, least, {common.coordinates, common.denominator, common.of_a},
-                                      {common.coordinates, common.denominator, common.of_b});
+    return pairs.add_clearance_broken(a, b, least, {common.at, common.of_a}, {common.at, common.of_b});
   }
   const auto [of_a, of_b] = closest_points(*distance.closest);
   if (compare_distance(distance, least) == Sign::negative) {

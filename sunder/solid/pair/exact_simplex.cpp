@@ -63,13 +63,8 @@ class ExactSimplex {
     CommonPoint point;
     point.of_a = inner_weights(Variable::Kind::of_a, span_a);
     point.of_b = inner_weights(Variable::Kind::of_b, span_b);
-    point.denominator = point.of_a.denominator;
-    Vector3<Dyadic> sum{};
-    for (const auto& [v, weight] : point.of_a.parts) {
-      const Vector3<Dyadic> p = lift<ExactStage>(a_[v]);
-      sum = {sum.x + p.x * weight, sum.y + p.y * weight, sum.z + p.z * weight};
-    }
-    point.coordinates = {sum.x, sum.y, sum.z};
+    const auto vertex = [&](std::uint32_t v) { return lift<ExactStage>(a_[v]); };
+    point.at = exact_point(numerators_of(point.of_a, vertex), point.of_a.denominator);
     return point;
   }
 

@@ -136,8 +136,6 @@ Combination of_plane(const Plane& plane, const FlatBody& body, const ExactPoint3
 
 }  // namespace
 
-ExactPoint3 exactly(const Point3& p) { return {p.x, p.y, p.z, 1.0}; }
-
 Dyadic height(const Plane& plane, const ExactPoint3& x) {
   return dot(lift<ExactStage>(plane.normal), way_to(x, plane.point)) - Dyadic(plane.offset) * x.denominator;
 }
@@ -186,7 +184,7 @@ std::optional<FlatBody> body_of(const Flat& flat) {
 
 Combination combination_of(const Flat& flat, const FlatBody& body, const ExactPoint3& x, bool is_inside) {
   if (const auto* plane = std::get_if<Plane>(&flat)) return of_plane(*plane, body, x, is_inside);
-  if (body.points.size() == 1 && body.ways.empty()) return {{{0, 1.0}}, 1.0};
+  if (body.points.size() == 1 && body.ways.empty()) return {{{0, 1.0}}};
   if (const auto* segment = std::get_if<Segment>(&flat)) {
     const auto [part, whole] = parameter(segment->a, segment->b, x);
     Sum sum{{{}, whole}};

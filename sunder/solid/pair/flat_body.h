@@ -20,8 +20,6 @@ namespace sunder::solid {
 
 using Exact3 = Vector3<Dyadic>;
 
-ExactPoint3 exactly(const Point3& p);
-
 // In the world.
 using Flat = std::variant<Point3, Segment, Ray, Line, Plane>;
 

@@ -196,8 +196,7 @@ void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b,
   if (!common.meet()) return pairs.add_apart(index_a, index_b, parting(a, b, common));
   const ExactPoint3 x = common_point(a, b, common);
   const bool is_inside = tells_contact && common.contact == Contact::overlapping;
-  const CommonPoint point{
-      {x.x, x.y, x.z}, x.denominator, combination_of(a, body_a, x, is_inside), combination_of(b, body_b, x, is_inside)};
+  const CommonPoint point{x, combination_of(a, body_a, x, is_inside), combination_of(b, body_b, x, is_inside)};
   if (!tells_contact) return pairs.add_meet(index_a, index_b, point);
   if (is_inside) return pairs.add_overlapping(index_a, index_b, point);
   pairs.add_touching(index_a, index_b, point, parting(a, b, common));

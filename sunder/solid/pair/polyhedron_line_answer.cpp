@@ -190,8 +190,8 @@ void LineAnswer::finish() {
   const auto corner = [&](const Triangle& t, std::size_t k) -> const Point3& { return points[t[k]]; };
   const auto number = [&](const Triangle& t) { return graph.facet_of(t[0], t[1], t[2]); };
   const auto search = [&](Sense sense, std::uint32_t& facet, CutEnd& end) {
-    PlaceOnLine place = line.from_afar();
-    if (sense == Sense::leaving) place.point = {-place.point.x, -place.point.y, -place.point.z};
+    ExactPoint3 place = line.from_afar();
+    if (sense == Sense::leaving) place = {-place.x, -place.y, -place.z, place.denominator};
     Triangle at = triangle_towards(WayFromMiddle(middle, place));
     for (;;) {
       ++cut_.cost.iterations;
@@ -226,7 +226,7 @@ bool LineAnswer::is_across() {
     const std::span<const std::uint32_t> v = body_.body.facet(facet);
     return line.at_plane(points[v[0]], points[v[1]], points[v[2]]);
   };
-  const PlaceOnLine middle = LineInBody::between(place_of(cut_.enters), place_of(cut_.leaves));
+  const ExactPoint3 middle = LineInBody::between(place_of(cut_.enters), place_of(cut_.leaves));
   const WayFromMiddle way(top(), middle);
   const Triangle at = triangle_towards(way);
   if (side_of_plane(points[at[0]], points[at[1]], points[at[2]], middle, &tally_) != Sign::zero) return true;

@@ -183,42 +183,34 @@ class Claims {
   // ---- Points.
 
   CommonPoint common_point(const ExactPoint3& p, const ExactFraction& t, bool is_inside) {
-    return {{p.x, p.y, p.z}, p.denominator, of_body(p, t, is_inside), of_other(t, is_inside)};
+    return {p, of_body(p, t, is_inside), of_other(t, is_inside)};
   }
 
   // Rows: a segment's points; else a, the way to b, the way back. Inside: with weights that span all of it.
   Combination of_other(const ExactFraction& t, bool is_inside) const {
     const auto& [n, m] = t;
-    if (ends_.is_point()) return {{{0, 1.0}}, 1.0};
+    if (ends_.is_point()) return {{{0, 1.0}}};
     if (ends_.is_segment) return made_of({{0, m - n}, {1, n}}, m);
     const bool is_back = n.sign() == Sign::negative;
     const Dyadic both = is_inside && ends_.is_line ? m : Dyadic();
-    std::vector<Combination::Part> parts{{0, m}, {1, is_back ? both : both + n}};
+    std::vector<Weights::Part> parts{{0, m}, {1, is_back ? both : both + n}};
     if (ends_.is_line) parts.push_back({2, is_back ? both - n : both});
     return made_of(std::move(parts), m);
   }
 
   // Without zeros, each entry once, over a positive denominator.
-  static Combination made_of(std::vector<Combination::Part> parts, const Dyadic& denominator) {
-    Combination sum{{}, denominator};
+  static Combination made_of(std::vector<Weights::Part> parts, const Dyadic& denominator) {
+    Combination sum;
     const bool is_turned = denominator.sign() == Sign::negative;
-    if (is_turned) sum.denominator = -denominator;
-    for (const auto& [entry, weight] : parts) {
-      if (weight.sign() == Sign::zero) continue;
-      const Dyadic of = is_turned ? -weight : weight;
-      const auto same = std::find_if(sum.parts.begin(), sum.parts.end(),
-                                     [e = entry](const Combination::Part& part) { return part.entry == e; });
-      if (same == sum.parts.end()) {
-        sum.parts.push_back({entry, of});
-      } else {
-        same->numerator = same->numerator + of;
-      }
+    sum.denominator = is_turned ? -denominator : denominator;
+    for (const auto& [index, weight] : parts) {
+      if (weight.sign() != Sign::zero) sum.add(index, is_turned ? -weight : weight);
     }
     return sum;
   }
 
   Combination of_body(const ExactPoint3& p, const ExactFraction& t, bool is_inside) {
-    const Exact at{p.x, p.y, p.z};
+    const Exact at = p.numerators();
     switch (body_.dimension()) {
       case 3: return of_solid(at, p.denominator, t);
       case 2: return of_polygon(at, p.denominator, is_inside);
@@ -227,7 +219,7 @@ class Claims {
         const Dyadic whole = dot(edge, edge) * p.denominator, part = dot(edge, at - from * p.denominator);
         return made_of({{0, whole - part}, {1, part}}, whole);
       }
-      default: return {{{0, 1.0}}, 1.0};
+      default: return {{{0, 1.0}}};
     }
   }
 
@@ -247,9 +239,9 @@ class Claims {
     const Dyadic of_u = exact_determinant(to, v, w), of_v = exact_determinant(u, to, w),
                  of_w = exact_determinant(u, v, to);
     const Dyadic all = exact_determinant(u, v, w) * whole, rest = all - of_u - of_v - of_w;
-    std::vector<Combination::Part> parts{{nodes[ranks[0]].vertex, of_u.scaled(2)},
-                                         {nodes[ranks[1]].vertex, of_v.scaled(2)},
-                                         {nodes[ranks[2]].vertex, of_w.scaled(2)}};
+    std::vector<Weights::Part> parts{{nodes[ranks[0]].vertex, of_u.scaled(2)},
+                                     {nodes[ranks[1]].vertex, of_v.scaled(2)},
+                                     {nodes[ranks[2]].vertex, of_w.scaled(2)}};
     for (std::size_t k = 0; k < 4; ++k) parts.push_back({nodes[k].vertex, rest});
     return made_of(std::move(parts), all.scaled(2));
   }
@@ -266,10 +258,10 @@ class Claims {
       const Dyadic three_whole = whole * 3.0;
       Combination of_q = of_fan(p * (power * 3.0) - sum * whole, three_whole * others);
       if (std::any_of(of_q.parts.begin(), of_q.parts.end(),
-                      [](const Combination::Part& part) { return part.numerator.sign() == Sign::negative; })) {
+                      [](const Weights::Part& part) { return part.numerator.sign() == Sign::negative; })) {
         continue;
       }
-      for (Combination::Part& part : of_q.parts) part.numerator = part.numerator * others * 3.0;
+      for (Weights::Part& part : of_q.parts) part.numerator = part.numerator * others * 3.0;
       for (const std::uint32_t v : base) of_q.parts.push_back({v, of_q.denominator});
       return made_of(std::move(of_q.parts), of_q.denominator * power * 3.0);
     }

@@ -18,11 +18,7 @@ struct Exactly {
   const Plane& plane;
 
   Exact3 image(std::uint32_t v) const { return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false}); }
-  ExactPoint3 at(std::uint32_t v) const {
-    const Exact3 p = image(v);
-    return {p.x, p.y, p.z, 1.0};
-  }
-  Dyadic height(std::uint32_t v) const { return solid::height(plane, at(v)); }
+  Dyadic height(std::uint32_t v) const { return solid::height(plane, exact_point(image(v))); }
 
   std::array<Dyadic, 3> normal(bool reversed) const {
     const Exact3 n = lift<ExactStage>(plane.normal);
@@ -32,23 +28,15 @@ struct Exactly {
 
   // Vertices with weights: the point that they make, and the combination.
   PointOf made(const std::vector<std::pair<std::uint32_t, Dyadic>>& weighted) const {
-    PointOf point{{}, {}, {}};
+    PointOf point;
+    Combination& made = point.of_body;
+    made.denominator = Dyadic();
     for (const auto& [v, weight] : weighted) {
       if (weight.sign() == Sign::zero) continue;
-      const Exact3 p = image(v);
-      point.coordinates = {point.coordinates[0] + p.x * weight, point.coordinates[1] + p.y * weight,
-                           point.coordinates[2] + p.z * weight};
-      point.denominator = point.denominator + weight;
-      auto& parts = point.of_body.parts;
-      const auto same =
-          std::find_if(parts.begin(), parts.end(), [&, w = v](const auto& part) { return part.entry == w; });
-      if (same == parts.end()) {
-        parts.push_back({v, weight});
-      } else {
-        same->numerator = same->numerator + weight;
-      }
+      made.add(v, weight);
+      made.denominator = made.denominator + weight;
     }
-    point.of_body.denominator = point.denominator;
+    point.at = exact_point(numerators_of(made, [&](std::uint32_t v) { return image(v); }), made.denominator);
     return point;
   }
 
@@ -104,17 +92,15 @@ struct Exactly {
 };
 
 CommonPoint common(const Plane& plane, const FlatBody& in_file, PointOf point, bool is_inside) {
-  const auto& [x, y, z] = point.coordinates;
-  Combination of_plane = combination_of(plane, in_file, {x, y, z, point.denominator}, is_inside);
-  return {point.coordinates, point.denominator, std::move(point.of_body), std::move(of_plane)};
+  Combination of_plane = combination_of(plane, in_file, point.at, is_inside);
+  return {std::move(point.at), std::move(point.of_body), std::move(of_plane)};
 }
 
 }  // namespace
 
 ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
                          const PolyhedronPlane& answer) {
-  const PointOf point = Exactly{body, pose, plane}.between(answer.below, answer.above);
-  return {point.coordinates[0], point.coordinates[1], point.coordinates[2], point.denominator};
+  return Exactly{body, pose, plane}.between(answer.below, answer.above).at;
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,

@@ -72,8 +72,8 @@ TEST(PolyhedronPolyhedronDistanceTest, NearestPointsAreRounded) {
     const auto [of_a, of_b] = closest_points(*d.closest);
     const std::array<Point3, 2> points = d.closest->nearest_points();
     for (std::size_t k = 0; k < 3; ++k) {
-      ASSERT_EQ(points[0][k], nearest_ratio(of_a.coordinates[k], of_a.denominator)) << tests::name_of(c.family);
-      ASSERT_EQ(points[1][k], nearest_ratio(of_b.coordinates[k], of_b.denominator)) << tests::name_of(c.family);
+      ASSERT_EQ(points[0][k], nearest(of_a.at)[k]) << tests::name_of(c.family);
+      ASSERT_EQ(points[1][k], nearest(of_b.at)[k]) << tests::name_of(c.family);
       ASSERT_FALSE(points[0][k] == 0 && std::signbit(points[0][k]));
     }
   }

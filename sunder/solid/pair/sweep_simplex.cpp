@@ -200,9 +200,8 @@ class SweepSimplex {
       if (kind == Kind::of_time && entry == 1) contact.time = weight;
     }
     const Dyadic whole = dyadic_of(basis_.determinant, 0);
-    contact.denominator = contact.point.denominator = contact.point.of_a.denominator = contact.point.of_b.denominator =
-        whole;
-    contact.point.coordinates = {sum.x, sum.y, sum.z};
+    contact.denominator = contact.point.of_a.denominator = contact.point.of_b.denominator = whole;
+    contact.point.at = exact_point(sum, whole);
     if (is_first_ && contact.time.sign() != Sign::zero) contact.direction = {d.x, d.y, d.z};
     result.contact = std::move(contact);
     return result;

@@ -26,7 +26,7 @@ class BallAndBox {
     const Nearest found = in_box(other_, ball_.from);
     if (nearness_guess(ball_.from, found.at, reach, size()) != Guess::positive) return false;
     RoundEvidence& evidence = answer_.evidence;
-    evidence.verdict = RoundVerdict::meet;
+    evidence.verdict = Verdict::meet;
     evidence.source = RoundEvidence::Source::between;
     (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
     (is_a_ ? evidence.b : evidence.a) = found.made;
@@ -87,7 +87,7 @@ bool ball_and_cylinder(const RoundImage& ball, bool is_a, const RoundImage& of, 
     return false;
   }
   RoundEvidence& evidence = answer.evidence;
-  evidence.verdict = RoundVerdict::meet;
+  evidence.verdict = Verdict::meet;
   evidence.source = RoundEvidence::Source::point;
   evidence.point = point(x);
   (is_a ? evidence.a : evidence.b) = {1, {0}, {1}};
@@ -102,7 +102,7 @@ bool parts(const V& direction, const RoundImage& a, const RoundImage& b, RoundAn
   if (!make_tame(d)) return false;
   way = d;
   if (gap_guess(vector(d), a, b) != Guess::positive) return false;
-  answer.evidence.verdict = RoundVerdict::apart;
+  answer.evidence.verdict = Verdict::apart;
   answer.evidence.direction = d;
   return true;
 }
@@ -115,13 +115,13 @@ bool balls(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pos
   answer.cost.proposals = 1;
   switch (nearness_guess(p.from, q.from, a.radius() + b.radius(), p.size + q.size)) {
     case Guess::positive:
-      evidence.verdict = RoundVerdict::meet;
+      evidence.verdict = Verdict::meet;
       evidence.source = RoundEvidence::Source::between;
       evidence.a = evidence.b = {1, {0}, {1}};
       return true;
     case Guess::negative:
       if (!make_tame(way)) return false;
-      evidence.verdict = RoundVerdict::apart;
+      evidence.verdict = Verdict::apart;
       evidence.direction = way;
       return true;
     default: return false;

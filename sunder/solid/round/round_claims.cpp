@@ -14,8 +14,8 @@ std::uint32_t add_round(PairClaims& pairs, const std::string& name, const Placed
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, std::uint32_t index_b,
                 const PlacedRound& b, const RoundEvidence& evidence, const RoundContact& contact) {
-  SUNDER_REQUIRE(evidence.verdict != RoundVerdict::undecided);
-  if (evidence.verdict == RoundVerdict::apart) return pairs.add_apart(index_a, index_b, direction_of(evidence));
+  SUNDER_REQUIRE(evidence.verdict != Verdict::undecided);
+  if (evidence.verdict == Verdict::apart) return pairs.add_apart(index_a, index_b, direction_of(evidence));
   if (contact.contact == Contact::overlapping) return pairs.add_overlapping(index_a, index_b, contact.point);
   if (contact.contact == Contact::touching) {
     return pairs.add_touching(index_a, index_b, contact.point, contact.direction);

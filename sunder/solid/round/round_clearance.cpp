@@ -146,8 +146,8 @@ RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least,
     found.cost.exact += answer.cost.exact;
     if (answer.meet()) {
       const CommonPoint common = common_point_of(a, b, answer.evidence);
-      const PointOf of_a{common.coordinates, common.denominator, common.of_a};
-      const PointOf of_b{common.coordinates, common.denominator, common.of_b};
+      const PointOf of_a{common.at, common.of_a};
+      const PointOf of_b{common.at, common.of_b};
       if (search.breaks(NearPoints(of_a, of_b))) return;
     }
     for (const WorldDirection& d : simple_directions(a, b, search.last_direction)) {

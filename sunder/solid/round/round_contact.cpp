@@ -19,22 +19,13 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
-ExactPoint at(const CommonPoint& point) {
-  const auto& [x, y, z] = point.coordinates;
-  return {{x, y, z}, point.denominator};
-}
-
 // The point of the core that a combination makes. Requires a hull.
-ExactPoint core_point(const PlacedRound& hull, const Combination& c) {
-  ExactPoint made{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, c.denominator};
-  for (const auto& [entry, numerator] : c.parts) {
-    made.at = sum(made.at, times(numerator, lift<ExactStage>(hull.core[entry])));
-  }
-  return made;
+ExactPoint3 core_point(const PlacedRound& hull, const Combination& c) {
+  return exact_point(numerators_of(c, [&](std::uint32_t v) { return lift<ExactStage>(hull.core[v]); }), c.denominator);
 }
 
 // Inside, as `inside` of docs/claims.md wants it; of polyhedra nothing is asked here.
-bool is_inside(const PlacedRound& body, const ExactPoint& x, const Combination& made) {
+bool is_inside(const PlacedRound& body, const ExactPoint3& x, const Combination& made) {
   if (body.body.is_polyhedron()) return true;
   if (body.body.is_curved()) return side_of(body.shape, x) == Sign::positive;
   return nearness(core_point(body, made), body.radius(), x, 0) == Sign::positive;
@@ -42,32 +33,25 @@ bool is_inside(const PlacedRound& body, const ExactPoint& x, const Combination& 
 
 // For a polyhedron of radius 0 of which the point is: the point moved towards its middle by 2^-bits of the way, and all
 // weights that it then has.
-ExactPoint moved_in(const PlacedRound& polyhedron, const ExactPoint& x, int bits, Combination& made) {
+ExactPoint3 moved_in(const PlacedRound& polyhedron, const ExactPoint3& x, int bits, Combination& made) {
   const std::vector<std::uint32_t> spanning = spanning_vertices(polyhedron.body.core());
   const Dyadic n(static_cast<double>(spanning.size())), part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
   // Over n times the old denominator.
   Combination moved{{}, made.denominator * n};
-  for (const auto& [entry, numerator] : made.parts) moved.parts.push_back({entry, numerator * n * rest});
+  for (const auto& [index, numerator] : made.parts) moved.parts.push_back({index, numerator * n * rest});
   Exact middle{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
   for (const std::uint32_t v : spanning) {
     middle = sum(middle, lift<ExactStage>(polyhedron.core[v]));
-    const Dyadic more = made.denominator * part;
-    bool is_there = false;
-    for (auto& [entry, numerator] : moved.parts) {
-      if (entry != v) continue;
-      numerator = numerator + more;
-      is_there = true;
-    }
-    if (!is_there) moved.parts.push_back({v, more});
+    moved.add(v, made.denominator * part);
   }
   made = std::move(moved);
-  return {sum(times(n * rest, x.at), times(x.weight * part, middle)), x.weight * n};
+  return exact_point(sum(times(n * rest, x.numerators()), times(x.denominator * part, middle)), x.denominator * n);
 }
 
 // A common point that is inside of every body with a radius: made inside of a polyhedron too, if there is one. Fails
 // where it is not inside.
 std::optional<CommonPoint> inner_point(const PlacedRound& a, const PlacedRound& b, const CommonPoint& point) {
-  const ExactPoint x = at(point);
+  const ExactPoint3& x = point.at;
   if (!is_inside(a, x, point.of_a) || !is_inside(b, x, point.of_b)) return std::nullopt;
   if (!a.body.is_polyhedron() && !b.body.is_polyhedron()) return point;
   const bool polyhedron_a = a.body.is_polyhedron();
@@ -75,11 +59,10 @@ std::optional<CommonPoint> inner_point(const PlacedRound& a, const PlacedRound& 
   for (int bits = 1;; bits = bits < 64 ? bits + 4 : 2 * bits) {
     CommonPoint moved = point;
     Combination &own = polyhedron_a ? moved.of_a : moved.of_b, &of_other = polyhedron_a ? moved.of_b : moved.of_a;
-    const ExactPoint inner = moved_in(polyhedron_a ? a : b, x, bits, own);
+    const ExactPoint3 inner = moved_in(polyhedron_a ? a : b, x, bits, own);
     if (other.body.is_curved()) of_other = combination_of(other, inner);
     if (!is_inside(other, inner, of_other)) continue;
-    moved.coordinates = {inner.at.x, inner.at.y, inner.at.z};
-    moved.denominator = inner.weight;
+    moved.at = inner;
     return moved;
   }
 }
@@ -113,15 +96,15 @@ class Contacts {
     for (const bool is_a : {true, false}) {
       const PlacedRound& hull = is_a ? a_ : b_;
       if (hull.body.is_curved() || hull.body.is_polyhedron()) continue;
-      const ExactPoint x = at(point_), y = core_point(hull, is_a ? point_.of_a : point_.of_b);
-      const Exact out = times(y.weight, x.at) - times(x.weight, y.at);
-      const bool turned = (x.weight.sign() == Sign::negative) == is_a;
+      const ExactPoint3 &x = point_.at, y = core_point(hull, is_a ? point_.of_a : point_.of_b);
+      const Exact out = times(y.denominator, x.numerators()) - times(x.denominator, y.numerators());
+      const bool turned = (x.denominator.sign() == Sign::negative) == is_a;
       const std::array<Dyadic, 3> d = turned ? std::array{-out.x, -out.y, -out.z} : std::array{out.x, out.y, out.z};
       if (!is_zero(out) && parts_weakly(a_, b_, d)) return touching(d);
     }
     for (const auto& [curved, other, is_a] : {std::tuple(&a_, &b_, true), std::tuple(&b_, &a_, false)}) {
       if (!curved->body.is_curved()) continue;
-      const Sides sides(*curved, at(point_));
+      const Sides sides(*curved, point_.at);
       for (const std::array<Dyadic, 3>& outwards : sides.directions) {
         const std::array<Dyadic, 3> d = is_a ? outwards : std::array{-outwards[0], -outwards[1], -outwards[2]};
         if (parts_weakly(a_, b_, d)) return touching(d);
@@ -150,12 +133,12 @@ class Contacts {
   struct Sides {
     std::vector<std::array<Dyadic, 3>> directions;
 
-    Sides(const PlacedRound& curved, const ExactPoint& x) {
+    Sides(const PlacedRound& curved, const ExactPoint3& x) {
       if (curved.kind() == RoundKind::ellipsoid) {
         // L^-T L^-1 (x - t - L c), up to a positive factor.
         const std::array<Dyadic, 9> m = adjoint(curved.core.pose);
         const Exact centre = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
-        const Exact from = x.at - times(x.weight, centre);
+        const Exact from = x.numerators() - times(x.denominator, centre);
         const auto row = [&](std::size_t i) { return m[i] * from.x + m[i + 1] * from.y + m[i + 2] * from.z; };
         const Exact v{row(0), row(3), row(6)};
         const auto column = [&](std::size_t j) { return m[j] * v.x + m[3 + j] * v.y + m[6 + j] * v.z; };
@@ -164,7 +147,7 @@ class Contacts {
       }
       const Exact base = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
       const Exact top = lift<ExactStage>(Posed3{curved.shape.points[1], &curved.core.pose, false});
-      const Exact axis = top - base, from = x.at - times(x.weight, base);
+      const Exact axis = top - base, from = x.numerators() - times(x.denominator, base);
       const Dyadic length2 = dot(axis, axis), along = dot(from, axis);
       const Exact across = times(length2, from) - times(along, axis);
       if (curved.kind() == RoundKind::cylinder) {
@@ -172,7 +155,7 @@ class Contacts {
         add(axis);
       } else {
         const Dyadic r(curved.radius());
-        add(sum(times(length2, across), times(r * r * (x.weight * length2 - along), axis)));
+        add(sum(times(length2, across), times(r * r * (x.denominator * length2 - along), axis)));
         add(axis);
       }
       add({-axis.x, -axis.y, -axis.z});
@@ -212,25 +195,17 @@ class Contacts {
     for (int bits = 1;; bits *= 2) {
       const Dyadic part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
       CommonPoint moved = point;
-      const Exact x = sum(times(rest * all, at(point).at), times(part * point.denominator, between));
-      moved.coordinates = {x.x, x.y, x.z};
-      moved.denominator = point.denominator * all;
+      const Dyadic& over = point.at.denominator;
+      moved.at = exact_point(sum(times(rest * all, point.at.numerators()), times(part * over, between)), over * all);
       Combination& of = is_a ? moved.of_b : moved.of_a;
       const Dyadic before = of.denominator;
-      for (auto& [entry, numerator] : of.parts) numerator = numerator * rest * all;
+      for (auto& [index, numerator] : of.parts) numerator = numerator * rest * all;
       of.denominator = before * all;
       for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
         if (weight[k].sign() == Sign::zero) continue;
-        const Dyadic more = before * part * weight[k];
-        const auto there = std::find_if(of.parts.begin(), of.parts.end(),
-                                        [&](const Combination::Part& p) { return p.entry == vertex[k]; });
-        if (there == of.parts.end()) {
-          of.parts.push_back({vertex[k], more});
-        } else {
-          there->numerator = there->numerator + more;
-        }
+        of.add(vertex[k], before * part * weight[k]);
       }
-      (is_a ? moved.of_a : moved.of_b) = combination_of(cylinder, at(moved));
+      (is_a ? moved.of_a : moved.of_b) = combination_of(cylinder, moved.at);
       if (const auto inner = inner_point(a_, b_, moved)) return *inner;
     }
   }
@@ -277,8 +252,8 @@ class Contacts {
 }  // namespace
 
 RoundContact round_round_contact(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
-  if (evidence.verdict == RoundVerdict::undecided) return {};
-  if (evidence.verdict == RoundVerdict::apart) return {Contact::none, {}, {}};
+  if (evidence.verdict == Verdict::undecided) return {};
+  if (evidence.verdict == Verdict::apart) return {Contact::none, {}, {}};
   return Contacts(a, b, evidence).decide();
 }
 

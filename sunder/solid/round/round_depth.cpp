@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/common_point.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 #include <sunder/solid/round/round_depth.h>
@@ -44,17 +44,8 @@ Interval radii_and_root(const Dyadic& radii, int sign, const Dyadic& square, con
 
 // How the cores make a point that both have.
 DepthPoints common_point(const Placed& a, const Placed& b, const PairCertificate& evidence) {
-  std::array<Posed3, 5> points{};
-  const std::size_t n = std::size_t{evidence.count_a} + evidence.count_b;
-  for (std::size_t k = 0; k < n; ++k) points[k] = (k < evidence.count_a ? a : b)[evidence.vertices[k]];
-  const std::span<const Posed3> all(points.data(), n);
-  const CommonPointWeights weights = common_point_weights(all.first(evidence.count_a), all.subspan(evidence.count_a));
-  const PointOf point{weights.point, weights.denominator, {{}, weights.denominator}};
-  DepthPoints out{point, point};
-  for (std::size_t k = 0; k < n; ++k) {
-    (k < evidence.count_a ? out.of_a : out.of_b).of_body.parts.push_back({evidence.vertices[k], weights.numerators[k]});
-  }
-  return out;
+  const CommonPoint point = sunder::common_point(evidence, a, b);
+  return {{point.at, point.of_a}, {point.at, point.of_b}};
 }
 
 void of_hulls(const PlacedRound& a, const PlacedRound& b, RoundDepth& found) {

@@ -31,7 +31,7 @@ struct [[nodiscard]] RoundDepth {
   static constexpr double width = 0x1p-22;
   static constexpr std::uint32_t most_corners = 1000;
 
-  RoundVerdict verdict = RoundVerdict::undecided;  // unless it is meet, the rest is meaningless
+  Verdict verdict = Verdict::undecided;  // unless it is meet, the rest is meaningless
   Interval depth{};
   std::optional<WorldDirection> direction{};  // from A to B
   // low > 0, one of the two: a surface around the origin, of differences of points of the cores; points of the cores
@@ -40,7 +40,7 @@ struct [[nodiscard]] RoundDepth {
   std::shared_ptr<const DepthPoints> points{};
   Cost cost;
 
-  bool meet() const { return verdict == RoundVerdict::meet; }
+  bool meet() const { return verdict == Verdict::meet; }
 };
 
 // Asks first whether they meet. Throws Error: bad_pose. Cost: that of round_round; of two hulls that of

@@ -115,9 +115,8 @@ class CurvedDepth {
     const auto part = [&](double x, std::size_t k) { return Dyadic(origin[k]) + Dyadic(x).scaled(-shift_); };
     if (!std::isfinite(seen.x + seen.y + seen.z)) return std::nullopt;
     PointOf held = held_by(body, {part(seen.x, 0), part(seen.y, 1), part(seen.z, 2)}, 48);
-    if (!(held.denominator == Dyadic(1.0))) return std::nullopt;
-    const auto& [x, y, z] = held.coordinates;
-    const Exact at{x, y, z};
+    if (!(held.at.denominator == Dyadic(1.0))) return std::nullopt;
+    const Exact at = held.at.numerators();
     points.push_back(std::move(held));
     return EndOf{static_cast<std::uint32_t>(points.size() - 1), at};
   }

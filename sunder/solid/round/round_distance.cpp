@@ -184,8 +184,7 @@ RoundDistance round_distance(const PlacedRound& a, const PlacedRound& b) {
   if (answer.meet()) {
     const CommonPoint common = common_point_of(a, b, answer.evidence);
     found.points = std::make_shared<const std::array<PointOf, 2>>(
-        std::array{PointOf{common.coordinates, common.denominator, common.of_a},
-                   PointOf{common.coordinates, common.denominator, common.of_b}});
+        std::array{PointOf{common.at, common.of_a}, PointOf{common.at, common.of_b}});
     found.distance = {0, 0};
   } else if (!a.body.is_curved() && !b.body.is_curved()) {
     of_hulls(a, b, found);

@@ -51,7 +51,8 @@ VertexSet<Dyadic> reduced(const VertexSet<Dyadic>& set, StageTally& tally) {
 }
 
 CommonPoint common(const PlacedRound& curved, const Exact& at, const Dyadic& weight, Combination of_polyhedron) {
-  return {{at.x, at.y, at.z}, weight, combination_of(curved, {at, weight}), std::move(of_polyhedron)};
+  const ExactPoint3 point = exact_point(at, weight);
+  return {point, combination_of(curved, point), std::move(of_polyhedron)};
 }
 
 // ---- Ellipsoids: L^-1 times the determinant makes balls of them.
@@ -259,19 +260,10 @@ class Slab {
       for (std::size_t i = 0; i < c.count; ++i) {
         const Dyadic weight = others * c.weight[i];
         nearest.point = nearest.point + times(weight, lift<ExactStage>(core_[c.vertex[i]]));
-        add(sum, c.vertex[i], weight);
+        sum.add(c.vertex[i], weight);
       }
     }
     return nearest;
-  }
-  static void add(Combination& sum, std::uint32_t v, const Dyadic& weight) {
-    for (auto& part : sum.parts) {
-      if (part.entry == v) {
-        part.numerator = part.numerator + weight;
-        return;
-      }
-    }
-    sum.parts.push_back({v, weight});
   }
 
   const Placed& core_;
@@ -395,8 +387,9 @@ CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhe
 
 }  // namespace
 
-Combination combination_of(const PlacedRound& curved, const ExactPoint& point) {
-  const auto& [at, weight] = point;
+Combination combination_of(const PlacedRound& curved, const ExactPoint3& point) {
+  const Exact at = point.numerators();
+  const Dyadic& weight = point.denominator;
   const Affine3& pose = curved.core.pose;
   if (curved.kind() == RoundKind::ellipsoid) {
     const std::array<Dyadic, 9> m = adjoint(pose);
@@ -405,7 +398,7 @@ Combination combination_of(const PlacedRound& curved, const ExactPoint& point) {
     const auto& t = pose.translation;
     const Exact p = at - times(weight, lift<ExactStage>(Point3{t[0], t[1], t[2]}));
     const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z; };
-    return {{{0, Dyadic(1.0)}}, Dyadic(1.0), PreimagePoint{{row(0), row(3), row(6)}, determinant * weight}};
+    return {{{0, Dyadic(1.0)}}, 1.0, ExactPoint3{row(0), row(3), row(6), determinant * weight}};
   }
   SUNDER_REQUIRE(curved.kind() != RoundKind::hull);
   const Exact base = image(curved.shape.points[0], pose), axis = image(curved.shape.points[1], pose) - base;

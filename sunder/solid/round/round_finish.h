@@ -33,6 +33,6 @@ CurvedVerdict curved_polyhedron(const PlacedRound& curved, const PlacedRound& po
                                 Cost& cost, StageTally& tally);
 
 // How a placed body that is curved makes a point that it holds.
-Combination combination_of(const PlacedRound& curved, const ExactPoint& point);
+Combination combination_of(const PlacedRound& curved, const ExactPoint3& point);
 
 }  // namespace sunder::solid

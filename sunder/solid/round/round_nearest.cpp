@@ -39,24 +39,20 @@ Exact middle_of(const PlacedRound& curved) {
 }
 
 // Of a cylinder's or a cone's axis, or of an ellipsoid the centre: that is nearest to the point.
-ExactPoint on_core(const PlacedRound& curved, const Exact& near) {
+ExactPoint3 on_core(const PlacedRound& curved, const Exact& near) {
   Exact first = image(curved, curved.shape.points[0]);
-  if (curved.kind() == RoundKind::ellipsoid) return {first, Dyadic(1.0)};
+  if (curved.kind() == RoundKind::ellipsoid) return exact_point(first);
   const Exact way = image(curved, curved.shape.points[1]) - first;
   const Dyadic along = dot(near - first, way), all = dot(way, way);
-  if (along.sign() != Sign::positive) return {first, Dyadic(1.0)};
-  if ((all - along).sign() != Sign::positive) return {sum(first, way), Dyadic(1.0)};
-  return {sum(times(all, first), times(along, way)), all};
+  if (along.sign() != Sign::positive) return exact_point(first);
+  if ((all - along).sign() != Sign::positive) return exact_point(sum(first, way));
+  return exact_point(sum(times(all, first), times(along, way)), all);
 }
 
 // p + part (q - p)
 PointOf moved(const PointOf& p, const PointOf& q, const Dyadic& part) {
-  PointOf x{{}, p.denominator * q.denominator, p.of_body};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Dyadic from = p.coordinates[k] * q.denominator, to = q.coordinates[k] * p.denominator;
-    x.coordinates[k] = from + part * (to - from);
-  }
-  return x;
+  const Exact from = times(q.at.denominator, p.at.numerators()), to = times(p.at.denominator, q.at.numerators());
+  return {exact_point(sum(from, times(part, to - from)), p.at.denominator * q.at.denominator), p.of_body};
 }
 
 // The part of the way that the radius is, which is less than 1, from below: as near as 2^-bits.
@@ -83,47 +79,37 @@ RoundGap::RoundGap(const PlacedRound& a, const PlacedRound& b, const WorldDirect
 NearPoints::NearPoints(PointOf p, PointOf q) : of_a(std::move(p)), of_b(std::move(q)) {
   const std::array<Dyadic, 3> way = way_between(of_a, of_b);
   square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-  const Dyadic weight = of_a.denominator * of_b.denominator;
+  const Dyadic weight = of_a.at.denominator * of_b.at.denominator;
   over = weight * weight;
 }
 
 PointOf held_by(const PlacedRound& curved, const Exact& near, int bits) {
   SUNDER_REQUIRE(curved.body.is_curved());
   const Exact inwards = middle_of(curved) - near;
-  ExactPoint x{near, Dyadic(1.0)};
+  ExactPoint3 x = exact_point(near);
   for (int k = bits; k >= 8 && side_of(curved.shape, x) == Sign::negative; k -= k > 24 ? 6 : 4) {
-    x.at = sum(near, times(Dyadic::power_of_two(-k), inwards));
+    x = exact_point(sum(near, times(Dyadic::power_of_two(-k), inwards)));
   }
   if (side_of(curved.shape, x) == Sign::negative) x = on_core(curved, near);
-  Combination of_body = combination_of(curved, x);
-  return {{x.at.x, x.at.y, x.at.z}, x.weight, std::move(of_body)};
+  return {x, combination_of(curved, x)};
 }
 
-PointOf of_core(const PlacedRound& hull, const std::vector<Combination::Part>& weights) {
-  PointOf point{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, Dyadic(0.0), {}};
-  std::vector<Combination::Part>& parts = point.of_body.parts;
-  for (const auto& [entry, weight] : weights) {
-    const Exact at = lift<ExactStage>(hull.core[entry]);
-    point.coordinates[0] = point.coordinates[0] + weight * at.x;
-    point.coordinates[1] = point.coordinates[1] + weight * at.y;
-    point.coordinates[2] = point.coordinates[2] + weight * at.z;
-    point.denominator = point.denominator + weight;
-    const auto same = std::find_if(parts.begin(), parts.end(), [e = entry](const auto& p) { return p.entry == e; });
-    if (same == parts.end()) {
-      parts.push_back({entry, weight});
-    } else {
-      same->numerator = same->numerator + weight;
-    }
+PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weights) {
+  Combination made;
+  made.denominator = Dyadic(0.0);
+  for (const auto& [index, weight] : weights) {
+    made.add(index, weight);
+    made.denominator = made.denominator + weight;
   }
-  point.of_body.denominator = point.denominator;
-  return point;
+  const Exact sum = numerators_of(made, [&](std::uint32_t v) { return lift<ExactStage>(hull.core[v]); });
+  return {exact_point(sum, made.denominator), std::move(made)};
 }
 
 PointOf towards(const PointOf& of_core, double radius, const PointOf& to) {
   if (radius == 0) return of_core;
   const NearPoints between(of_core, to);
   const Dyadic limit = Dyadic(radius) * Dyadic(radius) * between.over;
-  if ((limit - between.square).sign() != Sign::negative) return {to.coordinates, to.denominator, of_core.of_body};
+  if ((limit - between.square).sign() != Sign::negative) return {to.at, of_core.of_body};
   // The part of the way: the root of limit / square, in doubles, once more by Newton's method, and less by 2^-98 of it.
   const std::int64_t shift = (limit.top() - between.square.top()) / 2;
   const double about = std::sqrt(nearest_ratio(limit.scaled(-2 * shift), between.square));
@@ -154,7 +140,7 @@ std::vector<WorldDirection> simple_directions(const PlacedRound& a, const Placed
   if (!(largest > 0) || !std::isfinite(largest)) return found;
   const Point3 d{near.x / largest, near.y / largest, near.z / largest};
   for (const int bits : {40, 20, 10}) found.emplace_back(snapped(d, bits));
-  found.emplace_back(simple_fractions(d).at);
+  found.emplace_back(simple_fractions(d).numerators());
   for (const PlacedRound* body : {&a, &b}) {
     if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
     const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);

@@ -61,7 +61,7 @@ inline Dyadic exact(const DoubleDouble& x) { return Dyadic(x.high) + Dyadic(x.lo
 PointOf held_by(const PlacedRound& curved, const Vector3<Dyadic>& near, int bits);
 
 // The point of a hull's core that these weights make.
-PointOf of_core(const PlacedRound& hull, const std::vector<Combination::Part>& weights);
+PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weights);
 
 // As far as the radius from a point of a core towards the other point, or a little less; that point, where it is as
 // near.
@@ -105,7 +105,7 @@ std::optional<NearPoints> near_points(const RoundSearch<Real>& search, const Pla
   constexpr int bits = std::is_same_v<Real, double> ? 48 : 98;
   const auto point = [&](const PlacedRound& body) {
     VectorOf<Real> sum{};
-    std::vector<Combination::Part> parts;
+    std::vector<Weights::Part> parts;
     for (std::size_t k = 0; k < n; ++k) {
       if (!(weights[k] > Real(0))) continue;
       const auto& slot = search.slots[search.simplex.vertex[k].a];

@@ -94,7 +94,7 @@ inline bool Proposals::settles(const Side& own, const Nearest& p, const Side& ot
 inline bool Proposals::meets(RoundEvidence::Source source, const Point3& x, const RoundCombination& of_a,
                              const RoundCombination& of_b) {
   RoundEvidence& evidence = answer_.evidence;
-  evidence.verdict = RoundVerdict::meet;
+  evidence.verdict = Verdict::meet;
   evidence.source = source;
   evidence.point = x;
   evidence.a = of_a;

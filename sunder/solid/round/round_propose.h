@@ -61,7 +61,7 @@ class RoundDisposal {
     const RoundShape a = shape_along(a_, direction, End::greatest, near_a);
     const RoundShape b = shape_along(b_, direction, End::least, near_b);
     if (gap_sign(direction, a, b, &tally_) != Sign::positive) return false;
-    evidence_.verdict = RoundVerdict::apart;
+    evidence_.verdict = Verdict::apart;
     if (direction.is_doubles()) {
       evidence_.direction = direction.doubles();
       return true;
@@ -91,12 +91,11 @@ class RoundDisposal {
   }
 
   // The same of a point in exact numbers.
-  bool meets_at(const ExactPoint& x, const RoundCombination& a, const RoundCombination& b) {
+  bool meets_at(const ExactPoint3& x, const RoundCombination& a, const RoundCombination& b) {
     ++answer_.cost.proposals;
     tally_.exact += 2;
     if (!holds(a_, x, a) || !holds(b_, x, b)) return false;
-    evidence_.exact = std::make_shared<const CommonPoint>(
-        CommonPoint{{x.at.x, x.at.y, x.at.z}, x.weight, combination(a_, x, a), combination(b_, x, b)});
+    evidence_.exact = std::make_shared<const CommonPoint>(CommonPoint{x, combination(a_, x, a), combination(b_, x, b)});
     return meets(RoundEvidence::Source::exact, {}, a, b);
   }
 
@@ -124,15 +123,15 @@ class RoundDisposal {
     if (body.body.is_curved()) return side_of(body.shape, x, &tally_) >= least_;
     return c.count > 0 && nearness(round_detail::weighted(body, c), body.radius(), x, 0, &tally_) >= least_;
   }
-  bool holds(const PlacedRound& body, const ExactPoint& x, const RoundCombination& c) const {
+  bool holds(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) const {
     if (body.body.is_curved()) return side_of(body.shape, x) >= least_;
     return c.count > 0 && nearness(exact_point(round_detail::weighted(body, c)), body.radius(), x, 0) >= least_;
   }
-  static Combination combination(const PlacedRound& body, const ExactPoint& x, const RoundCombination& c) {
+  static Combination combination(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) {
     return body.body.is_curved() ? combination_of(body, x) : round_detail::exact(c);
   }
   bool meets(RoundEvidence::Source source, const Point3& point, const RoundCombination& a, const RoundCombination& b) {
-    evidence_.verdict = RoundVerdict::meet;
+    evidence_.verdict = Verdict::meet;
     evidence_.source = source;
     evidence_.point = point;
     evidence_.a = a;

@@ -1,7 +1,7 @@
 // The search proposes, exact signs dispose, and where nothing holds exact methods decide.
 #include <sunder/base/contract.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/certificate/direction.h>
-#include <sunder/predicate/common_point.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -28,9 +28,9 @@ using round_detail::is_finite, round_detail::weighted;
 // A point of the core of `body`, as certificates number its points.
 Combination in_points(const PlacedRound& body, Combination of_core) {
   if (body.kind() == RoundKind::ellipsoid) {
-    of_core.from = PreimagePoint{{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)}, Dyadic(1.0)};
+    of_core.from = ExactPoint3{};
   } else if (body.body.is_curved()) {
-    for (auto& part : of_core.parts) part.entry = body.body.core().source()[part.entry];
+    for (auto& part : of_core.parts) part.index = body.body.core().source()[part.index];
   }
   return of_core;
 }
@@ -101,8 +101,8 @@ class RoundFinish {
   }
 
   // True: both hold the point. Requires that the hull is a ball, if one of the bodies is a hull.
-  bool meet_at(const ExactPoint& x) {
-    CommonPoint common{{x.at.x, x.at.y, x.at.z}, x.weight, {}, {}};
+  bool meet_at(const ExactPoint3& x) {
+    CommonPoint common{x, {}, {}};
     for (const PlacedRound* body : {&a_, &b_}) {
       Combination& made = body == &a_ ? common.of_a : common.of_b;
       ++tally_.exact;
@@ -110,7 +110,7 @@ class RoundFinish {
         if (side_of(body->shape, x) == Sign::negative) return false;
         made = combination_of(*body, x);
       } else {
-        const ExactPoint centre{lift<ExactStage>(body->core[0]), Dyadic(1.0)};
+        const ExactPoint3 centre = exact_point(lift<ExactStage>(body->core[0]));
         if (nearness(centre, body->radius(), x, 0) == Sign::negative) return false;
         made.parts.push_back({0, Dyadic(1.0)});
       }
@@ -146,8 +146,8 @@ class RoundFinish {
     Middle middle(x, thin);
     for (const PlacedRound* body : {&a_, &b_}) add_middle(*body, middle);
     if (middle.planes.empty() || middle.planes.size() > 3) return false;
-    const ExactPoint at = middle.nearest();
-    CommonPoint common{{at.at.x, at.at.y, at.at.z}, at.weight, {}, {}};
+    const ExactPoint3 at = middle.nearest();
+    CommonPoint common{at, {}, {}};
     for (const PlacedRound* body : {&a_, &b_}) {
       ++tally_.exact;
       if (body->body.is_curved()) {
@@ -168,7 +168,7 @@ class RoundFinish {
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
   bool meet_at(const Point3& point) {
     if (!is_finite(point)) return false;
-    CommonPoint common{{Dyadic(point.x), Dyadic(point.y), Dyadic(point.z)}, Dyadic(1.0), {}, {}};
+    CommonPoint common{exactly(point), {}, {}};
     const WeightedPoint x = weighted(point);
     const ConvexPolyhedron as_body(std::span<const Point3>(&point, 1));
     for (const PlacedRound* body : {&a_, &b_}) {
@@ -209,15 +209,11 @@ class RoundFinish {
       if (planes.size() <= 3 && determinant(planes.size()).sign() == Sign::zero) planes.pop_back();
     }
     // Along the normals, by what solves the equations of their products: Cramer's rule.
-    ExactPoint nearest() const {
+    ExactPoint3 nearest() const {
       const Dyadic all = determinant(planes.size());
-      ExactPoint at{{all * x.x, all * x.y, all * x.z}, all};
-      for (std::size_t k = 0; k < planes.size(); ++k) {
-        const Dyadic by = determinant(k);
-        const Exact& n = planes[k].normal;
-        at.at = {at.at.x + by * n.x, at.at.y + by * n.y, at.at.z + by * n.z};
-      }
-      return at;
+      Exact at = times(all, x);
+      for (std::size_t k = 0; k < planes.size(); ++k) at = sum(at, times(determinant(k), planes[k].normal));
+      return exact_point(at, all);
     }
 
    private:
@@ -304,17 +300,17 @@ class RoundFinish {
     tally_.exact += of.cost.exact;
   }
   void cores(const PairCertificate& certificate) {
-    answer_.evidence.verdict = RoundVerdict::meet;
+    answer_.evidence.verdict = Verdict::meet;
     answer_.evidence.source = Source::cores;
     answer_.evidence.of_cores = certificate;
   }
   void meet(CommonPoint point) {
-    answer_.evidence.verdict = RoundVerdict::meet;
+    answer_.evidence.verdict = Verdict::meet;
     answer_.evidence.source = Source::exact;
     answer_.evidence.exact = std::make_shared<const CommonPoint>(std::move(point));
   }
   void apart(const std::array<Dyadic, 3>& direction) {
-    answer_.evidence.verdict = RoundVerdict::apart;
+    answer_.evidence.verdict = Verdict::apart;
     answer_.evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(direction);
     const Vector3<Interval> about =
         WorldDirection(Vector3<Dyadic>{direction[0], direction[1], direction[2]}).enclosure();
@@ -333,11 +329,11 @@ void of_polyhedra(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answe
   answer.cost = found.cost;
   RoundEvidence& evidence = answer.evidence;
   if (found.meet()) {
-    evidence.verdict = RoundVerdict::meet;
+    evidence.verdict = Verdict::meet;
     evidence.of_cores = found.certificate();
     return;
   }
-  evidence.verdict = RoundVerdict::apart;
+  evidence.verdict = Verdict::apart;
   const WorldDirection d =
       world_direction(found.certificate().direction, {a.body.core().vertices(), a.core.pose, a.core.tame},
                       {b.body.core().vertices(), b.core.pose, b.core.tame});
@@ -401,19 +397,11 @@ RoundAnswer of_poses_as_given(const RoundBody& a, const Pose& pose_a, const Roun
 CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q) {
   const Dyadic r(radius_p), s(radius_q), zero(0.0);
   const bool points = r.sign() == Sign::zero && s.sign() == Sign::zero;
-  const Dyadic of_p = points ? Dyadic(1.0) : s * q.denominator, of_q = points ? zero : r * p.denominator;
-  CommonPoint common{{}, points ? p.denominator : (r + s) * p.denominator * q.denominator, p.of_body, q.of_body};
-  for (std::size_t k = 0; k < 3; ++k) common.coordinates[k] = p.coordinates[k] * of_p + q.coordinates[k] * of_q;
-  return common;
-}
-
-std::string_view name_of(RoundVerdict verdict) {
-  switch (verdict) {
-    case RoundVerdict::apart: return "apart";
-    case RoundVerdict::meet: return "meet";
-    case RoundVerdict::undecided: break;
-  }
-  return "undecided";
+  const Dyadic &over_p = p.at.denominator, &over_q = q.at.denominator;
+  const Dyadic of_p = points ? Dyadic(1.0) : s * over_q, of_q = points ? zero : r * over_p;
+  return {exact_point(sum(times(of_p, p.at.numerators()), times(of_q, q.at.numerators())),
+                      points ? over_p : (r + s) * over_p * over_q),
+          p.of_body, q.of_body};
 }
 
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
@@ -435,9 +423,8 @@ RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {
 }
 
 Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
-  const CommonPoint point = common_point_of(a, b, evidence);
-  const auto part = [&](std::size_t k) { return nearest_ratio(point.coordinates[k], point.denominator) + 0.0; };
-  return {part(0), part(1), part(2)};
+  const Point3 point = nearest(common_point_of(a, b, evidence).at);
+  return {point.x + 0.0, point.y + 0.0, point.z + 0.0};
 }
 
 double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
@@ -453,31 +440,21 @@ double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence
 }
 
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict == RoundVerdict::apart);
+  SUNDER_REQUIRE(evidence.verdict == Verdict::apart);
   if (evidence.exact_direction) return *evidence.exact_direction;
   return {Dyadic(evidence.direction.x), Dyadic(evidence.direction.y), Dyadic(evidence.direction.z)};
 }
 
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict == RoundVerdict::meet);
+  SUNDER_REQUIRE(evidence.verdict == Verdict::meet);
   const auto of_core = [](const PlacedRound& body, const RoundCombination& c) {
-    const ExactPoint at = exact_point(weighted(body, c));
-    return PointOf{{at.at.x, at.at.y, at.at.z}, at.weight, round_detail::exact(c)};
+    return PointOf{exact_point(weighted(body, c)), round_detail::exact(c)};
   };
   switch (evidence.source) {
     case Source::exact: return *evidence.exact;
     case Source::between: return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
     case Source::cores: {
-      const PairCertificate& c = evidence.of_cores;
-      std::array<Posed3, 5> points{};
-      const std::size_t n = std::size_t{c.count_a} + c.count_b;
-      for (std::size_t k = 0; k < n; ++k) points[k] = (k < c.count_a ? a : b).core[c.vertices[k]];
-      const std::span<const Posed3> all(points.data(), n);
-      CommonPointWeights weights = common_point_weights(all.first(c.count_a), all.subspan(c.count_a));
-      CommonPoint point{weights.point, weights.denominator, {{}, weights.denominator}, {{}, weights.denominator}};
-      for (std::size_t k = 0; k < n; ++k) {
-        (k < c.count_a ? point.of_a : point.of_b).parts.push_back({c.vertices[k], weights.numerators[k]});
-      }
+      CommonPoint point = common_point(evidence.of_cores, a.core, b.core);
       point.of_a = in_points(a, std::move(point.of_a));
       point.of_b = in_points(b, std::move(point.of_b));
       return point;
@@ -486,13 +463,13 @@ CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const Ro
     case Source::of_a:
     case Source::of_b: break;
   }
-  const ExactPoint x = evidence.source == Source::point  ? exact_point(weighted(evidence.point))
-                       : evidence.source == Source::of_a ? exact_point(weighted(a, evidence.a))
-                                                         : exact_point(weighted(b, evidence.b));
+  const ExactPoint3 x = evidence.source == Source::point  ? exact_point(weighted(evidence.point))
+                        : evidence.source == Source::of_a ? exact_point(weighted(a, evidence.a))
+                                                          : exact_point(weighted(b, evidence.b));
   const auto of = [&](const PlacedRound& body, const RoundCombination& c) {
     return body.body.is_curved() ? combination_of(body, x) : of_core(body, c).of_body;
   };
-  return {{x.at.x, x.at.y, x.at.z}, x.weight, of(a, evidence.a), of(b, evidence.b)};
+  return {x, of(a, evidence.a), of(b, evidence.b)};
 }
 
 }  // namespace sunder::solid

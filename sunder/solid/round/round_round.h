@@ -27,10 +27,6 @@
 
 namespace sunder::solid {
 
-enum class RoundVerdict : std::uint8_t { apart, meet, undecided };
-
-std::string_view name_of(RoundVerdict);  // "undecided"
-
 // A point as a combination of points of a body: weight over the sum of the weights, all positive.
 struct RoundCombination {
   std::uint8_t count = 0;
@@ -40,7 +36,7 @@ struct RoundCombination {
 
 // Plain data; exact numbers are made when asked for.
 struct RoundEvidence {
-  RoundVerdict verdict = RoundVerdict::undecided;
+  Verdict verdict = Verdict::undecided;
 
   // apart: from A to B. Where doubles cannot hold it, `exact_direction` is set, and this one is near it. Of undecided
   // ones: across which they touch, or nearly.
@@ -68,9 +64,9 @@ struct [[nodiscard]] RoundAnswer {
   DecidedBy decided_by = DecidedBy::filter;  // of undecided ones: what was tried last
   Cost cost;
 
-  RoundVerdict verdict() const { return evidence.verdict; }
-  bool meet() const { return evidence.verdict == RoundVerdict::meet; }
-  bool undecided() const { return evidence.verdict == RoundVerdict::undecided; }
+  Verdict verdict() const { return evidence.verdict; }
+  bool meet() const { return evidence.verdict == Verdict::meet; }
+  bool undecided() const { return evidence.verdict == Verdict::undecided; }
 };
 
 // The front door. Searches for a direction or a point in floating point, in doubles and then in double-doubles, and

@@ -133,7 +133,7 @@ class RoundSweep {
 
  private:
   void meet(const Time& time, CommonPoint point) {
-    answer_.verdict = RoundVerdict::meet;
+    answer_.verdict = Verdict::meet;
     answer_.contact =
         std::make_shared<const SweepContact>(SweepContact{time.numerator, time.denominator, std::move(point), {}});
   }
@@ -144,7 +144,7 @@ class RoundSweep {
       const RoundGap gap(*a, *b, d, 0, 0, answer_.cost, tally_);
       if (gap.against(0) != Sign::positive) return false;
     }
-    answer_.verdict = RoundVerdict::apart;
+    answer_.verdict = Verdict::apart;
     answer_.direction = numbers(d.exact());
     return true;
   }
@@ -177,20 +177,18 @@ class RoundSweep {
   }
 
   // The point of a hull's core that the weights make, then.
-  ExactPoint at(const PlacedRound& body, const Exact& way, const Combination& of, const Time& time) const {
-    Exact all{};
+  ExactPoint3 at(const PlacedRound& body, const Exact& way, const Combination& of, const Time& time) const {
+    const Exact all = numerators_of(of, [&](std::uint32_t v) { return lift<ExactStage>(body.core[v]); });
     Dyadic weight(0.0);
-    for (const auto& [vertex, numerator] : of.parts) {
-      all = sum(all, times(numerator, lift<ExactStage>(body.core[vertex])));
-      weight = weight + numerator;
-    }
-    return {sum(times(time.denominator, all), times(time.numerator * weight, way)), weight * time.denominator};
+    for (const auto& part : of.parts) weight = weight + part.numerator;
+    return exact_point(sum(times(time.denominator, all), times(time.numerator * weight, way)),
+                       weight * time.denominator);
   }
 
   // The same point, where the body has not moved yet.
-  static ExactPoint before(const ExactPoint& x, const Exact& way, const Time& time) {
-    const Dyadic by = time.numerator * x.weight;
-    return {times(time.denominator, x.at) - times(by, way), x.weight * time.denominator};
+  static ExactPoint3 before(const ExactPoint3& x, const Exact& way, const Time& time) {
+    const Dyadic by = time.numerator * x.denominator;
+    return exact_point(times(time.denominator, x.numerators()) - times(by, way), x.denominator * time.denominator);
   }
 
   // Do both hold, at that time, a point that is made as this one is, which is one of theirs about then?
@@ -198,28 +196,25 @@ class RoundSweep {
     ++answer_.cost.proposals;
     ++tally_.exact;
     const bool hull_a = !a_.body.is_curved(), hull_b = !b_.body.is_curved();
-    const ExactPoint given{vector(near.coordinates), near.denominator};
-    std::optional<ExactPoint> of_a, of_b;
+    std::optional<ExactPoint3> of_a, of_b;
     if (hull_a) of_a = at(a_, way_a_, near.of_a, time);
     if (hull_b) of_b = at(b_, way_b_, near.of_b, time);
-    const auto holds = [&](const PlacedRound& body, const Exact& way, const std::optional<ExactPoint>& of_core,
-                           const ExactPoint& x) {
+    const auto holds = [&](const PlacedRound& body, const Exact& way, const std::optional<ExactPoint3>& of_core,
+                           const ExactPoint3& x) {
       if (of_core) return nearness(*of_core, body.radius(), x, 0) != Sign::negative;
       return side_of(body.shape, before(x, way, time)) != Sign::negative;
     };
-    std::vector<ExactPoint> points;
+    std::vector<ExactPoint3> points;
     if (hull_a && hull_b) {
-      const PointOf p{numbers(of_a->at), of_a->weight, {}}, q{numbers(of_b->at), of_b->weight, {}};
-      const CommonPoint between = point_between(p, a_.radius(), q, b_.radius());
-      points.push_back({vector(between.coordinates), between.denominator});
+      points.push_back(point_between({*of_a, {}}, a_.radius(), {*of_b, {}}, b_.radius()).at);
     } else {
-      points.push_back(given);
+      points.push_back(near.at);
       if (hull_a) points.push_back(*of_a);
       if (hull_b) points.push_back(*of_b);
     }
-    for (const ExactPoint& x : points) {
+    for (const ExactPoint3& x : points) {
       if (!holds(a_, way_a_, of_a, x) || !holds(b_, way_b_, of_b, x)) continue;
-      CommonPoint point{numbers(x.at), x.weight, near.of_a, near.of_b};
+      CommonPoint point{x, near.of_a, near.of_b};
       if (!hull_a) point.of_a = combination_of(a_, before(x, way_a_, time));
       if (!hull_b) point.of_b = combination_of(b_, before(x, way_b_, time));
       meet(time, std::move(point));
@@ -344,7 +339,7 @@ class RoundSweep {
     const auto nearest = nearest_on_the_way(a_.core, b_.core, Exact{}, path_, answer_.cost, tally_);
     if (!nearest) return cores_meet();
     if (!are_within_reach(*nearest)) {
-      answer_.verdict = RoundVerdict::apart;
+      answer_.verdict = Verdict::apart;
       answer_.direction = numbers(times(Dyadic(-1.0), nearest->way));
       return;
     }
@@ -372,25 +367,18 @@ class RoundSweep {
 
   // How the cores make the two points; where these are is not filled in.
   static CommonPoint made_by(const NearestOnTheWay& nearest) {
-    CommonPoint made{{}, Dyadic(1.0), {{}, nearest.weight}, {{}, nearest.weight}};
-    const auto add = [](Combination& to, std::uint32_t vertex, const Dyadic& weight) {
-      for (auto& part : to.parts) {
-        if (part.entry != vertex) continue;
-        part.numerator = part.numerator + weight;
-        return;
-      }
-      to.parts.push_back({vertex, weight});
-    };
+    CommonPoint made;
+    made.of_a.denominator = made.of_b.denominator = nearest.weight;
     for (const WayCorner& corner : nearest.corners) {
-      add(made.of_a, corner.a, corner.weight);
-      add(made.of_b, corner.b, corner.weight);
+      made.of_a.add(corner.a, corner.weight);
+      made.of_b.add(corner.b, corner.weight);
     }
     return made;
   }
 
   void cores_meet() {
     const SweepAnswer cores = polyhedron_polyhedron_sweep(a_.body.core(), of_a_, b_.body.core(), of_b_);
-    answer_.verdict = RoundVerdict::meet;
+    answer_.verdict = Verdict::meet;
     if (cores.contact) {
       answer_.contact = cores.contact;
       return;
@@ -420,7 +408,7 @@ RoundSweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a, 
   RoundSweepAnswer answer;
   answer.decided_by = found.decided_by;
   answer.cost = found.cost;
-  answer.verdict = found.meet() ? RoundVerdict::meet : RoundVerdict::apart;
+  answer.verdict = found.meet() ? Verdict::meet : Verdict::apart;
   if (!found.meet()) {
     answer.direction = parting_direction(found, of_hull_a, of_a, of_hull_b, of_b);
   } else if (found.contact) {
@@ -429,7 +417,7 @@ RoundSweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a, 
     const bool at_end = found.found == SweepAnswer::Found::at_end;
     const PlacedRound in_a(a, at_end ? of_a.end() : of_a.begin()), in_b(b, at_end ? of_b.end() : of_b.begin());
     RoundEvidence evidence;
-    evidence.verdict = RoundVerdict::meet;
+    evidence.verdict = Verdict::meet;
     evidence.of_cores = found.evidence;
     answer.contact = std::make_shared<const SweepContact>(
         SweepContact{Dyadic(at_end ? 1.0 : 0.0), Dyadic(1.0), common_point_of(in_a, in_b, evidence), {}});

@@ -29,14 +29,14 @@
 namespace sunder::solid {
 
 struct [[nodiscard]] RoundSweepAnswer {
-  RoundVerdict verdict = RoundVerdict::undecided;
+  Verdict verdict = Verdict::undecided;
   std::array<Dyadic, 3> direction{};              // apart: from A to B. Else zero
   std::shared_ptr<const SweepContact> contact{};  // meet: its own direction is zero. Else null
   DecidedBy decided_by = DecidedBy::filter;       // of undecided ones: what was tried last
   Cost cost;
 
-  bool meet() const { return verdict == RoundVerdict::meet; }
-  bool undecided() const { return verdict == RoundVerdict::undecided; }
+  bool meet() const { return verdict == Verdict::meet; }
+  bool undecided() const { return verdict == Verdict::undecided; }
 };
 
 // Asks round_round at both ends, then at times between: a direction that parts them then also parts them at the times

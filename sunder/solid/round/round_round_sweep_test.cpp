@@ -23,7 +23,7 @@ RoundBody box(double half) {
   return ConvexPolyhedron(corners);
 }
 
-RoundVerdict past(const RoundBody& a, const RoundBody& b, double aside) {
+Verdict past(const RoundBody& a, const RoundBody& b, double aside) {
   return round_round_sweep(a, Translation(Pose()), b, {shift(-5, aside, 0), shift(5, aside, 0)}).verdict;
 }
 
@@ -32,25 +32,25 @@ TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
   const RoundSweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
   ASSERT_TRUE(answer.meet());
   EXPECT_EQ(nearest_ratio(answer.contact->time, answer.contact->denominator), 0.5);
-  EXPECT_EQ(nearest_ratio(answer.contact->point.coordinates[1], answer.contact->point.denominator), 1);
+  EXPECT_EQ(nearest(answer.contact->point.at).y, 1);
   const RoundFirstContact first = round_round_first_contact(unit_ball, rests, unit_ball, goes, answer);
   EXPECT_LE(first.time.low, 0.5);
   EXPECT_EQ(first.time.high, 0.5);
-  EXPECT_EQ(past(unit_ball, unit_ball, std::nextafter(2.0, 3.0)), RoundVerdict::apart);
+  EXPECT_EQ(past(unit_ball, unit_ball, std::nextafter(2.0, 3.0)), Verdict::apart);
   // As far as sqrt(3^2 + 4^2), across a way that is not along an axis.
   const Translation slanted(shift(3 - 40, 4 + 30, 0), shift(3 + 20, 4 - 15, 0));
   const RoundBody large = RoundBody::ball({0, 0, 0}, 4), larger = RoundBody::ball({0, 0, 0}, std::nextafter(4.0, 3.0));
   EXPECT_TRUE(round_round_sweep(large, rests, unit_ball, slanted).meet());
-  EXPECT_EQ(round_round_sweep(larger, rests, unit_ball, slanted).verdict, RoundVerdict::apart);
+  EXPECT_EQ(round_round_sweep(larger, rests, unit_ball, slanted).verdict, Verdict::apart);
 }
 
 TEST(RoundRoundSweep, EdgesThatTouchRoundedCorners) {
   const RoundBody rounded = RoundBody::rounded(box(1).core(), 0.5);
   for (const auto& [body, reach] : {std::pair(box(2), 3.5), std::pair(unit_ball, 2.5), std::pair(rounded, 3.0)}) {
-    EXPECT_EQ(past(rounded, body, reach), RoundVerdict::meet);
-    EXPECT_EQ(past(rounded, body, std::nextafter(reach, 9.0)), RoundVerdict::apart);
-    EXPECT_EQ(past(body, rounded, reach), RoundVerdict::meet);
-    EXPECT_EQ(past(body, rounded, std::nextafter(reach, 9.0)), RoundVerdict::apart);
+    EXPECT_EQ(past(rounded, body, reach), Verdict::meet);
+    EXPECT_EQ(past(rounded, body, std::nextafter(reach, 9.0)), Verdict::apart);
+    EXPECT_EQ(past(body, rounded, reach), Verdict::meet);
+    EXPECT_EQ(past(body, rounded, std::nextafter(reach, 9.0)), Verdict::apart);
   }
 }
 
@@ -58,13 +58,13 @@ TEST(RoundRoundSweep, CurvedBodiesInNumbersThatPeopleGive) {
   const RoundBody cylinder = RoundBody::cylinder({0, 0, -1}, {0, 0, 1}, 1);
   const RoundBody ellipsoid = RoundBody::ellipsoid({0, 0, 0}, {3, 2, 1});
   const RoundBody cone = RoundBody::cone({0, 0, -1}, {0, 0, 1}, 2);
-  EXPECT_EQ(past(cylinder, box(1), 2), RoundVerdict::meet);
-  EXPECT_EQ(past(cylinder, box(1), 2.0000001), RoundVerdict::apart);
-  EXPECT_EQ(past(ellipsoid, box(1), 3), RoundVerdict::meet);
-  EXPECT_EQ(past(ellipsoid, unit_ball, 3), RoundVerdict::meet);
-  EXPECT_EQ(past(ellipsoid, unit_ball, 3.0000001), RoundVerdict::apart);
-  EXPECT_EQ(past(cone, cylinder, 2.9), RoundVerdict::meet);
-  EXPECT_EQ(past(cone, cylinder, 3.0000001), RoundVerdict::apart);
+  EXPECT_EQ(past(cylinder, box(1), 2), Verdict::meet);
+  EXPECT_EQ(past(cylinder, box(1), 2.0000001), Verdict::apart);
+  EXPECT_EQ(past(ellipsoid, box(1), 3), Verdict::meet);
+  EXPECT_EQ(past(ellipsoid, unit_ball, 3), Verdict::meet);
+  EXPECT_EQ(past(ellipsoid, unit_ball, 3.0000001), Verdict::apart);
+  EXPECT_EQ(past(cone, cylinder, 2.9), Verdict::meet);
+  EXPECT_EQ(past(cone, cylinder, 3.0000001), Verdict::apart);
 }
 
 TEST(RoundRoundSweep, WhatMeetsAtAnEnd) {
@@ -78,7 +78,7 @@ TEST(RoundRoundSweep, WhatMeetsAtAnEnd) {
   EXPECT_EQ(contact.time.high, 1);
   EXPECT_GE(contact.time.low, 1 - 0x1p-40);
   EXPECT_TRUE(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2, 0, 0))).meet());
-  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2.5, 0, 0))).verdict, RoundVerdict::apart);
+  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2.5, 0, 0))).verdict, Verdict::apart);
 }
 
 // The first time is that of two quadratic roots: enclosed, and narrowly.
@@ -103,7 +103,7 @@ TEST(RoundRoundSweep, NeedlesThatCross) {
   const double third = 1.0 / 3;
   EXPECT_TRUE(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 0.1)}).meet());
   EXPECT_EQ(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 8)}).verdict,
-            RoundVerdict::apart);
+            Verdict::apart);
 }
 
 }  // namespace

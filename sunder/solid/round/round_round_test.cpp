@@ -15,7 +15,7 @@ namespace {
 
 Pose shifted(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {x, y, z}); }
 
-RoundVerdict verdict(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
+Verdict verdict(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
   return round_round(a, Pose(), b, pose_b).verdict();
 }
 std::optional<Contact> contact(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
@@ -54,21 +54,21 @@ TEST(RoundBody, PosesThatScale) {
   // The ellipsoid's own map, then the pose.
   EXPECT_EQ(
       round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({5, 0, 0}, 1), Pose()).verdict(),
-      RoundVerdict::meet);
+      Verdict::meet);
   EXPECT_EQ(
       round_round(RoundBody::ellipsoid({1, 0, 0}, {1, 2, 3}), twice, RoundBody::ball({6, 0, 0}, 1), Pose()).verdict(),
-      RoundVerdict::apart);
+      Verdict::apart);
 }
 
 TEST(RoundRound, HullsToTheLastBit) {
   const RoundBody a = RoundBody::ball({0, 0, 0}, 2);
-  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, 3)), RoundVerdict::meet);
-  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 0))), RoundVerdict::apart);
+  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, 3)), Verdict::meet);
+  EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 0))), Verdict::apart);
   EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 3)), Contact::touching);
   EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 4))), Contact::overlapping);
   EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 2)), Contact::none);
   // The sum of the radii is no double: 1 + 2^-60.
-  EXPECT_EQ(verdict(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), RoundVerdict::meet);
+  EXPECT_EQ(verdict(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Verdict::meet);
   EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Contact::overlapping);
   EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0)), Contact::touching);
 }
@@ -83,8 +83,7 @@ TEST(RoundRound, EachKindOnABox) {
     const double off = body.kind() == RoundKind::hull && body.core().dimension() == 3 ? 2 : 0;
     EXPECT_EQ(contact(box, body, shifted(0, 0, 1 + off)), Contact::touching);
     EXPECT_EQ(contact(box, body, shifted(0, 0, 0.5 + off)), Contact::overlapping);
-    EXPECT_EQ(verdict(box, body, shifted(0, 0, off + (off > 0 ? std::nextafter(1, 2) : up) + 0x1p-50)),
-              RoundVerdict::apart);
+    EXPECT_EQ(verdict(box, body, shifted(0, 0, off + (off > 0 ? std::nextafter(1, 2) : up) + 0x1p-50)), Verdict::apart);
   }
 }
 
@@ -92,11 +91,11 @@ TEST(RoundRound, AFacetThatOnlyTheAxisPierces) {
   // A large triangle across a cone, and across its disc.
   const ConvexPolyhedron sheet(std::vector<Point3>{{-100, -100, 1}, {100, -100, 1}, {0, 100, 1}});
   const RoundBody cone = RoundBody::cone({0, 0, 0}, {0, 0, 4}, 2);
-  EXPECT_EQ(verdict(cone, RoundBody::rounded(sheet, 0)), RoundVerdict::meet);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(sheet, 0)), Verdict::meet);
   const ConvexPolyhedron wall(std::vector<Point3>{{1.5, -100, -100}, {1.5, 100, -100}, {1.5, 0, 100}});
-  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0)), RoundVerdict::meet);
-  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5, 0, 0)), RoundVerdict::meet);
-  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5 + 0x1p-40, 0, 0)), RoundVerdict::apart);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0)), Verdict::meet);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5, 0, 0)), Verdict::meet);
+  EXPECT_EQ(verdict(cone, RoundBody::rounded(wall, 0), shifted(0.5 + 0x1p-40, 0, 0)), Verdict::apart);
 }
 
 // The exact methods by themselves, whatever the search would have found.
@@ -135,9 +134,9 @@ TEST(RoundRound, WhatIsThinnerThanDoublesTell) {
         for (const RoundBody* b : {&coin, &hat, &lens, &bar}) {
           SCOPED_TRACE(std::to_string(std::ilogb(h)) + " " + std::to_string(far) + " " + std::to_string(k++));
           const RoundAnswer answer = round_round(*a, pose_a, *b, pose_b);
-          ASSERT_EQ(answer.verdict(), RoundVerdict::meet);
+          ASSERT_EQ(answer.verdict(), Verdict::meet);
           EXPECT_TRUE(tests::is_proved(PlacedRound(*a, pose_a), PlacedRound(*b, pose_b), answer.evidence));
-          EXPECT_EQ(round_round(*a, pose_a, *b, pose_c).verdict(), RoundVerdict::apart);
+          EXPECT_EQ(round_round(*a, pose_a, *b, pose_c).verdict(), Verdict::apart);
         }
       }
     }
@@ -155,7 +154,7 @@ TEST(RoundRound, TheRimOfAFlatCone) {
        -0x1.e4bcc5f75a518p-5, -0x1.1f309115ba20ap-1, -0x1.1e2d08c53996p-2, -0x1.8efd15089d413p-1},
       {-0x1.1f50fd9f9da9ep+2, 0, 0});
   const RoundAnswer answer = round_round(ball, pose_a, cone, pose_b);
-  ASSERT_EQ(answer.verdict(), RoundVerdict::meet);
+  ASSERT_EQ(answer.verdict(), Verdict::meet);
   EXPECT_TRUE(tests::is_proved(PlacedRound(ball, pose_a), PlacedRound(cone, pose_b), answer.evidence));
 }
 

@@ -231,14 +231,14 @@ class RoundSearch {
   }
 
   // The same without rounding; nothing where that is out of the range of numbers.
-  std::optional<ExactPoint> exactly_in_world(const Vector& p) const {
+  std::optional<ExactPoint3> exactly_in_world(const Vector& p) const {
     const double by = 1 / scale_;  // a power of two
     if (!(by >= std::numeric_limits<double>::min() && by <= std::numeric_limits<double>::max())) return std::nullopt;
     const auto number = [&](double origin, const DoubleDouble& x) {
       return Dyadic(origin) + (Dyadic(x.high) + Dyadic(x.low)) * Dyadic(by);
     };
     if (!std::isfinite(nearest(p.x) + nearest(p.y) + nearest(p.z))) return std::nullopt;
-    return ExactPoint{{number(origin_.x, p.x), number(origin_.y, p.y), number(origin_.z, p.z)}, Dyadic(1.0)};
+    return ExactPoint3{number(origin_.x, p.x), number(origin_.y, p.y), number(origin_.z, p.z)};
   }
 
   static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;

@@ -18,7 +18,7 @@ inline Point3 snapped(const Point3& p, int bits) {
 }
 
 // Near the coordinates, with denominators of at most 2^20: by continued fractions. What is above 2^20 is rounded down.
-inline ExactPoint simple_fractions(const Point3& p) {
+inline ExactPoint3 simple_fractions(const Point3& p) {
   constexpr double most = 0x1p20;
   std::array<double, 3> n{}, d{1, 1, 1};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -35,7 +35,7 @@ inline ExactPoint simple_fractions(const Point3& p) {
     }
   }
   const Dyadic x(d[0]), y(d[1]), z(d[2]);
-  return {{Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2])}, x * y * z};
+  return {Dyadic(n[0]) * y * z, x * Dyadic(n[1]) * z, x * y * Dyadic(n[2]), x * y * z};
 }
 
 }  // namespace sunder::solid
