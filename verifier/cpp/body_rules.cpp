@@ -1,10 +1,11 @@
-// The rules about convex bodies: docs/claims.md, "Rules", from `parted` to `inside`.
+// The rules about convex bodies, how deep they are in each other, and how they move: docs/claims.md, "Rules".
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -197,8 +198,8 @@ Integer sum_of(const Numbers& values) {
 }
 
 // Requires that the point is the image of the one that the claim says.
-void require_image(const Claim& claim, const HullBody& body, const Numbers& point) {
-  const Common from = common(claim.from);
+void require_image(const Numbers& given, const HullBody& body, const Numbers& point) {
+  const Common from = common(given);
   const Integers v = turned(body, from.integers);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Number& p = point[axis];
@@ -210,18 +211,17 @@ void require_image(const Claim& claim, const HullBody& body, const Numbers& poin
 
 // Requires, of a body with a radius, that it reaches from the point of its core, mean / d * 2^e, to the point. Is it
 // then nearer to that than the body reaches?
-bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, const Integer& d, std::int64_t e,
-             const Numbers& point) {
-  const std::size_t size = body.size() + length(point) + length(claim.from) + length(claim.weights.values);
+bool reaches(const WeightList& list, const Numbers& from, const HullBody& body, const Integers& mean, const Integer& d,
+             std::int64_t e, const Numbers& point) {
+  const std::size_t size = body.size() + length(point) + length(from) + length(list.values);
   take_steps(8, size, size);
   const bool is_mapped = body.around == Around::ellipsoid;
-  if (is_mapped) require_image(claim, body, point);
+  if (is_mapped) require_image(from, body, point);
   Numbers values;  // all times d
-  for (const Number& n : is_mapped ? claim.from : point) values.push_back({n.n * d, n.d, n.e});
+  for (const Number& n : is_mapped ? from : point) values.push_back({n.n * d, n.d, n.e});
   for (const Integer& n : mean) values.push_back({n, 1, e});
   Number radius = body.radius;
   if (body.around == Around::cone) {
-    const WeightList& list = claim.weights;
     const auto base = std::find(list.named.begin(), list.named.end(), std::size_t{0});
     const Number share =
         base == list.named.end() ? Number{} : list.values[static_cast<std::size_t>(base - list.named.begin())];
@@ -241,8 +241,7 @@ bool reaches(const Claim& claim, const HullBody& body, const Integers& mean, con
 }
 
 // Requires that the body holds the point. Is it, if the body has a radius, nearer to the core than that?
-bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
-  const WeightList& list = claim.weights;
+bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point) {
   const Common weights = common_weights(list.values);
   Integer total = 0;
   for (std::size_t k = 0; k < list.named.size(); ++k) {
@@ -259,7 +258,7 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
     e = f;
     for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += weights.integers[k] * place[r];
   }
-  if (body.is_round()) return reaches(claim, body, mean, weights.d, weights.e + e, point);
+  if (body.is_round()) return reaches(list, from, body, mean, weights.d, weights.e + e, point);
   for (std::size_t r = 0; r < mean.size(); ++r) {
     require(compare(mean[r] * point[r].d, weights.e + e, point[r].n * weights.d, point[r].e) == 0, "holds",
             "the weighted sum of the points of " + body.quoted + " differs from the stated point in coordinate " +
@@ -267,8 +266,6 @@ bool holds(const Claim& claim, const HullBody& body, const Numbers& point) {
   }
   return false;
 }
-
-}  // namespace
 
 bool is_behind(const char* rule, const HullBody& body, const Integers& direction, const Integers& place) {
   const Integer limit = dot(direction, place);  // of one number more, which does not count
@@ -281,18 +278,20 @@ bool is_behind(const char* rule, const HullBody& body, const Integers& direction
   });
 }
 
-void check_parted(const Claim& claim, const HullBody& a, const HullBody& b) {
-  const Parting found = parting("parted", common(claim.direction).integers, a, b);  // along a positive multiple
+void check_parted(const Numbers& direction, const HullBody& a, const HullBody& b) {
+  const Parting found = parting("parted", common(direction).integers, a, b);  // along a positive multiple
   require(found.gap > 0, "parted", a.quoted + " is not strictly less far along the direction than " + b.quoted);
 }
 
-void check_parted_weakly(const Claim& claim, const HullBody& a, const HullBody& b) {
-  const auto [gap, is_flat] = parting("parted", common(claim.direction).integers, a, b);
+void check_parted_weakly(const Numbers& direction, const HullBody& a, const HullBody& b) {
+  const auto [gap, is_flat] = parting("parted", common(direction).integers, a, b);
   require(gap >= 0, "parted", a.quoted + " is not less far along the direction than " + b.quoted);
   require(gap > 0 || !is_flat, "parted", "all of " + a.quoted + " and " + b.quoted + " is as far along the direction");
 }
 
-void check_holds(const Claim& claim, const HullBody& body, const Numbers& point) { holds(claim, body, point); }
+void check_holds(const WeightList& weights, const Numbers& from, const HullBody& body, const Numbers& point) {
+  holds(weights, from, body, point);
+}
 
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b) {
   const Integers p = projective(from_a), q = projective(to_b);
@@ -303,8 +302,8 @@ void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, con
   require_behind(b, opposite(way), q);
 }
 
-void check_clear(const Claim& claim, const HullBody& a, const HullBody& b, const Number& least) {
-  const Integers direction = common(claim.direction).integers;  // a positive multiple of it
+void check_clear(const Numbers& given, const HullBody& a, const HullBody& b, const Number& least) {
+  const Integers direction = common(given).integers;  // a positive multiple of it
   const Parting found = parting("clear", direction, a, b, least);
   const bool is_some = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
   require(is_some && found.gap >= 0, "clear", "along the direction they are less far apart than stated");
@@ -319,8 +318,8 @@ void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& leas
           "the points are not nearer than the stated distance");
 }
 
-void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, const Number& most) {
-  const Integers direction = common(claim.direction).integers;
+void check_leaves(const Numbers& given, const HullBody& a, const HullBody& b, const Number& most) {
+  const Integers direction = common(given).integers;
   const Reach of_a = reach("leaves", a, direction), of_b = reach("leaves", b, opposite(direction));
   const Number length_of{most.n * most.n * dot(direction, direction), 1, 2 * most.e};
   bool leaves = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
@@ -336,12 +335,12 @@ void check_leaves(const Claim& claim, const HullBody& a, const HullBody& b, cons
   require(leaves, "leaves", "along the direction they overlap by more than the stated depth");
 }
 
-void check_inside(const Claim& claim, const HullBody& body, const Numbers& point) {
-  const bool is_nearer = holds(claim, body, point);
+void check_inside(const WeightList& weights, const Numbers& from, const HullBody& body, const Numbers& point) {
+  const bool is_nearer = holds(weights, from, body, point);
   const std::vector<Integers>& rows = body.rows();
   std::vector<std::size_t> named;
-  for (std::size_t k = 0; k < claim.weights.named.size(); ++k) {
-    if (claim.weights.values[k].n > 0) named.push_back(claim.weights.named[k]);
+  for (std::size_t k = 0; k < weights.named.size(); ++k) {
+    if (weights.values[k].n > 0) named.push_back(weights.named[k]);
   }
   if (body.radius.n != 0) {
     const bool is_inner = is_nearer && (body.axis.empty() || named.size() == 2);
@@ -361,5 +360,168 @@ void check_inside(const Claim& claim, const HullBody& body, const Numbers& point
     require(span.holds(vector_to(k)), "inside", "the points with a positive weight do not span " + body.quoted);
   }
 }
+
+// A point, less how far the body has come by then.
+Numbers moved_back(const Numbers& point, const Number& time, const HullBody& begin, const HullBody& end) {
+  const std::size_t size = length(point) + length({time}) + begin.size() + end.size();
+  take_steps(16, size, size);
+  Numbers result;
+  for (std::size_t axis = 0; axis < point.size(); ++axis) {
+    Numbers parts{point[axis]};
+    for (const auto& [place, sign] : {std::pair(&begin, 1), std::pair(&end, -1)}) {
+      if (!place->is_image()) continue;
+      const Scaled& moved = place->translation;
+      parts.push_back({sign * time.n * moved.rows[0][axis], time.d, time.e + moved.e});
+    }
+    const Common all = common(parts);
+    Number sum{0, all.d, all.e};
+    for (const Integer& n : all.integers) sum.n += n;
+    result.push_back(std::move(sum));
+  }
+  return result;
+}
+
+void check_parted_all_along(const Numbers& direction, const HullBody& a, const HullBody& b, const HullBody& to_a,
+                            const HullBody& to_b) {
+  check_parted(direction, a, b);
+  check_parted(direction, to_a, to_b);
+}
+
+void check_holds_at(const WeightList& weights, const Numbers& from, const HullBody& body, const HullBody& to_body,
+                    const Number& time, const Numbers& point) {
+  check_holds(weights, from, body, moved_back(point, time, body, to_body));
+}
+
+void check_not_before(const Numbers& given, const HullBody& a, const HullBody& b, const HullBody& to_a,
+                      const HullBody& to_b, const Number& time, const Numbers& point) {
+  const Integers direction = common(given).integers;  // along a positive multiple
+  Integers back = direction;
+  for (Integer& n : back) n = -n;
+  const Integers of_a = projective(moved_back(point, time, a, to_a)),
+                 of_b = projective(moved_back(point, time, b, to_b));
+  const auto require_behind = [](const HullBody& body, const Integers& way, const Integers& place) {
+    require(is_behind("not_before", body, way, place), "not_before", body.quoted + " extends beyond the point");
+  };
+  require_behind(a, direction, of_a);
+  require_behind(b, back, of_b);
+  // The direction times both, the way from the first to the second.
+  Integer nearer = 0;
+  for (std::size_t axis = 0; axis < direction.size(); ++axis) {
+    nearer += direction[axis] * (of_b[axis] * of_a.back() - of_a[axis] * of_b.back());
+  }
+  require(nearer > 0, "not_before", "along the direction " + a.quoted + " and " + b.quoted + " do not come nearer");
+}
+
+// The point of the core that the weights of a hull make; of others the point, which the body holds.
+Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
+  if (body.around != Around::nothing && body.around != Around::hull) {
+    check_holds(end.weights, end.from, body, end.point);
+    return end.point;
+  }
+  const Common weights = common_weights(end.weights.values);
+  Integer total = 0;
+  for (const Integer& weight : weights.integers) {
+    require(weight >= 0, "surrounds", "a weight of " + body.quoted + " is negative");
+    total += weight;
+  }
+  Integer one = weights.d;
+  if (weights.e < 0) {
+    one = shifted(one, -weights.e);
+  } else {
+    total = shifted(total, weights.e);
+  }
+  require(total == one, "surrounds", "the weights of " + body.quoted + " do not sum to 1");
+  Numbers place(3);
+  for (std::size_t k = 0; k < end.weights.named.size(); ++k) {
+    const auto [at, e] = image(body, end.weights.named[k]);  // of each point in the same unit
+    const std::int64_t up = std::max<std::int64_t>(e, 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      place[axis].n += weights.integers[k] * shifted(at[axis], up);
+      place[axis].d = weights.d;
+      place[axis].e = weights.e + e - up;
+    }
+  }
+  return place;
+}
+
+// x, y, z, w of a point of A less one of B.
+Integers difference_of(const SurfaceCorner& corner, const HullBody& a, const HullBody& b) {
+  const Numbers p = place_of(corner.of_a, a), q = place_of(corner.of_b, b);
+  take_steps(16, a.size() + b.size() + length(p) + length(q), a.size() + b.size() + length(p) + length(q));
+  Numbers way;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const Common both = common({p[axis], q[axis]});
+    way.push_back({both.integers[0] - both.integers[1], both.d, both.e});
+  }
+  return projective(way);
+}
+
+Number radius_of(const HullBody& body) { return body.around == Around::hull ? body.radius : Number{}; }
+
+void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles, const HullBody& a, const HullBody& b,
+                     const Number& least) {
+  const Number r = radius_of(a), s = radius_of(b);
+  // What is left of `least` beyond the radii, in units of 2^e.
+  const Common lengths = common({least, r, s});
+  const Integer rest = lengths.integers[0] - lengths.integers[1] - lengths.integers[2];
+  const auto squared = [&](const Integer& n, const Integer& whole) {  // n^2, and (rest whole 2^e)^2, in one unit
+    const Common both = common({{n * n, 1, 0}, {rest * rest * whole, lengths.d * lengths.d, 2 * lengths.e}});
+    return std::pair(both.integers[0], both.integers[1]);
+  };
+  std::vector<Integers> at;
+  std::size_t size = length({least, r, s});
+  for (const SurfaceCorner& corner : corners) {
+    at.push_back(difference_of(corner, a, b));
+    size = std::max(size, bits(at.back()));
+  }
+  if (triangles.empty()) {
+    require(at.size() == 1, "surrounds", "there is no surface, and more than one point");
+    const Integers& p = at[0];
+    take_steps(8, size, size);
+    const Common both = common({{p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 1, 0},
+                                {rest * rest * p[3] * p[3], lengths.d * lengths.d, 2 * lengths.e}});
+    require(rest <= 0 && both.integers[0] <= both.integers[1], "surrounds", "the point is too far from the origin");
+    return;
+  }
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const Indices& triangle : triangles) {
+    const std::size_t i = triangle[0], j = triangle[1], k = triangle[2];
+    take_steps(24, size, size);
+    const Integers ij = cross(at[i], at[j]), jk = cross(at[j], at[k]), ki = cross(at[k], at[i]);
+    const Integer volume = at[i][0] * jk[0] + at[i][1] * jk[1] + at[i][2] * jk[2];
+    require(volume > 0, "surrounds", "a triangle is not counterclockwise from outside");
+    Integers normal;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      normal.push_back(at[k][3] * ij[axis] + at[i][3] * jk[axis] + at[j][3] * ki[axis]);
+    }
+    if (rest > 0) {
+      const auto [far, wanted] = squared(volume, dot(normal, normal));
+      require(far >= wanted, "surrounds", "a triangle is too near to the origin");
+    }
+    for (const auto& edge : {std::pair(i, j), {j, k}, {k, i}}) {
+      require(edges.insert(edge).second, "surrounds", "an edge occurs twice in the same direction");
+    }
+  }
+  for (const auto& [from, to] : edges) {
+    require(edges.count({to, from}) == 1, "surrounds", "the surface is not closed");
+  }
+}
+
+}  // namespace
+
+const ClaimRows claims_of_bodies{
+    {"parted", "direction: point", rule<check_parted>},
+    {"parted_weakly", "direction: point", rule<check_parted_weakly>},
+    {"holds", "weights: weights of subject; from: point", rule<check_holds>},
+    {"slab", "", rule<check_slab>},
+    {"clear", "direction: point", rule<check_clear>},
+    {"nearer", "", rule<check_nearer>},
+    {"leaves", "direction: point", rule<check_leaves>},
+    {"inside", "weights: weights of subject; from: point", rule<check_inside>},
+    {"parted_all_along", "direction: point", rule<check_parted_all_along>},
+    {"holds_at", "weights: weights of subject; from: point", rule<check_holds_at>},
+    {"not_before", "direction: point", rule<check_not_before>},
+    {"surrounds", "differences: differences; triangles: triangles of differences", rule<check_surrounds>},
+};
 
 }  // namespace sunder_verifier

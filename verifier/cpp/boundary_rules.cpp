@@ -12,10 +12,8 @@
 namespace sunder_verifier {
 namespace {
 
-using Numerals = std::vector<std::size_t>;
-
 // Does it take an odd number of exchanges to sort different numbers?
-bool is_odd(const Numerals& order) {
+bool is_odd(const Indices& order) {
   bool result = false;
   for (std::size_t j = 1; j < order.size(); ++j) {
     for (std::size_t i = 0; i < j; ++i) result ^= order[i] > order[j];
@@ -26,7 +24,7 @@ bool is_odd(const Numerals& order) {
 // Of independent rows: for each a column, and combinations of them that have in their columns `unit`, and in those of
 // the others 0 (Bareiss, Jordan).
 struct Eliminated {
-  Numerals pivots;
+  Indices pivots;
   std::vector<Integers> rows;
   Integer unit = 1;
 };
@@ -61,11 +59,10 @@ struct Plane {
 
 class Boundary {
  public:
-  Boundary(const Claim& claim, const HullBody& body, const std::vector<std::vector<Numerals>>& facets)
-      : homes_(claim.simplices) {
+  Boundary(const Indices& homes, const HullBody& body, const std::vector<IndexLists>& facets) : homes_(homes) {
     for (std::size_t f = 0; f < facets.size(); ++f) {
       held_.emplace_back();
-      for (const Numerals& simplex : facets[f]) {
+      for (const Indices& simplex : facets[f]) {
         simplices_.push_back(simplex);
         facet_of_.push_back(f);
         held_[f].insert(simplex.begin(), simplex.end());
@@ -96,7 +93,7 @@ class Boundary {
   }
 
  private:
-  std::vector<Integers> corners_of(const Numerals& simplex) const {
+  std::vector<Integers> corners_of(const Indices& simplex) const {
     std::vector<Integers> result;
     for (const std::size_t v : simplex) result.push_back(points_[v]);
     return result;
@@ -107,7 +104,7 @@ class Boundary {
     const std::size_t d = points_[0].size();
     const auto found = eliminated(corners_of(simplices_[0]), d);
     require(found.has_value(), "boundary", "the corners of the first simplex and the mean of all are in a flat");
-    Numerals columns = found->pivots;
+    Indices columns = found->pivots;
     std::sort(columns.begin(), columns.end());
     for (std::size_t q = 0; q < points_.size(); ++q) {
       for (std::size_t c = 0; c < d; ++c) {
@@ -124,7 +121,7 @@ class Boundary {
     }
   }
 
-  std::optional<Plane> plane_of(const Numerals& simplex) const {
+  std::optional<Plane> plane_of(const Indices& simplex) const {
     std::vector<Integers> rows = corners_of(simplex);
     for (Integers& row : rows) row.emplace_back(1);
     const auto found = eliminated(std::move(rows), k_);
@@ -150,7 +147,7 @@ class Boundary {
       }
     }
     for (std::size_t i = 0; i < k_; ++i) {
-      Numerals ridge = simplices_[s];
+      Indices ridge = simplices_[s];
       ridge.erase(ridge.begin() + static_cast<std::ptrdiff_t>(i));
       const bool side = is_odd(ridge) == (i % 2 == 0);
       std::sort(ridge.begin(), ridge.end());
@@ -162,7 +159,7 @@ class Boundary {
   void look_at_ridges() const {
     for (std::size_t s = 0; s < simplices_.size(); ++s) {
       for (std::size_t i = 0; i < k_; ++i) {
-        Numerals ridge = simplices_[s];
+        Indices ridge = simplices_[s];
         ridge.erase(ridge.begin() + static_cast<std::ptrdiff_t>(i));
         const bool side = is_odd(ridge) == (i % 2 == 0);
         std::sort(ridge.begin(), ridge.end());
@@ -177,7 +174,7 @@ class Boundary {
   }
 
   // Is the point a combination of the corners, with no number less than zero?
-  bool is_in_cone(const Numerals& simplex, const Integers& point) const {
+  bool is_in_cone(const Indices& simplex, const Integers& point) const {
     std::vector<Integers> rows(k_);
     for (std::size_t c = 0; c < k_; ++c) {
       for (const std::size_t v : simplex) rows[c].push_back(points_[v][c]);
@@ -218,7 +215,7 @@ class Boundary {
 
   // The facets at a corner have no other one in common.
   void look_at_corners() const {
-    std::map<std::size_t, Numerals> facets_at;
+    std::map<std::size_t, Indices> facets_at;
     for (std::size_t f = 0; f < held_.size(); ++f) {
       for (const std::size_t v : held_[f]) facets_at[v].push_back(f);
     }
@@ -246,22 +243,26 @@ class Boundary {
             "point " + std::to_string(q) + " is not in its home");
   }
 
-  const Numerals& homes_;
-  std::vector<Numerals> simplices_;
-  Numerals facet_of_;                        // of each simplex
+  const Indices& homes_;
+  IndexLists simplices_;
+  Indices facet_of_;                         // of each simplex
   std::vector<std::set<std::size_t>> held_;  // of each facet its corners
   std::set<std::size_t> corners_;
   std::size_t k_ = 0;
   std::vector<Integers> points_;  // seen from the mean
   std::vector<Plane> planes_;     // of simplices
   // Of a ridge and a side of it: a simplex, and its corner that is not of the ridge.
-  std::map<std::pair<Numerals, bool>, std::pair<std::size_t, std::size_t>> ridges_;
+  std::map<std::pair<Indices, bool>, std::pair<std::size_t, std::size_t>> ridges_;
 };
+
+void check_boundary(const Indices& simplices, const HullBody& body, const std::vector<IndexLists>& facets) {
+  Boundary(simplices, body, facets).check();
+}
 
 }  // namespace
 
-void check_boundary(const Claim& claim, const HullBody& body, const std::vector<std::vector<Numerals>>& facets) {
-  Boundary(claim, body, facets).check();
-}
+const ClaimRows claims_of_boundaries{
+    {"boundary", "simplices: simplices of subject", rule<check_boundary>},
+};
 
 }  // namespace sunder_verifier

@@ -1,4 +1,4 @@
-// Claims about half-planes: docs/claims.md, "Rules".
+// The rules about half-planes: docs/claims.md, "Rules".
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 
@@ -7,7 +7,6 @@
 #include <string>
 
 namespace sunder_verifier {
-
 namespace {
 
 Integer turn(const Integer& ux, const Integer& uy, const Integer& vx, const Integer& vy) { return ux * vy - uy * vx; }
@@ -17,16 +16,16 @@ Integer along(const LinearConstraint& h, const Integers& way) { return h.a * way
 // Positive: the point x, y, w is outside; zero: on the line.
 Integer excess(const LinearConstraint& h, const Integers& place) { return along(h, place) - h.c * place[2]; }
 
-void look_at_all(const Tables& tables, const Integers& vector) {
-  take_steps(2 * tables.half_planes.size(), bits(vector), tables.half_plane_bits);
+void look_at_all(const Constraints& given, const Integers& vector) {
+  take_steps(2 * given.size(), bits(vector), given.bits);
 }
 
 // Of the named constraints, times a positive number.
-LinearConstraint weighted_sum(const Claim& claim, const Constraints& given) {
-  const Integers weights = positive_weights(claim.weights, [&](std::size_t k) { return given[k].e; });
+LinearConstraint weighted_sum(const WeightList& list, const Constraints& given) {
+  const Integers weights = positive_weights(list, [&](std::size_t k) { return given[k].e; });
   LinearConstraint sum;
   for (std::size_t k = 0; k < weights.size(); ++k) {
-    const LinearConstraint& h = given[claim.weights.named[k]];
+    const LinearConstraint& h = given[list.named[k]];
     sum.a += weights[k] * h.a;
     sum.b += weights[k] * h.b;
     sum.c += weights[k] * h.c;
@@ -34,92 +33,83 @@ LinearConstraint weighted_sum(const Claim& claim, const Constraints& given) {
   return sum;
 }
 
-}  // namespace
-
-void check_feasible(const Tables& tables, const Numbers& point) {
+void check_feasible(const Constraints& given, const Numbers& point) {
   const Integers place = projective(point);
-  look_at_all(tables, place);
-  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-    require(excess(tables.half_planes[i], place) <= 0, "feasible",
-            "the point is outside of half-plane " + std::to_string(i));
+  look_at_all(given, place);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    require(excess(given[i], place) <= 0, "feasible", "the point is outside of half-plane " + std::to_string(i));
   }
 }
 
-void check_bounds(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
-  const LinearConstraint sum = weighted_sum(claim, tables.half_planes);
+void check_bounds(const WeightList& list, const Constraints& given, const Numbers& objective, const Numbers& point) {
+  const LinearConstraint sum = weighted_sum(list, given);
   const Integers up = common(objective).integers;
   require(turn(sum.a, sum.b, up[0], up[1]) == 0 && along(sum, up) > 0, "bounds",
           "the weighted normals are not the objective");
   const Integers place = projective(point);
-  for (const std::size_t k : claim.weights.named) {
-    require(excess(tables.half_planes[k], place) == 0, "bounds",
-            "the point is not on the line of half-plane " + std::to_string(k));
+  for (const std::size_t k : list.named) {
+    require(excess(given[k], place) == 0, "bounds", "the point is not on the line of half-plane " + std::to_string(k));
   }
 }
 
-void check_bounds_only(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
-  check_bounds(claim, tables, objective, point);
-  const LinearConstraint& first = tables.half_planes[claim.weights.named[0]];
-  const auto is_parallel = [&](std::size_t k) {
-    return turn(first.a, first.b, tables.half_planes[k].a, tables.half_planes[k].b) == 0;
-  };
-  require(!std::all_of(claim.weights.named.begin(), claim.weights.named.end(), is_parallel), "bounds",
-          "the lines at the point coincide");
+void check_bounds_only(const WeightList& list, const Constraints& given, const Numbers& objective,
+                       const Numbers& point) {
+  check_bounds(list, given, objective, point);
+  const LinearConstraint& first = given[list.named[0]];
+  const auto is_parallel = [&](std::size_t k) { return turn(first.a, first.b, given[k].a, given[k].b) == 0; };
+  require(!std::all_of(list.named.begin(), list.named.end(), is_parallel), "bounds", "the lines at the point coincide");
 }
 
 void check_no_objective(const Numbers& objective) {
   for (const Number& x : objective) require(x.n == 0, "no_objective", "there is an objective");
 }
 
-void check_contradict(const Claim& claim, const Constraints& given) {
-  const LinearConstraint sum = weighted_sum(claim, given);
+void check_contradict(const WeightList& list, const Constraints& given) {
+  const LinearConstraint sum = weighted_sum(list, given);
   require(sum.a == 0 && sum.b == 0 && sum.c < 0, "contradict", "the weighted constraints have a common point");
 }
 
-void check_goes_on(const Claim& claim, const Tables& tables, const Numbers& objective) {
-  const Integers way = common(claim.direction).integers, up = common(objective).integers;
+void check_goes_on(const Numbers& direction, const Constraints& given, const Numbers& objective) {
+  const Integers way = common(direction).integers, up = common(objective).integers;
   require(dot(up, way) > 0, "goes_on", "the direction does not lead further along the objective");
-  look_at_all(tables, way);
-  for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-    require(along(tables.half_planes[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
+  look_at_all(given, way);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    require(along(given[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
   }
 }
 
-void check_ends(const Claim& claim, const Tables& tables, const Numbers& objective, const Numbers& point) {
+void check_ends(const TwoEnds& ends, const Constraints& given, const Numbers& objective, const Numbers& point) {
   const Integers up = common(objective).integers, start = projective(point);
   const std::array<Integers, 2> ways{Integers{up[1], -up[0]}, Integers{-up[1], up[0]}};
   std::array<Integers, 2> places;
   for (std::size_t k = 0; k < 2; ++k) {
     const Integers& way = ways[k];
-    if (!claim.ends[k]) {
-      look_at_all(tables, way);
-      for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-        require(along(tables.half_planes[i], way) <= 0, "ends",
+    if (!ends[k]) {
+      look_at_all(given, way);
+      for (std::size_t i = 0; i < given.size(); ++i) {
+        require(along(given[i], way) <= 0, "ends",
                 "there is an end, at half-plane " + std::to_string(i) + ", and it is not given");
       }
       continue;
     }
-    const Integers& place = places[k] = projective(claim.ends[k]->point);
-    look_at_all(tables, place);
-    for (std::size_t i = 0; i < tables.half_planes.size(); ++i) {
-      require(excess(tables.half_planes[i], place) <= 0, "ends",
-              "an end is outside of half-plane " + std::to_string(i));
+    const Integers& place = places[k] = projective(ends[k]->point);
+    look_at_all(given, place);
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      require(excess(given[i], place) <= 0, "ends", "an end is outside of half-plane " + std::to_string(i));
     }
     require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
             "ends", "an end is not as far along the objective");
-    const LinearConstraint& h = tables.half_planes[claim.ends[k]->side];
+    const LinearConstraint& h = given[ends[k]->side];
     require(excess(h, place) == 0 && along(h, way) > 0, "ends",
-            "half-plane " + std::to_string(claim.ends[k]->side) + " does not end it");
+            "half-plane " + std::to_string(ends[k]->side) + " does not end it");
   }
-  if (!claim.ends[0] || !claim.ends[1]) return;
+  if (!ends[0] || !ends[1]) return;
   const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
   const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
   require(before * places[1][2] < after * places[0][2], "ends", "the two ends are the same point");
 }
 
 // ---- Common parts.
-
-namespace {
 
 bool has_corners(const std::string& verdict) {
   return verdict != "half-plane" && verdict != "line" && verdict != "strip";
@@ -170,10 +160,7 @@ void require_extents(const Constraints& sides, const std::string& verdict) {
   require(extents == wanted && !any_before, "sides", std::to_string(extents) + " sides have a part of the boundary");
 }
 
-}  // namespace
-
-void check_cones(const Claim& claim, const Constraints& given, const std::string& verdict,
-                 const std::vector<std::size_t>& named) {
+void check_cones(const Indices& cones, const Constraints& given, const std::string& verdict, const Indices& named) {
   Constraints sides;
   for (const std::size_t k : named) sides.push_back(given[k]);
   if (!has_corners(verdict)) {
@@ -184,10 +171,10 @@ void check_cones(const Claim& claim, const Constraints& given, const std::string
     require_extents(sides, verdict);
   }
   for (std::size_t i = 0; i < given.size(); ++i) {
-    const LinearConstraint &h = given[i], &side = sides[claim.cones[i]];
+    const LinearConstraint &h = given[i], &side = sides[cones[i]];
     bool is_between = false, is_kept = false;
     if (has_corners(verdict)) {
-      const LinearConstraint& after = sides[(claim.cones[i] + 1) % sides.size()];
+      const LinearConstraint& after = sides[(cones[i] + 1) % sides.size()];
       is_between = turn(side, h) >= 0 && turn(h, after) >= 0;
       is_kept = excess(h, corner(side, after)) <= 0;
     } else {
@@ -199,5 +186,18 @@ void check_cones(const Claim& claim, const Constraints& given, const std::string
     require(is_kept, "cones", name + " does not hold its corner");
   }
 }
+
+}  // namespace
+
+const ClaimRows claims_of_half_planes{
+    {"feasible", "", rule<check_feasible>},
+    {"bounds", "weights: weights of subject", rule<check_bounds>},
+    {"bounds_only", "weights: weights of subject", rule<check_bounds_only>},
+    {"no_objective", "", rule<check_no_objective>},
+    {"contradict", "weights: weights of subject", rule<check_contradict>},
+    {"goes_on", "direction: point", rule<check_goes_on>},
+    {"ends", "ends: two ends of subject", rule<check_ends>},
+    {"cones", "cones: corners of subject", rule<check_cones>},
+};
 
 }  // namespace sunder_verifier

@@ -48,14 +48,14 @@ bool is_convex(const std::vector<const Vector*>& ring, const Vector& normal) {
   return goes_round_once(ways);
 }
 
-struct Plane {
+struct FacePlane {
   Vector normal;
   Integer height;
 };
 
 class Surface {
  public:
-  Surface(const std::vector<FaceHome>& homes, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces)
+  Surface(const std::vector<FaceHome>& homes, const HullBody& body, const IndexLists& faces)
       : homes_(homes), faces_(faces) {
     std::size_t corners = 0;
     for (const auto& face : faces) {
@@ -78,10 +78,10 @@ class Surface {
   };
 
   void take_face(std::size_t f) {
-    const std::vector<std::size_t>& face = faces_[f];
+    const Indices& face = faces_[f];
     std::vector<const Vector*> ring;
     for (const std::size_t k : face) ring.push_back(&at_[k]);
-    Plane plane{cross(minus(*ring[1], *ring[0]), minus(*ring[2], *ring[0])), 0};
+    FacePlane plane{cross(minus(*ring[1], *ring[0]), minus(*ring[2], *ring[0])), 0};
     plane.height = dot(plane.normal, *ring[0]);
     const bool is_flat = plane.height > 0 && std::all_of(ring.begin(), ring.end(), [&](const Vector* p) {
                            return dot(plane.normal, *p) == plane.height;
@@ -122,7 +122,7 @@ class Surface {
   }
 
   // Is a way within the cone of a ring, seen from the mean?
-  bool holds_way(const std::vector<std::size_t>& ring, const Vector& way) const {
+  bool holds_way(const Indices& ring, const Vector& way) const {
     for (std::size_t c = 0; c < ring.size(); ++c) {
       if (dot(cross(at_[ring[c]], at_[ring[after(c, ring.size())]]), way) < 0) return false;
     }
@@ -135,38 +135,25 @@ class Surface {
       require(vertices_.contains(k), "surface", "point " + std::to_string(k) + " has no home");
       return;
     }
-    const std::vector<std::size_t>& face = faces_[home.face];
+    const Indices& face = faces_[home.face];
     const bool is_home = holds_way({face[0], face[home.corner], face[home.corner + 1]}, at_[k]);
     require(is_home && dot(planes_[home.face].normal, at_[k]) <= planes_[home.face].height, "surface",
             "point " + std::to_string(k) + " is not in its home");
   }
 
   const std::vector<FaceHome>& homes_;
-  const std::vector<std::vector<std::size_t>>& faces_;
+  const IndexLists& faces_;
   std::set<std::size_t> vertices_;
   std::vector<Vector> at_;
-  std::vector<Plane> planes_;
+  std::vector<FacePlane> planes_;
   std::map<std::pair<std::size_t, std::size_t>, Side> sides_;  // of each edge, as a face goes along it
 };
 
-}  // namespace
-
-bool is_between(const Integers& first, const Integers& last, const Integers& point) {
-  std::size_t axis = 0;
-  while (axis < first.size() && first[axis] == last[axis]) ++axis;
-  if (axis == first.size()) return point == first;
-  const Integer part = point[axis] - first[axis], whole = last[axis] - first[axis];
-  for (std::size_t c = 0; c < first.size(); ++c) {
-    if ((point[c] - first[c]) * whole != (last[c] - first[c]) * part) return false;
-  }
-  return whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole;
+void check_surface(const std::vector<FaceHome>& homes, const HullBody& body, const IndexLists& faces) {
+  Surface(homes, body, faces).check();
 }
 
-void check_surface(const Claim& claim, const HullBody& body, const std::vector<std::vector<std::size_t>>& faces) {
-  Surface(claim.homes, body, faces).check();
-}
-
-void check_outline(const Claim& claim, const HullBody& body, const std::vector<std::size_t>& outline) {
+void check_outline(const Indices& sectors, const HullBody& body, const Indices& outline) {
   const std::set<std::size_t> vertices(outline.begin(), outline.end());
   const std::vector<Vector> at = from_mean(body, vertices, outline.size());
   std::vector<const Vector*> ring;
@@ -178,11 +165,11 @@ void check_outline(const Claim& claim, const HullBody& body, const std::vector<s
   require(is_convex(ring, normal), "outline", "the ring is not strictly convex");
   for (std::size_t k = 0; k < at.size(); ++k) {
     const std::string point = "point " + std::to_string(k);
-    if (claim.sectors[k] == no_index) {
+    if (sectors[k] == no_index) {
       require(vertices.contains(k), "outline", point + " has no sector");
       continue;
     }
-    const Vector &p = *ring[claim.sectors[k]], &q = *ring[after(claim.sectors[k], ring.size())];
+    const Vector &p = *ring[sectors[k]], &q = *ring[after(sectors[k], ring.size())];
     const bool is_in = dot(normal, cross(p, at[k])) >= 0 && dot(normal, cross(at[k], q)) >= 0 &&
                        dot(normal, cross(minus(q, p), minus(at[k], p))) >= 0;
     require(is_in, "outline", point + " is not in its sector");
@@ -204,5 +191,25 @@ void check_one_point(const HullBody& body) {
       std::all_of(body.rows().begin(), body.rows().end(), [&](const Vector& row) { return row == body.rows()[0]; });
   require(is_one, "one_point", "two points differ");
 }
+
+}  // namespace
+
+bool is_between(const Integers& first, const Integers& last, const Integers& point) {
+  std::size_t axis = 0;
+  while (axis < first.size() && first[axis] == last[axis]) ++axis;
+  if (axis == first.size()) return point == first;
+  const Integer part = point[axis] - first[axis], whole = last[axis] - first[axis];
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if ((point[c] - first[c]) * whole != (last[c] - first[c]) * part) return false;
+  }
+  return whole > 0 ? part >= 0 && part <= whole : part <= 0 && part >= whole;
+}
+
+const ClaimRows claims_of_hulls{
+    {"surface", "homes: homes of subject", rule<check_surface>},
+    {"outline", "sectors: sectors of subject", rule<check_outline>},
+    {"between", "", rule<check_between>},
+    {"one_point", "", rule<check_one_point>},
+};
 
 }  // namespace sunder_verifier

@@ -1,6 +1,5 @@
-// Contacts of the members of a set: docs/claims.md, "contact" and "cover".
-#include <verifier/cpp/member_rules.h>
-#include <verifier/cpp/reader.h>
+// The contacts of discs and of boxes, by a tree of boxes: docs/claims.md, "Covers".
+#include <verifier/cpp/contacts.h>
 
 #include <algorithm>
 
@@ -17,8 +16,10 @@ PlanarBox hull(const PlanarBox& a, const PlanarBox& b) {
           std::max(a.high_y, b.high_y)};
 }
 
-bool counts(const std::string& kind, const AllowedContacts& allowed) {
-  return kind != "touching" || !allowed.shared_endpoint;
+PlanarBox box_of(const PlanarBox& box) { return box; }
+
+PlanarBox box_of(const PlanarDisc& disc) {
+  return {disc.x - disc.r, disc.y - disc.r, disc.x + disc.r, disc.y + disc.r};
 }
 
 // A range of the order.
@@ -35,8 +36,7 @@ struct Node {
 template <class Member>
 class Cover {
  public:
-  Cover(const std::vector<std::size_t>& order, const MemberTable<Member>& members,
-        const std::vector<std::int64_t>& groups)
+  Cover(const Indices& order, const MemberTable<Member>& members, const Groups& groups)
       : order_(order), members_(members), groups_(groups) {
     if (!order.empty()) build(0, order.size());
   }
@@ -103,38 +103,29 @@ class Cover {
     node.is_of_one_group = a.is_of_one_group && b.is_of_one_group && a.group == b.group;
   }
 
-  const std::vector<std::size_t>& order_;
+  const Indices& order_;
   const MemberTable<Member>& members_;
-  const std::vector<std::int64_t>& groups_;
+  const Groups& groups_;
   std::vector<Node> nodes_;
 };
 
 template <class Member>
-ContactsOf contacts_of(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
-                       const AllowedContacts& allowed) {
-  return [&](const VisitContact& visit) {
-    Cover(claim.order, members, groups).visit([&](std::size_t i, std::size_t j, const std::string& kind) {
+Contacts covered(const Indices& order, const MemberTable<Member>& members, const Groups& groups,
+                 const AllowedContacts& allowed) {
+  return counted_one_by_one([&](const VisitContact& visit) {
+    Cover(order, members, groups).visit([&](std::size_t i, std::size_t j, const std::string& kind) {
       if (counts(kind, allowed)) visit(i, j, kind.c_str());
     });
-  };
+  });
 }
 
 }  // namespace
 
-Integers in_units(Numbers point, std::int64_t exponent) {
-  for (Number& value : point) value.e -= exponent;
-  return projective(point);
+Integer power_of(const PlanarDisc& disc, const SweepPoint& place) {
+  return square(place.x - disc.x * place.w) + square(place.y - disc.y * place.w) - square(disc.r * place.w);
 }
 
-Integer power_of(const PlanarDisc& disc, const Integers& place) {
-  return square(place[0] - disc.x * place[2]) + square(place[1] - disc.y * place[2]) - square(disc.r * place[2]);
-}
-
-PlanarBox box_of(const PlanarDisc& disc) {
-  return {disc.x - disc.r, disc.y - disc.r, disc.x + disc.r, disc.y + disc.r};
-}
-
-bool holds(const PlanarDisc& disc, const Integers& place) { return power_of(disc, place) <= 0; }
+bool holds(const PlanarDisc& disc, const SweepPoint& place) { return power_of(disc, place) <= 0; }
 
 std::string kind_of(const PlanarDisc& c, const PlanarDisc& d) {
   const Integer distance = square(c.x - d.x) + square(c.y - d.y);
@@ -143,8 +134,8 @@ std::string kind_of(const PlanarDisc& c, const PlanarDisc& d) {
   return distance > square(c.r - d.r) ? "overlapping" : "inside";
 }
 
-bool holds(const PlanarBox& box, const Integers& place) {
-  const Integer &x = place[0], &y = place[1], &w = place[2];
+bool holds(const PlanarBox& box, const SweepPoint& place) {
+  const auto& [x, y, w] = place;
   return box.low_x * w <= x && x <= box.high_x * w && box.low_y * w <= y && y <= box.high_y * w;
 }
 
@@ -157,46 +148,13 @@ std::string kind_of(const PlanarBox& a, const PlanarBox& b) {
   return all == a || all == b ? "inside" : "overlapping";
 }
 
-bool is_kind_of_full(const std::string& kind) {
-  return kind == "touching" || kind == "overlapping" || kind == "inside";
+Contacts contacts_of(const Indices& order, const Circles& circles, const Groups& groups,
+                     const AllowedContacts& allowed) {
+  return covered(order, circles, groups, allowed);
 }
 
-template <class Member>
-void check_member_contact(const MemberTable<Member>& members, const StatedContact& contact, const Numbers& point,
-                          const std::vector<std::int64_t>& groups, const AllowedContacts& allowed) {
-  const auto& [i, j, kind] = contact;
-  take_steps(16, length(point), members.bits);
-  const Integers place = in_units(point, members.exponent);
-  require(i != j && (groups.empty() || groups[i] != groups[j]), "contact",
-          std::to_string(i) + " and " + std::to_string(j) + " are of one group");
-  require(counts(kind, allowed), "contact", kind + " does not count");
-  for (const std::size_t k : {i, j})
-    require(holds(members[k], place), "contact", "the point is not in " + std::to_string(k));
-  const std::string found = kind_of(members[i], members[j]);
-  require(found == kind, "contact", "the contact is " + found);
+Contacts contacts_of(const Indices& order, const Boxes& boxes, const Groups& groups, const AllowedContacts& allowed) {
+  return covered(order, boxes, groups, allowed);
 }
-
-template <class Member>
-void check_cover(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
-                 const AllowedContacts& allowed, const std::vector<StatedContact>& listed) {
-  check_listed("cover", contacts_of(claim, members, groups, allowed), listed);
-}
-
-template <class Member>
-void check_cover_number(const Claim& claim, const MemberTable<Member>& members, const std::vector<std::int64_t>& groups,
-                        const AllowedContacts& allowed, std::uint64_t number) {
-  check_number("cover", number_of(contacts_of(claim, members, groups, allowed)), number);
-}
-
-#define SUNDER_RULES_OF(Member)                                                                                \
-  template void check_member_contact(const MemberTable<Member>&, const StatedContact&, const Numbers&,         \
-                                     const std::vector<std::int64_t>&, const AllowedContacts&);                \
-  template void check_cover(const Claim&, const MemberTable<Member>&, const std::vector<std::int64_t>&,        \
-                            const AllowedContacts&, const std::vector<StatedContact>&);                        \
-  template void check_cover_number(const Claim&, const MemberTable<Member>&, const std::vector<std::int64_t>&, \
-                                   const AllowedContacts&, std::uint64_t);
-SUNDER_RULES_OF(PlanarDisc)
-SUNDER_RULES_OF(PlanarBox)
-#undef SUNDER_RULES_OF
 
 }  // namespace sunder_verifier

@@ -8,7 +8,7 @@
 namespace sunder_verifier {
 namespace {
 
-__extension__ using Double = unsigned __int128;
+__extension__ using TwoLimbs = unsigned __int128;
 
 using Limb = boost::multiprecision::limb_type;
 static_assert(sizeof(Limb) == 8, "an Integer has limbs of 64 bits");
@@ -26,11 +26,11 @@ Magnitude magnitude(const Integer& n) {
 }
 
 // The upper 128 bits first. (2^64 - 1)^2 + 2 (2^64 - 1) < 2^128: no sum of a product and two halves is too long.
-std::array<Double, 2> product(const Magnitude& m, const Magnitude& n) {
-  const Double low = Double{m.low} * n.low;
-  const Double cross = Double{m.high} * n.low + (low >> 64);
-  const Double other = Double{m.low} * n.high + static_cast<std::uint64_t>(cross);
-  const Double high = Double{m.high} * n.high + (cross >> 64) + (other >> 64);
+std::array<TwoLimbs, 2> product(const Magnitude& m, const Magnitude& n) {
+  const TwoLimbs low = TwoLimbs{m.low} * n.low;
+  const TwoLimbs cross = TwoLimbs{m.high} * n.low + (low >> 64);
+  const TwoLimbs other = TwoLimbs{m.low} * n.high + static_cast<std::uint64_t>(cross);
+  const TwoLimbs high = TwoLimbs{m.high} * n.high + (cross >> 64) + (other >> 64);
   return {high, (other << 64) | static_cast<std::uint64_t>(low)};
 }
 

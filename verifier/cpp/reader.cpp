@@ -144,12 +144,6 @@ void require_list(const Json& value, std::size_t count, const std::string& where
   if (!value.is_array() || value.size() != count) refuse_form(where + " is not a list of " + std::to_string(count));
 }
 
-const Json& list_of(const Json& item, const char* key, std::size_t count, const std::string& where) {
-  const Json& list = list_member(item, key, where);
-  if (count != no_index) require_list(list, count, where + "." + key);
-  return list;
-}
-
 }  // namespace
 
 Number number_of(const Double& value) {
@@ -212,10 +206,13 @@ const Json& member(const Json& item, const char* key, const std::string& where) 
   return *found;
 }
 
-const Json& list_member(const Json& item, const char* key, const std::string& where) {
-  const Json& value = member(item, key, where);
-  if (!value.is_array()) refuse_form(where + "." + key + " is not a list");
+const Json& as_list(const Json& value, const std::string& where) {
+  if (!value.is_array()) refuse_form(where + " is not a list");
   return value;
+}
+
+const Json& list_member(const Json& item, const char* key, const std::string& where) {
+  return as_list(member(item, key, where), where + "." + key);
 }
 
 std::string string_member(const Json& item, const char* key, const std::string& where) {
@@ -253,31 +250,13 @@ std::size_t index_member(const Json& item, const char* key, std::size_t size, co
 
 bool is_minus_one(const Json& value) { return value.is_integer() && value.integer() == -1; }
 
-std::vector<std::size_t> index_list(const Json& item, const char* key, std::size_t size, std::size_t count,
-                                    const std::string& where) {
+std::vector<std::size_t> read_indices(const Json& value, std::size_t size, const std::string& where,
+                                      std::size_t count) {
   std::vector<std::size_t> result;
-  const std::string entry_where = where + "." + key + " entry";
-  for (const Json& entry : list_of(item, key, count, where)) result.push_back(read_index(entry, size, entry_where));
-  return result;
-}
-
-std::string read_rule(const Json& item, const std::string& where) {
-  std::string rule = string_member(item, "allowed", where);
-  if (rule != "nothing" && rule != "shared-endpoint" && rule != "touch") {
-    refuse_form(where + ".allowed is none of nothing, shared-endpoint, touch");
-  }
-  return rule;
-}
-
-std::vector<std::int64_t> read_groups(const Json& item, std::size_t size, const std::string& where) {
-  constexpr auto most = static_cast<std::int64_t>(most_number);
-  std::vector<std::int64_t> result;
-  for (const Json& entry : list_of(item, "groups", size, where)) {
-    if (!entry.is_integer() || entry.integer() < -most || entry.integer() > most) {
-      refuse_form(where + ".groups has an entry that is not a whole number of at most 15 digits");
-    }
-    result.push_back(entry.integer());
-  }
+  const std::string entry_where = where + " entry";
+  as_list(value, where);
+  if (count != no_index) require_list(value, count, where);
+  for (const Json& entry : value) result.push_back(read_index(entry, size, entry_where));
   return result;
 }
 

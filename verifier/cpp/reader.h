@@ -50,15 +50,12 @@ bool is_minus_one(const Json& value);
 
 constexpr std::size_t no_index = static_cast<std::size_t>(-1);
 
+// Requires that it is one.
+const Json& as_list(const Json& value, const std::string& where);
+
 // A list of indices below `size`; of `count` entries, unless that is no_index.
-std::vector<std::size_t> index_list(const Json& item, const char* key, std::size_t size, std::size_t count,
-                                    const std::string& where);
-
-// The rule of a statement, "nothing", "shared-endpoint" or "touch".
-std::string read_rule(const Json& item, const std::string& where);
-
-// `groups` of an object: a whole number of at most 15 digits for each of `size`.
-std::vector<std::int64_t> read_groups(const Json& item, std::size_t size, const std::string& where);
+std::vector<std::size_t> read_indices(const Json& value, std::size_t size, const std::string& where,
+                                      std::size_t count = no_index);
 
 // An object has these members, and besides at most those.
 void require_members(const Json& item, const std::vector<std::string>& needed, const std::vector<std::string>& allowed,

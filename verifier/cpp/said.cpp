@@ -9,8 +9,8 @@
 namespace sunder_verifier {
 namespace {
 
-constexpr std::size_t most_steps = 8;  // of one description
-constexpr std::size_t most_texts = 3;  // texts, and values of joints, that are shown
+constexpr std::size_t most_said_steps = 8;  // of one description
+constexpr std::size_t most_texts = 3;       // texts, and values of joints, that are shown
 
 struct Context {
   const InputNames& inputs;
@@ -120,16 +120,17 @@ std::string reasons(const Json& value, const Context& context, const std::string
   return words;
 }
 
-struct Member {
+struct SaidMember {
   const char* name;
   Read words;
 };
 
-constexpr std::array words_of_members{Member{"input", input},   Member{"part", part},    Member{"without", without},
-                                      Member{"changes", texts}, Member{"by", reals},     Member{"frame", nine_reals},
-                                      Member{"text", text},     Member{"axis", text},    Member{"unit", text},
-                                      Member{"system", text},   Member{"from", from},    Member{"row", row},
-                                      Member{"values", joints}, Member{"pairs", reasons}};
+constexpr std::array words_of_members{
+    SaidMember{"input", input},   SaidMember{"part", part},    SaidMember{"without", without},
+    SaidMember{"changes", texts}, SaidMember{"by", reals},     SaidMember{"frame", nine_reals},
+    SaidMember{"text", text},     SaidMember{"axis", text},    SaidMember{"unit", text},
+    SaidMember{"system", text},   SaidMember{"from", from},    SaidMember{"row", row},
+    SaidMember{"values", joints}, SaidMember{"pairs", reasons}};
 
 // ---- The words of a kind, of the members that they name. Those of steps begin with a comma, and have `of`.
 
@@ -177,11 +178,11 @@ std::string words_of(const std::array<TableWords, count>& kinds, const Json& val
   Words of_members;
   std::vector<std::string> keys{"is"};
   if (words.starts_with(',')) keys.emplace_back("of");
-  for (const Member& member : words_of_members) {
+  for (const SaidMember& member : words_of_members) {
     if (words.find(with_words_around("{", member.name, "}")) != std::string::npos) keys.emplace_back(member.name);
   }
   require_members(value, keys, {}, where);
-  for (const Member& member : words_of_members) {
+  for (const SaidMember& member : words_of_members) {
     if (std::find(keys.begin(), keys.end(), member.name) == keys.end()) continue;
     of_members[member.name] = member.words(value[member.name], context, where + "." + member.name);
   }
@@ -194,7 +195,8 @@ std::string read_description(const Json& value, const InputNames& inputs, const 
   std::string words, place = where;
   std::size_t steps = 0;
   for (const Json* at = &value; at != nullptr; at = at->find("of")) {
-    if (++steps > most_steps) refuse_form(place + " has more than " + std::to_string(most_steps - 1) + " steps");
+    if (++steps > most_said_steps)
+      refuse_form(place + " has more than " + std::to_string(most_said_steps - 1) + " steps");
     words = words_of(descriptions, *at, {inputs}, place).append(words);
     place += ".of";
   }

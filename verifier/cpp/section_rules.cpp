@@ -11,8 +11,6 @@
 namespace sunder_verifier {
 namespace {
 
-using Corner = std::pair<std::size_t, std::size_t>;
-
 std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
 
 // The plane, pulled back to where the rows of the body are.
@@ -52,14 +50,14 @@ class Pulled {
   }
 
   // Do three corners turn counter-clockwise, seen from where the normal points to?
-  bool turn_left(const std::vector<Corner>& corners) const {
+  bool turn_left(const IndexPairs& corners) const {
     const Integers p = place(corners[0]), q = place(corners[1]), r = place(corners[2]);
     return upright_ * dot(normal_, cross(way(p, q), way(p, r))) > 0;
   }
 
  private:
   // x, y, z, w, for the point (x / w, y / w, z / w); w is positive.
-  Integers place(const Corner& corner) const {
+  Integers place(const IndexPair& corner) const {
     const auto& [i, j] = corner;
     const Integers& a = body_.rows()[i];
     if (i == j) return {a[0], a[1], a[2], 1};
@@ -77,7 +75,7 @@ class Pulled {
   Integer level_, upright_ = 1;  // negative: the body is mirrored; zero: flattened
 };
 
-bool holds_all(const std::vector<std::size_t>& face, const Corner& c, const Corner& d) {
+bool holds_all(const std::vector<std::size_t>& face, const IndexPair& c, const IndexPair& d) {
   const std::set<std::size_t> named(face.begin(), face.end());
   return named.contains(c.first) && named.contains(c.second) && named.contains(d.first) && named.contains(d.second);
 }
@@ -95,10 +93,8 @@ class Sides {
   bool holds(std::size_t i, std::size_t j) const { return sides_.contains({i, j}); }
 
  private:
-  std::set<Corner> sides_;
+  std::set<IndexPair> sides_;
 };
-
-}  // namespace
 
 void check_beyond(const HullBody& body, const StatedPlane& plane) {
   const std::vector<Integer> heights = Pulled(body, plane).heights();
@@ -106,10 +102,10 @@ void check_beyond(const HullBody& body, const StatedPlane& plane) {
   require(*least > 0 || *greatest < 0, "beyond", "the plane is not beyond " + body.quoted);
 }
 
-void check_touches(const HullBody& body, const StatedPlane& plane, const std::vector<Corner>& corners) {
+void check_touches(const HullBody& body, const StatedPlane& plane, const IndexPairs& corners) {
   const std::vector<Integer> heights = Pulled(body, plane).heights();
   const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
-  const bool are_on_plane = std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+  const bool are_on_plane = std::all_of(corners.begin(), corners.end(), [&](const IndexPair& corner) {
     return corner.first == corner.second && heights[corner.first] == 0;
   });
   const Integers &first = body.rows()[corners.front().first], &last = body.rows()[corners.back().first];
@@ -124,10 +120,10 @@ void check_touches(const HullBody& body, const StatedPlane& plane, const std::ve
   }
 }
 
-void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane& plane,
-                    const std::vector<Corner>& corners, const ProvedHulls& proved) {
-  const auto known = proved.find(body.base);
-  require(known != proved.end() && known->second.verdict != "point", "outlined",
+void check_outlined(const Indices& along, const HullBody& body, const StatedPlane& plane, const IndexPairs& corners,
+                    const Proved& proved) {
+  const auto known = proved.hulls.find(body.base);
+  require(known != proved.hulls.end() && known->second.verdict != "point", "outlined",
           "what the hull of " + body.quoted + " is has not been proved before");
   const auto& [verdict, faces] = known->second;
   const Pulled pulled(body, plane);
@@ -138,7 +134,7 @@ void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane&
     require(is_corner, "outlined", "corner " + std::to_string(k) + " is not on the plane");
   }
   std::size_t looks = 0;
-  for (const std::size_t f : claim.along) {
+  for (const std::size_t f : along) {
     require(f < faces.size(), "outlined", "a face is none of the hull's");
     looks += faces[f].size();
   }
@@ -147,15 +143,15 @@ void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane&
     return std::all_of(face.begin(), face.begin() + 3, [&](std::size_t k) { return pulled.is_on(k); });
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::vector<std::size_t>& face = faces[claim.along[k]];
+    const std::vector<std::size_t>& face = faces[along[k]];
     require(holds_all(face, corners[k], corners[after(k, corners.size())]), "outlined",
             "corner " + std::to_string(k) + " and the next one are not in that face");
     require(verdict != "solid" || !is_in_plane(face), "outlined",
-            "face " + std::to_string(claim.along[k]) + " is in the plane");
+            "face " + std::to_string(along[k]) + " is in the plane");
   }
   if (verdict == "solid") {
-    const std::set<std::size_t> once(claim.along.begin(), claim.along.end());
-    require(corners.size() > 2 && once.size() == claim.along.size(), "outlined", "the corners are not around the body");
+    const std::set<std::size_t> once(along.begin(), along.end());
+    require(corners.size() > 2 && once.size() == along.size(), "outlined", "the corners are not around the body");
   } else {
     const std::vector<std::size_t>& ring = faces[0];
     const Sides sides(ring);
@@ -170,5 +166,13 @@ void check_outlined(const Claim& claim, const HullBody& body, const StatedPlane&
   }
   require(corners.size() < 3 || pulled.turn_left(corners), "outlined", "the corners do not go counter-clockwise");
 }
+
+}  // namespace
+
+const ClaimRows claims_of_sections{
+    {"beyond", "", rule<check_beyond>},
+    {"touches", "", rule<check_touches>},
+    {"outlined", "along: face for each of corners", rule<check_outlined>},
+};
 
 }  // namespace sunder_verifier

@@ -13,75 +13,6 @@ namespace {
 constexpr std::size_t most_entries = 10;  // of a list
 constexpr std::size_t most_digits = 40;   // of a number
 
-struct Sentence {
-  const char *question, *verdict;  // empty: all of them
-  const char* text;                // with members of the statement
-};
-
-constexpr auto sentences = std::to_array<Sentence>({
-    {"pair", "apart", "{a} and {b} are apart"},
-    {"pair", "meet", "{a} and {b} meet at {point}"},
-    {"pair", "touching", "{a} and {b} touch at {point}"},
-    {"pair", "overlapping", "{a} and {b} overlap at {point}"},
-    {"distance", "closest", "{a} and {b} are closest at {from_a} and {to_b}"},
-    {"clearance", "kept", "{a} and {b} are {least} apart, or more"},
-    {"clearance", "broken", "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
-    {"depth", "at_most", "{a} moved by {most}, in a direction, does not overlap {b}"},
-    {"depth", "at_least", "{a} moved by {least}, in any direction, meets {b}"},
-    {"clearances", "kept", "all pairs of the {all} are {least} apart, or more"},
-    {"clearances", "broken", "exactly {pairs} nearer than {least}: {nearer}"},
-    {"motion", "apart", "{a} and {b} are apart all along their ways"},
-    {"motion", "meet", "{a} and {b} meet on their ways, at time {time}, at {point}"},
-    {"motion", "first", "{a} and {b} first meet on their ways at time {time}, at {point}"},
-    {"half_spaces", "empty", "{a} is empty"},
-    {"half_spaces", "bounded", "{a} is bounded, of dimension {dimension}"},
-    {"half_spaces", "unbounded", "{a} is unbounded, of dimension {dimension}"},
-    {"half_spaces_vertices", "vertices", "{a} is bounded, and has exactly {vertices}"},
-    {"half_spaces_program", "one", "{point} is the best point of {a} along {objective}"},
-    {"half_spaces_program", "many", "{point} is one of many best points of {a} along {objective}"},
-    {"half_spaces_program", "all", "{point} is as good as all others of {a} along {objective}"},
-    {"half_spaces_program", "unbounded", "there is no best point of {a} along {objective}"},
-    {"half_spaces_program", "infeasible", "no point is in {a}"},
-    {"polytopes", "apart", "{a} and {b} are apart"},
-    {"polytopes", "meet", "{a} and {b} meet at {point}"},
-    {"polytopes", "apart_by_hyperplanes", "{a} and {b} are apart, by half-spaces that hold them"},
-    {"hull", "solid", "{a} is solid, with the {n_faces} faces {faces}"},
-    {"hull", "flat", "{a} is a polygon with the {n_outline} corners {outline}"},
-    {"hull", "segment", "{a} is the segment between its points {i} and {j}"},
-    {"hull", "point", "{a} is a point"},
-    {"polytope_hull", "facets", "{a} has exactly {facets}"},
-    {"polytope_hull", "segment", "{a} is the segment between its points {i} and {j}"},
-    {"polytope_hull", "point", "{a} is a point"},
-    {"section", "nothing", "the plane {plane} does not meet {a}"},
-    {"section", "touching", "the plane {plane} touches {a} at the points {corners}"},
-    {"section", "outlined", "the section of {a} by the plane {plane} has the {n_corners} corners {corners}"},
-    {"polygons", "some", "polygons {i} and {j} of {all} meet at {point}"},
-    {"", "some", "{question} {i} and {j} of {all} meet at {point}: {kind}"},
-    {"", "none", "no two of the {all} meet"},
-    {"half_planes", "", "the common part of {all} is {region}"},
-    {"kernel", "", "the kernel of ring {ring} of {all} is {region}"},
-    {"convex_polygons_common_part", "", "the common part of {all} is {region}"},
-    {"circles_common_part", "empty", "the common part of {all} is empty"},
-    {"circles_common_part", "point", "the common part of {all} is the point {point}"},
-    {"circles_common_part", "region",
-     "the common part of {all} is a region around {point}, bounded by {n_arcs} arcs of {arcs}"},
-    {"valid", "valid", "polygons {parts} of {all}: {rule}"},
-    {"valid", "too_few_points", "ring {ring} has too few points"},
-    {"valid", "edges_meet", "edges {i} and {j} meet at {point}: {kind}"},
-    {"valid", "comes_twice", "ring {ring} comes twice to {point}"},
-    {"valid", "misplaced", "ring {ring} is misplaced at {point}"},
-    {"valid", "crosses", "ring {ring} crosses itself at {point}"},
-    {"valid", "falls_apart", "one falls apart"},
-    {"valid", "circle", "rings {rings} close a circle"},
-    {"valid", "repeated", "edge {edge} has no length"},
-    {"valid", "rings_touch", "rings {ring} and {other} touch at {point}"},
-    {"linear_program", "one", "{point} is the best point of {all} along {objective}"},
-    {"linear_program", "many", "{point} is one of many best points of {all} along {objective}"},
-    {"linear_program", "all", "{point} is as good as all others of {all} along {objective}"},
-    {"linear_program", "unbounded", "there is no best point of {all} along {objective}"},
-    {"linear_program", "infeasible", "no point is in all of {all}"},
-});
-
 constexpr std::array<std::array<const char*, 2>, 9> ones{{
     {"bodies", "body"},
     {"polytopes", "polytope"},
@@ -268,8 +199,9 @@ std::string counted(std::size_t n, std::string_view one) {
   return text.append(one.substr(0, one.size() - (*ending)[0].size())).append((*ending)[1]);
 }
 
-std::string sentence_of(const Json& item, const Thing& a, const Thing& b, const std::string& table, std::size_t size) {
-  const std::string question(item["question"].text()), verdict(item["verdict"].text());
+std::string sentence_of(const Json& item, const std::string& text, const Thing& a, const Thing& b,
+                        const std::string& table, std::size_t size) {
+  const std::string verdict(item["verdict"].text());
   if (item.contains("members")) size = item["members"].size();
   Words words{{"a", a.title}, {"b", b.title}, {"region", region_text(item, verdict)}};
   words["all"] = counted(size, found(ones, table));
@@ -286,28 +218,16 @@ std::string sentence_of(const Json& item, const Thing& a, const Thing& b, const 
                             : item.contains(list)   ? item[list].size()
                                                     : 0;
   words["pairs"] = counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " is" : " are");
+  words["meeting"] = counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " meets" : " meet");
+  if (item.contains("contacts") && count > 0) words["meeting"] += ": " + words["contacts"];
   const bool is_of_pairs = (item.contains("allowed") || item.contains("members")) && verdict != "some";
-  std::string text;
-  if (is_of_pairs && pairs_asked(item, size) == 0) {
-    text = "no pair of " + words["all"] + " is asked about";
-  } else if (verdict == "these" || verdict == "count") {
-    text = "exactly " + counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " meets" : " meet");
-    if (item.contains("contacts") && count > 0) text += ": " + words["contacts"];
-  } else {
-    const auto known = std::find_if(sentences.begin(), sentences.end(), [&](const Sentence& sentence) {
-      return (sentence.question == question || *sentence.question == '\0') &&
-             (sentence.verdict == verdict || *sentence.verdict == '\0');
-    });
-    text = known == sentences.end() ? verdict : filled(known->text, words);
-  }
-  if (question == "valid" && verdict != "valid") {
-    text = "polygons " + words["parts"] + " of " + words["all"] + ": not " + words["rule"] + ", as " + text;
-  }
-  text += rules_text(item);
+  std::string result = is_of_pairs && pairs_asked(item, size) == 0 ? "no pair of " + words["all"] + " is asked about"
+                                                                   : filled(text, words);
+  result += rules_text(item);
   for (const Thing* thing : {&a, &b}) {
-    if (!thing->said.empty()) text += "; " + thing->quoted + " is said to be made of " + thing->said;
+    if (!thing->said.empty()) result += "; " + thing->quoted + " is said to be made of " + thing->said;
   }
-  return text;
+  return result;
 }
 
 }  // namespace sunder_verifier

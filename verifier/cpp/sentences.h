@@ -35,8 +35,9 @@ struct Thing {
   std::string said;    // what it is said to be made of; empty: nothing
 };
 
-// Of a statement whose form is right, about a and b, or about one thing, which is a, or about the table, of so many
-// entries. One line of ASCII.
-std::string sentence_of(const Json& item, const Thing& a, const Thing& b, const std::string& table, std::size_t size);
+// The text, filled with the members of a statement whose form is right, about a and b, or about one thing, which is a,
+// or about the table, of so many entries. One line of ASCII.
+std::string sentence_of(const Json& item, const std::string& text, const Thing& a, const Thing& b,
+                        const std::string& table, std::size_t size);
 
 }  // namespace sunder_verifier

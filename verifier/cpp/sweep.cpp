@@ -58,10 +58,9 @@ bool is_on(const PlanarSegment& s, const SweepPoint& p) {
 
 bool ends_at(const PlanarSegment& s, const SweepPoint& p) { return p.is(s.first) || p.is(s.last); }
 
-Sweep::Sweep(const SweepEvents& events, const std::vector<PlanarSegment>& segments, std::size_t bits)
+Sweep::Sweep(const SweepEvents& events, const Segments& segments)
     : events_(events),
       segments_(segments),
-      bits_(bits),
       above_(segments_.size() + 1, kOut),
       has_begun_(segments_.size()),
       stays_(segments_.size()) {
@@ -96,7 +95,7 @@ void Sweep::come_to_point() {
   } else {
     require_event(row_end - row > 1 && turn(segments_[*row], segments_[row_end[-1]]) != 0,
                   " has no point: its first and last segment do not cross");
-    const std::size_t longest = 3 * bits_;
+    const std::size_t longest = 3 * segments_.bits;
     take_steps(static_cast<std::uint64_t>(row_end - row) + 4, longest, longest);
     p = crossing(segments_[*row], segments_[row_end[-1]]);
   }

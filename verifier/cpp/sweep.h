@@ -2,7 +2,7 @@
 #pragma once
 
 #include <verifier/cpp/reader.h>
-#include <verifier/cpp/rules.h>
+#include <verifier/cpp/values.h>
 
 #include <cstddef>
 #include <span>
@@ -45,8 +45,7 @@ bool is_above_odd(const PolygonTable& polygons, const std::vector<std::size_t>& 
 // Event by event, which segments hold its point. Throws Refused by the rule `sweep`.
 class Sweep {
  public:
-  // bits: of the longest coordinate.
-  Sweep(const SweepEvents& events, const std::vector<PlanarSegment>& segments, std::size_t bits);
+  Sweep(const SweepEvents& events, const Segments& segments);
 
   // Of the event passed last.
   SweepPoint point;
@@ -73,8 +72,7 @@ class Sweep {
   void put_in(std::size_t lower, std::size_t upper);
 
   const SweepEvents& events_;
-  const std::vector<PlanarSegment>& segments_;
-  const std::size_t bits_;
+  const Segments& segments_;
   std::size_t k_ = 0, begun_ = 0, stay_ = 0;
   std::vector<std::size_t> above_;  // by segment: the next one in the list; out: it is not in
   std::vector<bool> has_begun_, stays_;

@@ -220,8 +220,8 @@ void read_bodies(const Json& list, Tables& tables) {
 void read_segments(const Json& list, Tables& tables) {
   const Doubles doubles = read_lists(list, 4, "tables.segments");
   const Unit unit = unit_of(doubles);
-  tables.segment_exponent = unit.e;
-  tables.segment_bits = unit.bits;
+  tables.segments.exponent = unit.e;
+  tables.segments.bits = unit.bits;
   tables.segments.reserve(list.size());
   for (auto d = doubles.begin(); d != doubles.end(); d += 4) {
     PlanarPoint first{unit.integer(d[0]), unit.integer(d[1])}, last{unit.integer(d[2]), unit.integer(d[3])};
@@ -302,8 +302,8 @@ void read_polygons(const Json& list, Tables& tables) {
   PolygonTable& polygons = tables.polygons;
   const Doubles doubles = read_vertices(list, polygons);
   const Unit unit = unit_of(doubles);
-  polygons.exponent = unit.e;
-  polygons.bits = unit.bits;
+  polygons.edges.exponent = unit.e;
+  polygons.edges.bits = unit.bits;
   const auto vertex = [&](std::size_t k) {
     return PlanarPoint{unit.integer(doubles[2 * k]), unit.integer(doubles[2 * k + 1])};
   };
@@ -324,7 +324,7 @@ void read_half_planes(const Json& list, Tables& tables) {
   for (const Json& item : list) {
     const std::string where = "tables.half_planes[" + std::to_string(tables.half_planes.size()) + "]";
     LinearConstraint h = read_constraint(item, where);
-    tables.half_plane_bits = std::max({tables.half_plane_bits, bits(h.a), bits(h.b), bits(h.c)});
+    tables.half_planes.bits = std::max({tables.half_planes.bits, bits(h.a), bits(h.b), bits(h.c)});
     tables.half_planes.push_back(std::move(h));
   }
 }
@@ -415,7 +415,7 @@ void add_neighbours(const EdgeRange& ring, PartTable& parts) {
 PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>& which) {
   PartTable result;
   PolygonTable& polygons = result.polygons;
-  polygons.exponent = all.exponent;
+  polygons.edges.exponent = all.edges.exponent;
   for (const std::size_t i : which) {
     result.shell.push_back(result.rings.size());
     polygons.rings.emplace_back();
@@ -424,7 +424,7 @@ PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>&
       for (std::size_t k = ring.begin; k < ring.end; ++k) {
         const PlanarSegment& edge = all.edges[k];
         for (const Integer* x : {&edge.first.x, &edge.first.y, &edge.last.x, &edge.last.y}) {
-          polygons.bits = std::max(polygons.bits, bits(*x));
+          polygons.edges.bits = std::max(polygons.edges.bits, bits(*x));
         }
         polygons.edges.push_back(edge);
         polygons.owner.push_back(polygons.rings.size() - 1);

@@ -115,7 +115,10 @@ struct LinearConstraint {
   std::int64_t e = 0;
 };
 
-using Constraints = std::vector<LinearConstraint>;
+using Constraints = MemberTable<LinearConstraint>;  // each has a unit of its own
+using Circles = MemberTable<PlanarDisc>;
+using Boxes = MemberTable<PlanarBox>;
+using Segments = MemberTable<PlanarSegment>;
 
 // Positive: the normal of k is less than half a turn counter-clockwise from that of h.
 Integer turn(const LinearConstraint& h, const LinearConstraint& k);
@@ -140,11 +143,9 @@ struct PolygonTable {
   bool is_point(std::size_t polygon) const;
 
   std::vector<std::vector<EdgeRange>> rings;  // of each polygon
-  std::vector<PlanarSegment> edges;
+  Segments edges;
   std::vector<std::size_t> owner;  // the polygon of each edge
   std::vector<EdgeBlock> blocks;   // of all rings
-  std::int64_t exponent = 0;
-  std::size_t bits = 0;
 };
 
 // Some polygons, with edges and rings numbered anew.
@@ -164,14 +165,11 @@ struct Tables {
   std::map<std::string, std::string> said;   // of tables of rows: what these are said to be made of, in words
   std::vector<HullBody> bodies;
   std::vector<RowBody> polytopes;
-  std::vector<PlanarSegment> segments;
-  std::int64_t segment_exponent = 0;
-  std::size_t segment_bits = 0;
-  MemberTable<PlanarDisc> circles;
-  MemberTable<PlanarBox> boxes;
+  Segments segments;
+  Circles circles;
+  Boxes boxes;
   Constraints half_planes;
   PolygonTable polygons;
-  std::size_t half_plane_bits = 0;
   std::vector<Constraints> rings;  // what is on the inner side of the edges of each
   Constraints convex_polygons;     // the sides of all
 

@@ -1,5 +1,5 @@
-#include <verifier/cpp/questions.h>
 #include <verifier/cpp/reader.h>
+#include <verifier/cpp/statements.h>
 #include <verifier/cpp/verify.h>
 
 #include <algorithm>
@@ -50,14 +50,14 @@ void require_version(const Json& top) {
               " is needed; make it again");
 }
 
-StatementResult check(const ClaimedStatement& statement) {
+StatementResult check(const Statement& statement) {
   StatementResult result;
   const bool is_pair = !statement.a.empty();
   result.question = statement.question;
   result.sentence = statement.sentence;
   result.verdict = statement.verdict;
   try {
-    for (const auto& check : statement.checks) check();
+    for (const Check& one : statement.checks) one.rule.check(one.values.data());
     result.accepted = true;
   } catch (const Refused& refused) {
     result.name_a = is_pair ? statement.a : statement.question;
@@ -68,30 +68,16 @@ StatementResult check(const ClaimedStatement& statement) {
   return result;
 }
 
-// What a statement that is accepted has proved, for those after it.
-void note(const ClaimedStatement& statement, Proved& proved) {
-  if (statement.question == "hull") proved.hulls[statement.hull_of] = statement.hull;
-  if (statement.question == "clearance") {
-    const Number& least = statement.least;
-    proved.clearances.insert({statement.index_a, statement.index_b, least.n, least.e, statement.verdict == "kept"});
-  }
-  if (statement.question != "pair") return;
-  ProvedPair& pair = proved.pairs[{statement.index_a, statement.index_b}];
-  if (statement.verdict == "apart") pair.is_apart = true;
-  if (statement.verdict == "meet") pair.meet = true;
-  if (statement.verdict == "touching") pair.touch = true;
-  if (statement.verdict == "overlapping") pair.overlap = true;
-}
-
 // The statements of a file. Reads all of them first, for their form. The first ones are kept so: claims take some ten
 // times the memory of their text, and each set of parts has a table of its own, so the others are read again where they
 // are checked.
 class Statements {
  public:
-  Statements(const Json& list, const Tables& tables) : list_(list), tables_(tables) {
+  Statements(const Json& list, const Tables& tables)
+      : list_(list), tables_(tables), file_(scope_of_file(tables, proved_)) {
     std::size_t k = 0;
     for (const Json& item : list) {
-      ClaimedStatement statement = read(item, k++);
+      Statement statement = read(item, k++);
       if (k <= most_kept && tables_.part_tables_made() <= most_part_tables) kept_.push_back(std::move(statement));
     }
   }
@@ -101,10 +87,10 @@ class Statements {
     results.reserve(list_.size());
     std::size_t k = 0;
     for (const Json& item : list_) {
-      const ClaimedStatement statement = k < kept_.size() ? std::move(kept_[k]) : read_again(item, k);
+      const Statement statement = k < kept_.size() ? std::move(kept_[k]) : read_again(item, k);
       ++k;
       results.push_back(check(statement));
-      if (results.back().accepted) note(statement, proved_);
+      if (results.back().accepted) note(statement, tables_, proved_);
     }
     return results;
   }
@@ -112,11 +98,11 @@ class Statements {
  private:
   static constexpr std::size_t most_kept = 1000, most_part_tables = 4;
 
-  ClaimedStatement read(const Json& item, std::size_t k) {
-    return read_statement(*ReadNow(item), tables_, proved_, "statements[" + std::to_string(k) + "]");
+  Statement read(const Json& item, std::size_t k) {
+    return read_statement(*ReadNow(item), tables_, file_, "statements[" + std::to_string(k) + "]");
   }
 
-  ClaimedStatement read_again(const Json& item, std::size_t k) {
+  Statement read_again(const Json& item, std::size_t k) {
     const StepsAreTaken are_taken;
     return read(item, k);
   }
@@ -124,7 +110,8 @@ class Statements {
   const Json& list_;
   const Tables& tables_;
   Proved proved_;
-  std::vector<ClaimedStatement> kept_;
+  const Scope file_;
+  std::vector<Statement> kept_;
 };
 
 // The text has the members of the file, and those of its tables, and its statements unread.

@@ -1,7 +1,7 @@
-#include <verifier/cpp/reader.h>
+// Which polygons have common points that count: docs/claims.md, "Polygons".
+#include <verifier/cpp/contacts.h>
 #include <verifier/cpp/rules.h>
 #include <verifier/cpp/sets.h>
-#include <verifier/cpp/sweep.h>
 
 #include <algorithm>
 #include <iterator>
@@ -16,20 +16,17 @@ namespace sunder_verifier {
 namespace {
 
 // Each polygon of the first has common points that count with each of the second.
-struct Meeting {
+struct MeetingPolygons {
   Set first, second;
 };
 
 // Goes through a sweep of all edges, with the polygons that cover what is just above each edge of the list.
 class Cells {
  public:
-  Cells(const Claim& claim, const PolygonTable& polygons, const AllowedContacts& allowed)
-      : polygons_(polygons),
-        allowed_(allowed),
-        sweep_(claim.events, polygons.edges, polygons.bits),
-        label_(polygons.edges.size()) {}
+  Cells(const SweepEvents& events, const PolygonTable& polygons, const AllowedContacts& allowed)
+      : polygons_(polygons), allowed_(allowed), sweep_(events, polygons.edges), label_(polygons.edges.size()) {}
 
-  std::vector<Meeting> meetings;  // of the event passed last
+  std::vector<MeetingPolygons> meetings;  // of the event passed last
 
   bool next() {
     if (!sweep_.next()) return false;
@@ -107,32 +104,34 @@ class Cells {
   const Set nothing_;
 };
 
-struct Member {
+struct OfGroup {
   std::int64_t group;
   std::size_t polygon;
 };
 
-bool is_of_lower_group(const Member& a, const Member& b) { return a.group < b.group; }
-bool is_before(const Member& a, const Member& b) { return std::tie(a.group, a.polygon) < std::tie(b.group, b.polygon); }
+bool is_of_lower_group(const OfGroup& a, const OfGroup& b) { return a.group < b.group; }
+bool is_before(const OfGroup& a, const OfGroup& b) {
+  return std::tie(a.group, a.polygon) < std::tie(b.group, b.polygon);
+}
 
 class PolygonPairs {
  public:
-  PolygonPairs(const Claim& claim, const PolygonTable& polygons, const std::vector<std::int64_t>& groups,
+  PolygonPairs(const SweepEvents& events, const PolygonTable& polygons, const Groups& groups,
                const AllowedContacts& allowed)
-      : cells_(claim, polygons, allowed), groups_(groups), count_(polygons.rings.size()) {}
+      : cells_(events, polygons, allowed), groups_(groups), count_(polygons.rings.size()) {}
 
   void run(const VisitContact& visit) {
     while (cells_.next()) {
-      for (const Meeting& meeting : cells_.meetings) look(meeting, visit);
+      for (const MeetingPolygons& meeting : cells_.meetings) look(meeting, visit);
     }
   }
 
  private:
   std::int64_t group_of(std::size_t i) const { return groups_.empty() ? static_cast<std::int64_t>(i) : groups_[i]; }
 
-  void look(const Meeting& meeting, const VisitContact& visit) {
+  void look(const MeetingPolygons& meeting, const VisitContact& visit) {
     if (meeting.first.empty()) return;
-    std::vector<Member> second;
+    std::vector<OfGroup> second;
     for (const std::size_t j : meeting.second) second.push_back({group_of(j), j});
     std::sort(second.begin(), second.end(), is_before);
     std::size_t groups = second.empty() ? 0 : 1;
@@ -140,10 +139,10 @@ class PolygonPairs {
       if (second[k].group != second[k - 1].group) ++groups;
     for (const std::size_t i : meeting.first) {
       const auto [own, own_end] =
-          std::equal_range(second.begin(), second.end(), Member{group_of(i), i}, is_of_lower_group);
+          std::equal_range(second.begin(), second.end(), OfGroup{group_of(i), i}, is_of_lower_group);
       take_steps(groups + second.size() - static_cast<std::size_t>(own_end - own), 1, 1);
-      std::for_each(second.begin(), own, [&](const Member& j) { meet(i, j.polygon, visit); });
-      std::for_each(own_end, second.end(), [&](const Member& j) { meet(i, j.polygon, visit); });
+      std::for_each(second.begin(), own, [&](const OfGroup& j) { meet(i, j.polygon, visit); });
+      std::for_each(own_end, second.end(), [&](const OfGroup& j) { meet(i, j.polygon, visit); });
     }
   }
 
@@ -155,43 +154,14 @@ class PolygonPairs {
   }
 
   Cells cells_;
-  const std::vector<std::int64_t>& groups_;
+  const Groups& groups_;
   const std::size_t count_;
   std::unordered_set<std::uint64_t> found_;
 };
 
-}  // namespace
-
-std::vector<std::size_t> edges_near(const PolygonTable& polygons, const EdgeRange& ring, const Numbers& point,
-                                    const SweepPoint& place) {
-  const std::size_t count = (ring.end - ring.begin + edges_of_block - 1) / edges_of_block, size = length(point);
-  take_steps(count + 4, size, polygons.bits);
-  std::vector<std::size_t> near;
-  for (std::size_t b = 0; b < count; ++b) {
-    const EdgeBlock& block = polygons.blocks[ring.first_block + b];
-    if (place.x < block.left * place.w || place.x > block.right * place.w || place.y < block.low * place.w) continue;
-    const std::size_t begin = ring.begin + b * edges_of_block;
-    for (std::size_t k = begin; k < std::min(begin + edges_of_block, ring.end); ++k) near.push_back(k);
-  }
-  take_steps(4 * near.size(), size, polygons.bits);
-  return near;
-}
-
-bool is_above_odd(const PolygonTable& polygons, const std::vector<std::size_t>& edges, const SweepPoint& p) {
-  bool odd = false;
-  for (const std::size_t k : edges) {
-    const PlanarSegment& edge = polygons.edges[k];
-    const bool is_over = !is_before(p, place_of(edge.first)) && is_before(p, place_of(edge.last));
-    odd ^= is_over && side(edge, p) > 0;
-  }
-  return odd;
-}
-
-void check_common_point(const Tables& tables, const StatedContact& contact, const Numbers& point,
-                        const std::vector<std::int64_t>& groups, const AllowedContacts& allowed) {
-  const PolygonTable& polygons = tables.polygons;
-  const std::size_t i = contact.i, j = contact.j;
-  const SweepPoint place = place_in_units(point, polygons.exponent);
+void check_common_point(const PolygonTable& polygons, std::size_t i, std::size_t j, const Numbers& point,
+                        const Groups& groups, const AllowedContacts& allowed) {
+  const SweepPoint place = place_in_units(point, polygons.edges.exponent);
   require(i != j && (groups.empty() || groups[i] != groups[j]), "common_point",
           std::to_string(i) + " and " + std::to_string(j) + " are of one group");
   int touched = 0, inside = 0;
@@ -217,9 +187,41 @@ void check_common_point(const Tables& tables, const StatedContact& contact, cons
           "all edges of both end at the point");
 }
 
-ContactsOf contacts_of_polygons(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                                const AllowedContacts& allowed) {
-  return [&](const VisitContact& visit) { PolygonPairs(claim, tables.polygons, groups, allowed).run(visit); };
+}  // namespace
+
+std::vector<std::size_t> edges_near(const PolygonTable& polygons, const EdgeRange& ring, const Numbers& point,
+                                    const SweepPoint& place) {
+  const std::size_t count = (ring.end - ring.begin + edges_of_block - 1) / edges_of_block, size = length(point);
+  take_steps(count + 4, size, polygons.edges.bits);
+  std::vector<std::size_t> near;
+  for (std::size_t b = 0; b < count; ++b) {
+    const EdgeBlock& block = polygons.blocks[ring.first_block + b];
+    if (place.x < block.left * place.w || place.x > block.right * place.w || place.y < block.low * place.w) continue;
+    const std::size_t begin = ring.begin + b * edges_of_block;
+    for (std::size_t k = begin; k < std::min(begin + edges_of_block, ring.end); ++k) near.push_back(k);
+  }
+  take_steps(4 * near.size(), size, polygons.edges.bits);
+  return near;
 }
+
+bool is_above_odd(const PolygonTable& polygons, const std::vector<std::size_t>& edges, const SweepPoint& p) {
+  bool odd = false;
+  for (const std::size_t k : edges) {
+    const PlanarSegment& edge = polygons.edges[k];
+    const bool is_over = !is_before(p, place_of(edge.first)) && is_before(p, place_of(edge.last));
+    odd ^= is_over && side(edge, p) > 0;
+  }
+  return odd;
+}
+
+Contacts contacts_of(const SweepEvents& events, const PolygonTable& polygons, const Groups& groups,
+                     const AllowedContacts& allowed) {
+  return counted_one_by_one(
+      [&](const VisitContact& visit) { PolygonPairs(events, polygons, groups, allowed).run(visit); });
+}
+
+const ClaimRows claims_of_polygons{
+    {"common_point", "", rule<check_common_point>},
+};
 
 }  // namespace sunder_verifier

@@ -1,4 +1,4 @@
-// The rule that what is said of many bodies has been proved pair by pair: docs/claims.md, "each_pair" and
+// The rules that what is said of many bodies has been proved pair by pair: docs/claims.md, "each_pair" and
 // "each_clearance".
 #include <verifier/cpp/rules.h>
 
@@ -11,15 +11,13 @@
 namespace sunder_verifier {
 namespace {
 
-using IndexPair = std::pair<std::size_t, std::size_t>;
-
 IndexPair in_order(std::size_t i, std::size_t j) { return {std::min(i, j), std::max(i, j)}; }
 
-ProvedPair known_of(const ProvedPairs& proved, std::size_t a, std::size_t b) {
+ProvedPair known_of(const Proved& proved, std::size_t a, std::size_t b) {
   ProvedPair result;
   for (const IndexPair& pair : {IndexPair{a, b}, IndexPair{b, a}}) {
-    const auto found = proved.find(pair);
-    if (found == proved.end()) continue;
+    const auto found = proved.pairs.find(pair);
+    if (found == proved.pairs.end()) continue;
     result.is_apart |= found->second.is_apart;
     result.meet |= found->second.meet;
     result.touch |= found->second.touch;
@@ -30,20 +28,20 @@ ProvedPair known_of(const ProvedPairs& proved, std::size_t a, std::size_t b) {
 
 // Looks at each two members of different groups, but for some: holds(a, b, is_listed).
 template <class Holds>
-void look_at_each(const char* rule, const AllPairs& pairs, const std::vector<std::int64_t>& groups,
-                  const std::vector<StatedContact>& listed, const Holds& holds) {
+void look_at_each(const char* rule, const Indices& members, const Groups& groups, const StatedContacts& except,
+                  const StatedContacts& listed, const Holds& holds) {
   std::map<std::int64_t, std::vector<std::size_t>> of_group;
-  for (std::size_t i = 0; i < pairs.members.size(); ++i) {
+  for (std::size_t i = 0; i < members.size(); ++i) {
     of_group[groups.empty() ? static_cast<std::int64_t>(i) : groups[i]].push_back(i);
   }
-  const std::set<IndexPair> besides(pairs.besides.begin(), pairs.besides.end());
-  std::set<IndexPair> left;
+  std::set<IndexPair> besides, left;
+  for (const StatedContact& pair : except) besides.emplace(pair.i, pair.j);
   for (const StatedContact& contact : listed) left.emplace(contact.i, contact.j);
   const auto look_at = [&](std::size_t i, std::size_t j) {
     take_steps(4, 1, 1);
     const IndexPair pair = in_order(i, j);
     if (besides.contains(pair)) return;
-    require(holds(pairs.members[i], pairs.members[j], left.erase(pair) > 0), rule,
+    require(holds(members[i], members[j], left.erase(pair) > 0), rule,
             "of " + std::to_string(pair.first) + " and " + std::to_string(pair.second) + " this is not proved before");
   };
   for (auto first = of_group.begin(); first != of_group.end(); ++first) {
@@ -56,11 +54,9 @@ void look_at_each(const char* rule, const AllPairs& pairs, const std::vector<std
   require(left.empty(), rule, "a pair is listed that is not asked about");
 }
 
-}  // namespace
-
-void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const AllowedContacts& allowed,
-                     const ProvedPairs& proved, const std::vector<StatedContact>& contacts) {
-  look_at_each("each_pair", pairs, groups, contacts, [&](std::size_t a, std::size_t b, bool is_listed) {
+void check_each_pair(const Indices& members, const Groups& groups, const StatedContacts& except,
+                     const AllowedContacts& allowed, const Proved& proved, const StatedContacts& contacts) {
+  look_at_each("each_pair", members, groups, except, contacts, [&](std::size_t a, std::size_t b, bool is_listed) {
     const ProvedPair known = known_of(proved, a, b);
     const bool counts = known.overlap || (!allowed.shared_endpoint && (known.meet || known.touch));
     const bool does_not_count = known.is_apart || (allowed.shared_endpoint && known.touch);
@@ -68,12 +64,19 @@ void check_each_pair(const AllPairs& pairs, const std::vector<std::int64_t>& gro
   });
 }
 
-void check_each_clearance(const AllPairs& pairs, const std::vector<std::int64_t>& groups, const Number& least,
-                          const ProvedClearances& proved, const std::vector<StatedContact>& nearer) {
-  look_at_each("each_clearance", pairs, groups, nearer, [&](std::size_t a, std::size_t b, bool is_listed) {
-    return proved.contains({a, b, least.n, least.e, !is_listed}) ||
-           proved.contains({b, a, least.n, least.e, !is_listed});
+void check_each_clearance(const Indices& members, const Groups& groups, const StatedContacts& except,
+                          const Number& least, const Proved& proved, const StatedContacts& nearer) {
+  look_at_each("each_clearance", members, groups, except, nearer, [&](std::size_t a, std::size_t b, bool is_listed) {
+    return proved.clearances.contains({a, b, least.n, least.e, !is_listed}) ||
+           proved.clearances.contains({b, a, least.n, least.e, !is_listed});
   });
 }
+
+}  // namespace
+
+const ClaimRows claims_of_all_pairs{
+    {"each_pair", "", rule<check_each_pair>},
+    {"each_clearance", "", rule<check_each_clearance>},
+};
 
 }  // namespace sunder_verifier

@@ -1,6 +1,5 @@
-#include <verifier/cpp/reader.h>
-#include <verifier/cpp/rules.h>
-#include <verifier/cpp/sweep.h>
+// The contacts of segments, by a sweep: docs/claims.md, "Sweeps".
+#include <verifier/cpp/contacts.h>
 
 #include <algorithm>
 #include <functional>
@@ -11,25 +10,7 @@
 
 namespace sunder_verifier {
 
-// ---- Contacts of segments.
-
 namespace {
-
-// How two segments meet that have a common point.
-const char* kind_of(const PlanarSegment& s, const PlanarSegment& t) {
-  if (turn(s, t) == 0 && !is_point(s) &&
-      !is_point(t)) {  // on one line, where the order of points is the order along it
-    const PlanarPoint& first = is_less(s.first, t.first) ? t.first : s.first;
-    const PlanarPoint& last = is_less(s.last, t.last) ? s.last : t.last;
-    return is_less(first, last) ? "overlap" : "shared-endpoint";
-  }
-  for (const PlanarPoint* p : {&s.first, &s.last}) {
-    if (*p == t.first || *p == t.last) return "shared-endpoint";
-  }
-  const bool touch = is_on(t, place_of(s.first)) || is_on(t, place_of(s.last)) || is_on(s, place_of(t.first)) ||
-                     is_on(s, place_of(t.last));
-  return touch ? "touch" : "crossing";
-}
 
 // What holds the point of an event.
 struct AtEvent {
@@ -108,12 +89,9 @@ std::uint64_t number_of_pairs(const Meeting& meeting, const std::vector<AtEvent>
 // Goes through a sweep, event by event: what holds the point, and which of these may have contacts that count.
 class ContactSweep {
  public:
-  ContactSweep(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
+  ContactSweep(const SweepEvents& events, const Segments& segments, const Groups& groups,
                const AllowedContacts& allowed)
-      : sweep_(claim.events, tables.segments, tables.segment_bits),
-        segments_(tables.segments),
-        groups_(groups),
-        allowed_(allowed) {}
+      : sweep_(events, segments), segments_(segments), groups_(groups), allowed_(allowed) {}
 
   std::vector<AtEvent> at;
   std::vector<Meeting> meetings;
@@ -185,37 +163,36 @@ class ContactSweep {
   }
 
   Sweep sweep_;
-  const std::vector<PlanarSegment>& segments_;
-  const std::vector<std::int64_t>& groups_;
+  const Segments& segments_;
+  const Groups& groups_;
   const AllowedContacts& allowed_;
   std::unordered_map<std::size_t, std::size_t> place_;  // of a segment in at
   std::vector<std::vector<std::size_t>> rows_;          // places of those that go on along one line
 };
 
-std::string pair_text(std::size_t i, std::size_t j) { return std::to_string(i) + " and " + std::to_string(j); }
-
 }  // namespace
 
-void check_contact(const std::vector<PlanarSegment>& segments, std::int64_t exponent, std::size_t bits,
-                   const StatedContact& contact, const Numbers& point, const std::vector<std::int64_t>& groups,
-                   const AllowedContacts& allowed) {
-  const auto& [i, j, kind] = contact;
-  take_steps(16, length(point), bits);
-  const SweepPoint place = place_in_units(point, exponent);
-  require(i != j && (groups.empty() || groups[i] != groups[j]), "contact", pair_text(i, j) + " are of one group");
-  const bool counts = !(kind == "shared-endpoint" && allowed.shared_endpoint) && !(kind == "touch" && allowed.touch);
-  require(counts, "contact", kind + " does not count");
-  for (const std::size_t k : {i, j}) {
-    require(is_on(segments[k], place), "contact", "the point is not in " + std::to_string(k));
+bool holds(const PlanarSegment& segment, const SweepPoint& place) { return is_on(segment, place); }
+
+std::string kind_of(const PlanarSegment& s, const PlanarSegment& t) {
+  if (turn(s, t) == 0 && !is_point(s) &&
+      !is_point(t)) {  // on one line, where the order of points is the order along it
+    const PlanarPoint& first = is_less(s.first, t.first) ? t.first : s.first;
+    const PlanarPoint& last = is_less(s.last, t.last) ? s.last : t.last;
+    return is_less(first, last) ? "overlap" : "shared-endpoint";
   }
-  const std::string found = kind_of(segments[i], segments[j]);
-  require(found == kind, "contact", "the contact is " + found);
+  for (const PlanarPoint* p : {&s.first, &s.last}) {
+    if (*p == t.first || *p == t.last) return "shared-endpoint";
+  }
+  const bool touch = is_on(t, place_of(s.first)) || is_on(t, place_of(s.last)) || is_on(s, place_of(t.first)) ||
+                     is_on(s, place_of(t.last));
+  return touch ? "touch" : "crossing";
 }
 
-ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                                const AllowedContacts& allowed) {
-  return [&](const VisitContact& visit) {
-    ContactSweep sweep(claim, tables, groups, allowed);
+Contacts contacts_of(const SweepEvents& events, const Segments& segments, const Groups& groups,
+                     const AllowedContacts& allowed) {
+  const auto visit_all = [&](const VisitContact& visit) {
+    ContactSweep sweep(events, segments, groups, allowed);
     while (sweep.next()) {
       for (const Meeting& meeting : sweep.meetings) {
         visit_pairs(meeting, sweep.at, [&](const AtEvent& s, const AtEvent& t) {
@@ -224,43 +201,15 @@ ContactsOf contacts_of_segments(const Claim& claim, const Tables& tables, const 
       }
     }
   };
-}
-
-std::uint64_t number_of_segments(const Claim& claim, const Tables& tables, const std::vector<std::int64_t>& groups,
-                                 const AllowedContacts& allowed) {
-  ContactSweep sweep(claim, tables, groups, allowed);
-  std::uint64_t number = 0;
-  while (sweep.next()) {
-    for (const Meeting& meeting : sweep.meetings) number += number_of_pairs(meeting, sweep.at);
-  }
-  return number;
-}
-
-// ---- Lists: of segments that meet, and of polygons.
-
-void check_listed(const char* rule, const ContactsOf& contacts, const std::vector<StatedContact>& listed) {
-  std::vector<bool> found(listed.size());
-  contacts([&](std::size_t i, std::size_t j, const char* kind) {
-    const auto at =
-        std::lower_bound(listed.begin(), listed.end(), std::pair(i, j),
-                         [](const StatedContact& c, const auto& pair) { return std::pair(c.i, c.j) < pair; });
-    const bool is_listed = at != listed.end() && at->i == i && at->j == j && at->kind == kind;
-    require(is_listed, rule, pair_text(i, j) + " have a contact that counts, and is not listed");
-    found[static_cast<std::size_t>(at - listed.begin())] = true;
-  });
-  for (std::size_t k = 0; k < listed.size(); ++k) {
-    require(found[k], rule, pair_text(listed[k].i, listed[k].j) + " have no contact that counts");
-  }
-}
-
-std::uint64_t number_of(const ContactsOf& contacts) {
-  std::uint64_t count = 0;
-  contacts([&](std::size_t, std::size_t, const char*) { ++count; });
-  return count;
-}
-
-void check_number(const char* rule, std::uint64_t count, std::uint64_t number) {
-  require(count == number, rule, std::to_string(count) + " contacts count");
+  const auto count_all = [&] {
+    ContactSweep sweep(events, segments, groups, allowed);
+    std::uint64_t number = 0;
+    while (sweep.next()) {
+      for (const Meeting& meeting : sweep.meetings) number += number_of_pairs(meeting, sweep.at);
+    }
+    return number;
+  };
+  return {visit_all, count_all};
 }
 
 }  // namespace sunder_verifier

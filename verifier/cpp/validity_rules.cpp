@@ -1,4 +1,4 @@
-// Rules about valid polygons, and about what is wrong with others: docs/claims.md, "Valid polygons".
+// The rules about valid polygons, and about what is wrong with others: docs/claims.md, "Valid polygons".
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 #include <verifier/cpp/sets.h>
@@ -56,8 +56,8 @@ bool is_nested(const PartTable& parts, const std::vector<std::size_t>& ways) {
 // how many pieces the inside of each part is.
 class Regions {
  public:
-  Regions(const Claim& claim, const PartTable& parts)
-      : sweep(claim.events, parts.polygons.edges, parts.polygons.bits),
+  Regions(const SweepEvents& events, const PartTable& parts)
+      : sweep(events, parts.polygons.edges),
         pieces(parts.polygons.rings.size()),
         parts_(parts),
         label_(parts.polygons.edges.size()),
@@ -127,8 +127,7 @@ class Regions {
 };
 
 // Requires that no two edges that go on have one direction.
-void require_no_lines(const std::vector<PlanarSegment>& edges, const std::vector<std::size_t>& going,
-                      const char* rule) {
+void require_no_lines(const Segments& edges, const std::vector<std::size_t>& going, const char* rule) {
   for (std::size_t k = 1; k < going.size(); ++k) {
     require(turn(edges[going[k - 1]], edges[going[k]]) != 0, rule, "edges go on along one line");
   }
@@ -136,8 +135,8 @@ void require_no_lines(const std::vector<PlanarSegment>& edges, const std::vector
 
 class Validity {
  public:
-  Validity(const Claim& claim, const PartTable& parts, ValidRule rule)
-      : parts_(parts), rule_(rule), regions_(claim, parts), seen_(parts.rings.size()) {}
+  Validity(const SweepEvents& events, const PartTable& parts, ValidRule rule)
+      : parts_(parts), rule_(rule), regions_(events, parts), seen_(parts.rings.size()) {}
 
   void check() {
     while (regions_.next()) {
@@ -157,7 +156,7 @@ class Validity {
  private:
   // What goes on, no two along one line; and rings come to the point once, or do not cross there.
   void look_at_edges() {
-    const std::vector<PlanarSegment>& edges = parts_.polygons.edges;
+    const Segments& edges = parts_.polygons.edges;
     const std::vector<std::size_t>& going = regions_.going;
     const Sweep& sweep = regions_.sweep;
     const bool has_points = going.size() < static_cast<std::size_t>(sweep.row_end - sweep.row);
@@ -200,7 +199,7 @@ struct AtRing {
 
 // Requires, by a rule, that an edge of some length holds the point.
 AtRing at_ring(const char* rule, const PartTable& parts, std::size_t ring, const Numbers& point) {
-  AtRing at{place_in_units(point, parts.polygons.exponent), {}};
+  AtRing at{place_in_units(point, parts.polygons.edges.exponent), {}};
   for (const std::size_t k : edges_near(parts.polygons, parts.rings[ring], point, at.place)) {
     const PlanarSegment& edge = parts.polygons.edges[k];
     if (!is_point(edge) && is_on(edge, at.place)) at.edges.push_back(k);
@@ -229,12 +228,12 @@ bool is_before(const WayAlong& p, const WayAlong& q) {
   return turn > 0 || (turn == 0 && p.edge < q.edge);
 }
 
-}  // namespace
+void check_valid(const SweepEvents& events, const PartTable& parts, ValidRule rule) {
+  Validity(events, parts, rule).check();
+}
 
-void check_valid(const Claim& claim, const PartTable& parts, ValidRule rule) { Validity(claim, parts, rule).check(); }
-
-void check_falls_apart(const Claim& claim, const PartTable& parts) {
-  Regions regions(claim, parts);
+void check_falls_apart(const SweepEvents& events, const PartTable& parts) {
+  Regions regions(events, parts);
   while (regions.next()) require_no_lines(parts.polygons.edges, regions.going, "falls_apart");
   const bool apart = std::any_of(regions.pieces.begin(), regions.pieces.end(), [](std::size_t n) { return n > 1; });
   require(apart, "falls_apart", "no part falls apart");
@@ -242,7 +241,7 @@ void check_falls_apart(const Claim& claim, const PartTable& parts) {
 
 void check_too_few_points(const PartTable& parts, std::size_t ring) {
   const EdgeRange& edges = parts.rings[ring];
-  take_steps(2 * (edges.end - edges.begin), parts.polygons.bits, 1);
+  take_steps(2 * (edges.end - edges.begin), parts.polygons.edges.bits, 1);
   std::set<SweepPoint, IsBefore> ends;
   for (std::size_t k = edges.begin; k < edges.end; ++k) {
     ends.insert(place_of(parts.polygons.edges[k].first));
@@ -268,7 +267,7 @@ void check_crosses(const PartTable& parts, std::size_t ring, const Numbers& poin
       ways.push_back({end->x * at.place.w - at.place.x, end->y * at.place.w - at.place.y, s});
     }
   }
-  const std::size_t size = length(point) + parts.polygons.bits;
+  const std::size_t size = length(point) + parts.polygons.edges.bits;
   take_steps(32 * ways.size(), size, size);
   std::sort(ways.begin(), ways.end(), [](const WayAlong& p, const WayAlong& q) { return is_before(p, q); });
   std::vector<std::size_t> around;
@@ -296,7 +295,7 @@ void check_misplaced(const PartTable& parts, std::size_t ring, const Numbers& po
   require(!filling(parts, label).fits || !filling(parts, toggled(label, ring)).fits, "misplaced", "rings fit there");
 }
 
-void check_circle(const PartTable& parts, const std::vector<std::size_t>& rings, const std::vector<Numbers>& points) {
+void check_circle(const PartTable& parts, const Indices& rings, const Points& points) {
   for (const std::size_t r : rings) {
     require(parts.part[r] == parts.part[rings[0]], "circle", "the rings are of different parts");
   }
@@ -321,5 +320,19 @@ void check_rings_touch(const PartTable& parts, ValidRule rule, std::size_t ring,
   at_ring("rings_touch", parts, ring, point);
   at_ring("rings_touch", parts, other, point);
 }
+
+}  // namespace
+
+const ClaimRows claims_of_valid_polygons{
+    {"valid", "events: sweep of subject", rule<check_valid>},
+    {"falls_apart", "events: sweep of subject", rule<check_falls_apart>},
+    {"too_few_points", "", rule<check_too_few_points>},
+    {"comes_twice", "", rule<check_comes_twice>},
+    {"crosses", "", rule<check_crosses>},
+    {"misplaced", "", rule<check_misplaced>},
+    {"circle", "", rule<check_circle>},
+    {"repeated", "", rule<check_repeated>},
+    {"rings_touch", "", rule<check_rings_touch>},
+};
 
 }  // namespace sunder_verifier

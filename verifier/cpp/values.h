@@ -1,0 +1,193 @@
+// What statements say and claims bring: values of some types, each under its name; and rules, which take them.
+#pragma once
+
+#include <verifier/cpp/reader.h>
+#include <verifier/cpp/tables.h>
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace sunder_verifier {
+
+using Indices = std::vector<std::size_t>;  // some may be no_index, where a shape says so
+using IndexLists = std::vector<Indices>;
+using IndexPair = std::pair<std::size_t, std::size_t>;
+using IndexPairs = std::vector<IndexPair>;
+using Points = std::vector<Numbers>;       // or other rows of numbers
+using Groups = std::vector<std::int64_t>;  // empty: each is one of its own
+
+// Numbers of named things: weights of points, multipliers of half-spaces.
+struct WeightList {
+  Indices named;
+  Numbers values;
+};
+
+// A triangle of a face: its first corner, this one and the next; or no face.
+struct FaceHome {
+  std::size_t face = no_index, corner = 0;
+};
+
+struct SweepEvents {
+  std::vector<std::int64_t> at;     // an end: 2 i or 2 i + 1; or -1
+  std::vector<std::int64_t> below;  // a segment, or -1
+  std::vector<std::size_t> begin;   // event k has the segments row[begin[k]] to row[begin[k + 1]]
+  std::vector<std::size_t> row;
+};
+
+// Two entries of a table, and a kind of contact; of pairs without kind the kind is empty.
+struct StatedContact {
+  std::size_t i = 0, j = 0;
+  std::string kind;
+
+  friend auto operator<=>(const StatedContact&, const StatedContact&) = default;
+};
+using StatedContacts = std::vector<StatedContact>;
+
+// What does not count.
+struct AllowedContacts {
+  bool shared_endpoint = false, touch = false;
+};
+
+struct EndOnLine {
+  Numbers point;
+  std::size_t side = 0;
+};
+using TwoEnds = std::array<std::optional<EndOnLine>, 2>;
+
+// A point of a body: of a hull, with a radius or without, one of its core, which the weights make; of others any, which
+// the body holds by them.
+struct SurfaceEnd {
+  WeightList weights;
+  Numbers point, from;  // not of a hull; from: of an ellipsoid only
+};
+
+// A point of A less one of B.
+struct SurfaceCorner {
+  SurfaceEnd of_a, of_b;
+};
+using SurfaceCorners = std::vector<SurfaceCorner>;
+
+// The points x with normal x = level.
+struct StatedPlane {
+  Integers normal;
+  Integer level;
+};
+
+enum class ValidRule : std::uint8_t { valid, simple, with_self_touch };
+
+// ---- What statements before have proved.
+
+struct ProvedPair {
+  bool is_apart = false, meet = false, touch = false, overlap = false;
+};
+
+// Two bodies, and the number n 2^e, n odd, that a statement `clearance` says they are apart, or more; or nearer.
+struct ProvedClearance {
+  std::size_t a = 0, b = 0;
+  Integer n;
+  std::int64_t e = 0;
+  bool is_kept = false;
+  auto tied() const { return std::tie(a, b, e, n, is_kept); }
+  bool operator<(const ProvedClearance& other) const { return tied() < other.tied(); }
+};
+
+// Of a flat hull the outline is the one face, of a segment its two ends are.
+struct ProvedHull {
+  std::string verdict;
+  IndexLists faces;
+};
+
+// By the indices of bodies.
+struct Proved {
+  std::map<IndexPair, ProvedPair> pairs;
+  std::set<ProvedClearance> clearances;
+  std::map<std::size_t, ProvedHull> hulls;
+};
+
+// ---- Values by name.
+
+// What a file has, and a statement names: values point to it.
+template <class T>
+constexpr bool is_of_file = false;
+template <class T>
+  requires std::is_same_v<T, HullBody> || std::is_same_v<T, RowBody> || std::is_same_v<T, PolygonTable> ||
+               std::is_same_v<T, Segments> || std::is_same_v<T, Circles> || std::is_same_v<T, Boxes> ||
+               std::is_same_v<T, Constraints> || std::is_same_v<T, Proved>
+constexpr bool is_of_file<T> = true;
+
+using Value = std::variant<std::size_t, std::string, Number, Numbers, Points, Indices, IndexLists,
+                           std::vector<IndexLists>, IndexPairs, Groups, WeightList, std::vector<FaceHome>, SweepEvents,
+                           StatedContacts, AllowedContacts, TwoEnds, SurfaceCorners, StatedPlane, ValidRule,
+                           std::shared_ptr<const PartTable>, const HullBody*, const RowBody*, const PolygonTable*,
+                           const Segments*, const Circles*, const Boxes*, const Constraints*, const Proved*>;
+
+// What a value is, or points to. Requires that it is of that type.
+template <class T>
+const T& as(const Value& value) {
+  if constexpr (std::is_same_v<T, Value>) {
+    return value;
+  } else if constexpr (std::is_same_v<T, PartTable>) {
+    return *std::get<std::shared_ptr<const T>>(value);
+  } else if constexpr (is_of_file<T>) {
+    return *std::get<const T*>(value);
+  } else {
+    return std::get<T>(value);
+  }
+}
+
+// Names, and what they mean; and those of the scope around it. It must not be moved while it is in use.
+class Scope {
+ public:
+  explicit Scope(const Scope* around = nullptr) : around_(around) {}
+
+  void set(std::string_view name, Value value) { values_.insert_or_assign(std::string(name), std::move(value)); }
+
+  // nullptr: nothing has that name.
+  const Value* find(std::string_view name) const {
+    const auto found = values_.find(name);
+    if (found != values_.end()) return &found->second;
+    return around_ != nullptr ? around_->find(name) : nullptr;
+  }
+
+  // Requires that something has that name.
+  const Value& operator[](std::string_view name) const { return *find(name); }
+
+ private:
+  const Scope* around_;
+  std::map<std::string, Value, std::less<>> values_;
+};
+
+// A rule takes so many values, in the order of its parameters; it throws Refused where the claim does not hold.
+struct Rule {
+  void (*check)(const Value* const* values);
+  std::size_t count;
+};
+
+template <class... Parameters>
+constexpr std::size_t count_of(void (*)(Parameters...)) {
+  return sizeof...(Parameters);
+}
+
+template <class... Parameters>
+void call(void (*function)(Parameters...), const Value* const* values) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    function(as<std::remove_cvref_t<Parameters>>(*values[k])...);
+  }(std::index_sequence_for<Parameters...>());
+}
+
+template <auto function>
+constexpr Rule rule{[](const Value* const* values) { call(function, values); }, count_of(function)};
+
+}  // namespace sunder_verifier
