@@ -11,9 +11,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
-      GjkSearch<double> search(p, q);
-      search.direction = search.first_direction();
-      return propose_by_gjk(p, q, search, of, cost);
+      return propose_by_gjk(p, q, of, cost);
     };
     return propose_stretched_where_wanted(a, b, holds, propose_of);
   });

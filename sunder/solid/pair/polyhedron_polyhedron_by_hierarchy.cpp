@@ -7,11 +7,9 @@
 //
 // Departures: DK90 looks at all neighbours of the extreme vertex, whose degree nothing bounds; the walks here are by
 // sectors of its normal cone (hierarchy_walk.h). Above the bottom the points are nearly the closest: one step a level.
-#include <sunder/solid/pair/gjk_search.h>
+#include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/pair/settle.h>
-#include <sunder/solid/pair/simplex_proposals.h>
 #include <sunder/solid/pair/stretched.h>
 #include <sunder/solid/pair/support.h>
 
@@ -82,78 +80,76 @@ class LevelWalk {
   std::optional<HierarchyWalk<Compare, Turn>> walk_;
 };
 
+// The difference of levels.
 template <class Real>
-class Descent {
+class LevelSupport : public GraphSupport<Real> {
  public:
   using Vector = VectorOf<Real>;
-  using Vertex = DifferenceVertexOf<Real>;
 
-  Descent(const Placed& a, const Placed& b, Cost& cost)
-      : search(a, b), a_(a), b_(b), of_a_(a.body, cost.probes), of_b_(b.body, cost.probes), cost_(cost) {}
+  LevelSupport(const Placed& a, const Placed& b, Cost& cost)
+      : GraphSupport<Real>(a, b), a_(a), b_(b), of_a_(a.body, cost.probes), of_b_(b.body, cost.probes) {}
 
-  // True where a proposal held. propose_apart(w): at the bottom, where the direction seems to part the bodies.
-  template <class Holds, class ProposeApart>
-  bool run(const Vector& first_direction, const Holds& holds, const ProposeApart& propose_apart) {
-    search.direction = first_direction;
-    turn();
-    const std::size_t levels = std::max(of_a_.level_count(), of_b_.level_count());
-    for (std::size_t level = 0; level < levels; ++level) {
-      const bool is_last = level + 1 == levels;
-      Real nearest = std::numeric_limits<double>::infinity();
-      for (int i = is_last ? search.most_iterations : most_steps_on_a_level; i > 0; --i) {
-        ++cost_.iterations;
-        const Vertex w = search.of_vertices(of_a_.furthest(level), of_b_.furthest(level));
-        if (is_last && dot(search.direction, w.at) < Real(0) && propose_apart(w)) return true;
-        if (!search.gains_by(w)) break;
-        if (search.step_to(w)) {
-          turn();
-          if (!(search.distance2 < nearest)) break;  // floating point goes in circles
-          nearest = search.distance2;
-          continue;
-        }
-        if (propose_meet(a_, b_, search.simplex, holds)) return true;
-        if (is_last) return false;
-        search.simplex.count = 0;  // the polyhedra may meet in another way, more clearly
-        turn();
-        break;
-      }
-    }
-    return propose_meet(a_, b_, search.simplex, holds);
+  std::size_t level = 0;
+
+  std::size_t level_count() const { return std::max(of_a_.level_count(), of_b_.level_count()); }
+
+  void turn_to(const Vector& direction) {
+    of_a_.turn_to(a_.pulled(direction));
+    of_b_.turn_to(negated(b_.pulled(direction)));
   }
 
-  GjkSearch<Real> search;
+  // Along the direction that it was turned to.
+  DifferenceVertexOf<Real> furthest(const Vector&, const DifferenceSimplexOf<Real>&, Cost&) {
+    return this->of_vertices(of_a_.furthest(level), of_b_.furthest(level));
+  }
 
  private:
-  void turn() {
-    of_a_.turn_to(a_.pulled(search.direction));
-    of_b_.turn_to(negated(b_.pulled(search.direction)));
-  }
-
   const Placed& a_;
   const Placed& b_;
   LevelWalk<Real> of_a_, of_b_;
-  Cost& cost_;
 };
 
-// In doubles, with directions in doubles or the features of the simplex for bodies that are apart; then in twice the
-// precision, with directions perpendicular to the simplex.
+template <class Real>
+using Descent = Gjk<Real, LevelSupport<Real>>;
+
+template <class Real, class Holds>
+bool propose_by_descent(const Placed& a, const Placed& b, Descent<Real>& search, const Holds& holds, Cost& cost) {
+  LevelSupport<Real>& support = search.support;
+  support.turn_to(search.direction);
+  const std::size_t levels = support.level_count();
+  for (support.level = 0; support.level < levels; ++support.level) {
+    const bool is_last = support.level + 1 == levels;
+    GjkLimits limits{.in_vain = 1};
+    if (!is_last) limits.steps = most_steps_on_a_level;
+    const auto parts = [&](const auto& w) { return is_last && propose_apart(search, w, holds); };
+    const auto turns = [&](bool) {
+      support.turn_to(search.direction);
+      return false;
+    };
+    const GjkEnd end = search.run(limits, cost, parts, turns);
+    if (end == GjkEnd::stopped) return true;
+    if (end != GjkEnd::inside) continue;
+    if (propose_meet(a, b, search.simplex, holds)) return true;
+    if (is_last) return false;
+    search.simplex.count = 0;  // the polyhedra may meet in another way, more clearly
+    support.turn_to(search.direction);
+  }
+  return propose_meet(a, b, search.simplex, holds);
+}
+
+// In doubles, then in twice the precision.
 template <class Holds>
 bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
-  Descent<double> descent(a, b, cost);
-  const GjkSearch<double>& found = descent.search;
-  const auto along_direction = [&](DifferenceVertex w) {
-    Point3 direction = found.direction;
-    return settle(found.simplex, direction, w) && holds(apart_along(direction, w.a, w.b));
-  };
-  if (descent.run(found.first_direction(), holds, along_direction) ||
-      propose_apart_along_features(found.simplex, found.direction, holds)) {
+  Descent<double> search(a, b, cost);
+  search.begin({});
+  if (propose_by_descent(a, b, search, holds, cost) ||
+      propose_apart_along_features(search.simplex, search.direction, holds)) {
     return true;
   }
   Descent<DoubleDouble> finer(a, b, cost);
-  const Point3& d = found.direction;
-  return finer.run({d.x, d.y, d.z}, holds, [&](const DifferenceVertexOf<DoubleDouble>& w) {
-    return propose_apart_along_perpendicular(finer.search.simplex, w.a, w.b, holds);
-  });
+  const Point3& d = search.direction;
+  finer.direction = {d.x, d.y, d.z};
+  return propose_by_descent(a, b, finer, holds, cost);
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/estimate_ratio.h>
 #include <sunder/number/root.h>
+#include <sunder/solid/pair/closest_features.h>
 #include <sunder/solid/pair/extreme_vertex.h>
-#include <sunder/solid/pair/gjk_search.h>
+#include <sunder/solid/pair/graph_support.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/represent/search_graph_walk.h>
@@ -147,14 +148,14 @@ template <class Real>
 bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32_t from_b, Closest& closest,
              Cost& cost) {
   GjkSearch<Real> search(a, b);
-  Nearing<Real> nearing;
-  bool goes_on = search.step_to(search.of_vertices(from_a, from_b));
-  for (int i = 0; goes_on && i < search.most_iterations; ++i) {
-    ++cost.iterations;
-    const DifferenceVertexOf<Real> w = search.probe(cost);
-    goes_on = search.gains_by(w) && search.step_to(w) && nearing.goes_on(search.distance2);
+  if (search.step_to(search.support.of_vertices(from_a, from_b))) search.run({}, cost);
+  VertexSet<Real> of_a, of_b;
+  for (int i = 0; i < search.simplex.count; ++i) {
+    const DifferenceVertexOf<Real>& v = search.simplex.vertex[static_cast<std::size_t>(i)];
+    if (!of_a.has(v.a)) of_a.add(v.a, search.support.image_of_a(v.a));
+    if (!of_b.has(v.b)) of_b.add(v.b, search.support.image_of_b(v.b));
   }
-  return closest.dispose(closest_features(search.vertices_of_a(), search.vertices_of_b()));
+  return closest.dispose(closest_features(of_a, of_b));
 }
 
 }  // namespace

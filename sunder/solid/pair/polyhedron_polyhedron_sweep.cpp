@@ -1,10 +1,9 @@
 #include <sunder/certificate/direction.h>
-#include <sunder/solid/pair/gjk_search.h>
+#include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/placed.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
-#include <sunder/solid/pair/settle.h>
 #include <sunder/solid/pair/sweep_simplex.h>
 
 #include <array>
@@ -23,43 +22,27 @@ const Pose& pose_at(const Translation& of, SweepAnswer::Found found) {
   return found == SweepAnswer::Found::at_end ? of.end() : of.begin();
 }
 
-// Is w further along the search's direction than the face, by more than the noise of floating point?
-bool gains_by(const GjkSearch<double>& search, const DifferenceVertex& w) {
-  const DifferenceSimplex& simplex = search.simplex;
-  if (simplex.count == 0) return true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(simplex.count); ++i) {
-    if (simplex.vertex[i].at == w.at) return false;
-  }
-  const Point3& d = search.direction;
-  const double size = std::fabs(d.x * w.at.x) + std::fabs(d.y * w.at.y) + std::fabs(d.z * w.at.z);
-  return dot(d, minus(w.at, simplex.vertex[0].at)) > 4 * search.noise * size;
-}
+// The difference of A and B, and what that is moved by on the way.
+class SweptSupport : public GraphSupport<double> {
+ public:
+  SweptSupport(const Placed& a, const Placed& b, const Point3& path)
+      : GraphSupport(a, b), moved_{path.x * scale, path.y * scale, path.z * scale} {}
 
-// Gilbert, Johnson and Keerthi's search in doubles for a direction that parts A and B, both of time 0, and A moved by
-// `path` and B: over the difference of the two, and what that is moved by. holds(direction, near_a, near_b): does it?
-template <class Holds>
-bool propose_direction(const Placed& a, const Placed& b, const Point3& path, const Holds& holds, Cost& cost) {
-  GjkSearch<double> search(a, b);
-  const double scale = search.simplex.scale;
-  const Point3 moved{path.x * scale, path.y * scale, path.z * scale};
-  Point3& d = search.direction;
-  d = search.first_direction();
-  d = {d.x - moved.x / 2, d.y - moved.y / 2, d.z - moved.z / 2};
-  if (!(dot(d, d) > 0)) d = {1, 0, 0};
-  Nearing<double> nearing;
-  for (int i = 0; i < search.most_iterations; ++i) {
-    ++cost.iterations;
-    DifferenceVertex w = search.probe(cost);
-    if (dot(d, moved) > 0) w.at = {w.at.x + moved.x, w.at.y + moved.y, w.at.z + moved.z};
-    if (dot(d, w.at) < 0) {
-      DifferenceVertex furthest = w;
-      Point3 direction = d;
-      if (settle(search.simplex, direction, furthest) && holds(direction, furthest.a, furthest.b)) return true;
-    }
-    if (!gains_by(search, w) || !search.step_to(w) || !nearing.goes_on(search.distance2)) return false;
+  Point3 first_direction() const {
+    const Point3 d = GraphSupport::first_direction();
+    const Point3 half_way{d.x - moved_.x / 2, d.y - moved_.y / 2, d.z - moved_.z / 2};
+    return dot(half_way, half_way) > 0 ? half_way : Point3{1, 0, 0};
   }
-  return false;
-}
+  DifferenceVertex furthest(const Point3& d, const DifferenceSimplex& simplex, Cost& cost) const {
+    DifferenceVertex w = GraphSupport::furthest(d, simplex, cost);
+    if (dot(d, moved_) > 0) w.at = {w.at.x + moved_.x, w.at.y + moved_.y, w.at.z + moved_.z};
+    return w;
+  }
+  static bool are_same(const DifferenceVertex& v, const DifferenceVertex& w) { return v.at == w.at; }
+
+ private:
+  Point3 moved_;
+};
 
 // How A moves as seen from B, rounded.
 Point3 relative_path(const Translation& of_a, const Translation& of_b) {
@@ -121,11 +104,12 @@ SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Transla
       return answer;
     }
   }
-  const auto parts = [&](const Point3& direction, std::uint32_t near_a, std::uint32_t near_b) {
+  // A direction that parts A and B, both of time 0, and A and B at the end.
+  const auto holds = [&](const Proposal& proposal) {
     ++answer.cost.proposals;
     PairCertificate found;
-    if (!dispose(first_a, first_b, apart_along(direction, near_a, near_b), found, answer.cost, tally)) return false;
-    if (compare_along(WorldDirection(direction), last_a[found.extreme_a], last_b[found.extreme_b], &tally) !=
+    if (!dispose(first_a, first_b, proposal, found, answer.cost, tally)) return false;
+    if (compare_along(WorldDirection(proposal.direction), last_a[found.extreme_a], last_b[found.extreme_b], &tally) !=
         Sign::positive) {
       return false;
     }
@@ -133,7 +117,11 @@ SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Transla
     answer.found = SweepAnswer::Found::at_begin;
     return true;
   };
-  if (propose_direction(first_a, first_b, relative_path(of_a, of_b), parts, answer.cost)) {
+  const Point3 path = relative_path(of_a, of_b);
+  Gjk<double, SweptSupport> search(first_a, first_b, path);
+  search.begin({});
+  const auto parts = [&](const DifferenceVertex& w) { return propose_apart(search, w, holds); };
+  if (search.run({}, answer.cost, parts) == GjkEnd::stopped) {
     conclude(answer, tally.exact);
     return answer;
   }

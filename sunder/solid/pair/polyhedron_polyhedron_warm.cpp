@@ -129,9 +129,7 @@ PairAnswer polyhedron_polyhedron_warm(const ConvexPolyhedron& body_a, const Pose
     is_kept = propose_again(last, a, b, holds, cost);
     if (is_kept) return true;
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
-      GjkSearch<double> search(p, q);
-      search.direction = search.first_direction();
-      return propose_by_gjk(p, q, search, of, cost);
+      return propose_by_gjk(p, q, of, cost);
     };
     return propose_stretched_where_wanted(a, b, holds, propose_of);
   });

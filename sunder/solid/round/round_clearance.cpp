@@ -31,15 +31,15 @@ class ClearanceSearch {
 
   template <class Real>
   bool parts(const RoundSearch<Real>& search, const DifferenceVertexOf<Real>& w) {
-    near_a_ = search.slots[w.a].vertex_a;
-    near_b_ = search.slots[w.a].vertex_b;
-    const Real gap = search.gap_at(w), length2 = dot(search.direction, search.direction), far = reach_of(search);
-    return gap > Real(0) && gap * gap > far * far * length2 * Real(1 + 16 * search.noise) && keeps(search);
+    const RoundSupport<Real>& support = search.support;
+    near_a_ = support.slots[w.a].vertex_a;
+    near_b_ = support.slots[w.a].vertex_b;
+    return support.exceeds(search.gap_at(w), reach_of(search), search.direction) && keeps(search);
   }
   template <class Real>
   bool nears(const RoundSearch<Real>& search) {
     const Real far = reach_of(search);
-    return search.distance2 * Real(1 + 16 * search.noise) < far * far && breaks(search);
+    return search.distance2 * Real(1 + 16 * search.support.relative_noise) < far * far && breaks(search);
   }
 
   bool keeps(const WorldDirection& direction) {
@@ -65,7 +65,7 @@ class ClearanceSearch {
  private:
   template <class Real>
   Real reach_of(const RoundSearch<Real>& search) const {
-    return search.reach + Real(least_ * search.simplex.scale);
+    return search.support.reach + Real(least_ * search.simplex.scale);
   }
   template <class Real>
   bool keeps(const RoundSearch<Real>& search) {

@@ -235,7 +235,7 @@ class Contacts {
     StageTally tally;
     RoundDisposal dispose(a_, b_, answer, tally, true);
     RoundProposer<double> first(a_, b_, dispose, answer.cost);
-    bool held = first.propose(first.search.first_direction());
+    bool held = first.propose({});
     if (!held) {
       RoundProposer<DoubleDouble> second(a_, b_, dispose, answer.cost);
       held = second.propose({});

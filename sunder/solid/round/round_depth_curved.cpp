@@ -131,7 +131,7 @@ class CurvedDepth {
       least_reach_ = beyond;
       best_ = direction;
     }
-    const auto& slot = search_.slots[w.a];
+    const auto& slot = search_.support.slots[w.a];
     const auto of_a = end_of(a_, slot.of_a, slot.vertex_a, surface_.of_a);
     const auto of_b = end_of(b_, slot.of_b, slot.vertex_b, surface_.of_b);
     if (!of_a || !of_b) return std::nullopt;

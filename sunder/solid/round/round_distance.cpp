@@ -99,8 +99,8 @@ class DistanceSearch {
     scale_ = search.simplex.scale;
     best_ = rounded(search.direction);
     best_exact_ = {exact(search.direction.x), exact(search.direction.y), exact(search.direction.z)};
-    near_a_ = search.slots[w.a].vertex_a;
-    near_b_ = search.slots[w.a].vertex_b;
+    near_a_ = search.support.slots[w.a].vertex_a;
+    near_b_ = search.support.slots[w.a].vertex_b;
     return false;
   }
   template <class Real>

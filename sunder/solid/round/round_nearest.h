@@ -17,10 +17,6 @@
 
 namespace sunder::solid {
 
-namespace nearest_detail {
-inline constexpr Affine3 in_place{};
-}
-
 // A direction, and the ends of both bodies along it.
 class RoundGap {
  public:
@@ -76,29 +72,23 @@ NearPoints points_nearer_than(double least, const ClosestPoints& cores, double r
 // flat that is more than search.distance2. Infinite where it makes none.
 template <class Real>
 Real way2_of(const RoundSearch<Real>& search) {
-  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
-  Real total = 0;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const auto mean = mean_nearest(search.simplex);
+  if (!mean) return infinity;
   VectorOf<Real> way{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(search.simplex.count); ++k) {
-    if (!(weights[k] > Real(0))) continue;
-    total = total + weights[k];
-    way = round_detail::sum<Real>(way, weights[k], search.simplex.vertex[k].at);
+  for (const auto& part : *mean) {
+    const auto& slot = search.support.slots[part.a];
+    way = round_detail::sum<Real>(way, part.weight, minus(slot.of_a, slot.of_b));
   }
-  const Real length2 = dot(way, way) / (total * total);
-  return length2 >= Real(0) ? length2 : Real(std::numeric_limits<double>::infinity());
+  const Real length2 = dot(way, way) / (mean->total * mean->total);
+  return length2 >= Real(0) ? length2 : Real(infinity);
 }
 
 // The points of both bodies that the simplex makes. Nothing where it makes none.
 template <class Real>
 std::optional<NearPoints> near_points(const RoundSearch<Real>& search, const PlacedRound& a, const PlacedRound& b) {
-  if (search.simplex.count == 0) return std::nullopt;
-  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
-  Real total = 0;
-  const std::size_t n = static_cast<std::size_t>(search.simplex.count);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (weights[k] > Real(0)) total = total + weights[k];
-  }
-  if (!(total > Real(0)) || !std::isfinite(nearest(total))) return std::nullopt;
+  const auto mean = mean_nearest(search.simplex);
+  if (!mean) return std::nullopt;
   const auto& origin = a.core.pose.translation;
   int shift = 0;
   std::frexp(search.simplex.scale, &shift);
@@ -106,12 +96,11 @@ std::optional<NearPoints> near_points(const RoundSearch<Real>& search, const Pla
   const auto point = [&](const PlacedRound& body) {
     VectorOf<Real> sum{};
     std::vector<Weights::Part> parts;
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(weights[k] > Real(0))) continue;
-      const auto& slot = search.slots[search.simplex.vertex[k].a];
+    for (const auto& part : *mean) {
+      const auto& slot = search.support.slots[part.a];
       const bool is_a = &body == &a;
-      sum = round_detail::sum<Real>(sum, weights[k] / total, is_a ? slot.of_a : slot.of_b);
-      parts.push_back({is_a ? slot.vertex_a : slot.vertex_b, exact(weights[k])});
+      sum = round_detail::sum<Real>(sum, part.weight / mean->total, is_a ? slot.of_a : slot.of_b);
+      parts.push_back({is_a ? slot.vertex_a : slot.vertex_b, exact(part.weight)});
     }
     if (!body.body.is_curved()) return of_core(body, parts);
     const auto part = [&](const Real& x, std::size_t i) { return Dyadic(origin[i]) + exact(x).scaled(1 - shift); };
@@ -131,38 +120,19 @@ struct NearPlaces {
 template <class Real>
 std::optional<NearPlaces> near_places(const RoundSearch<Real>& search, const PlacedRound& a, const PlacedRound& b,
                                       StageTally& tally) {
-  if (search.simplex.count == 0) return std::nullopt;
-  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
-  const std::size_t n = static_cast<std::size_t>(search.simplex.count);
-  Real total = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (weights[k] > Real(0)) total = total + weights[k];
-  }
-  if (!(total > Real(0)) || !std::isfinite(nearest(total))) return std::nullopt;
-  const auto place = [&](const PlacedRound& body) -> std::optional<WeightedPoint> {
-    const bool is_a = &body == &a;
-    WeightedPoint point;
-    VectorOf<Real> sum{};
-    for (std::size_t k = 0; k < n; ++k) {
-      const double weight = nearest(weights[k]);
-      if (!(weight > 0)) continue;
-      const auto& slot = search.slots[search.simplex.vertex[k].a];
-      if (body.body.is_curved()) {
-        sum = round_detail::sum<Real>(sum, weights[k] / total, is_a ? slot.of_a : slot.of_b);
-        continue;
-      }
-      point.points[point.count] = body.core[is_a ? slot.vertex_a : slot.vertex_b];
-      point.weights[point.count++] = weight;
-    }
-    if (!body.body.is_curved()) return point.count > 0 ? std::optional(point) : std::nullopt;
+  const auto made = made_of(search);
+  if (!made) return std::nullopt;
+  const auto place = [&](const PlacedRound& body, bool is_a) -> std::optional<WeightedPoint> {
+    if (!body.body.is_curved()) return round_detail::weighted(body, is_a ? made->a : made->b);
     // A little inwards, because of rounding.
-    const VectorOf<Real> inwards = minus(search.middle_of(is_a), sum);
-    const Point3 x = search.in_world(round_detail::sum<Real>(sum, Real(0x1p-44), inwards));
-    if (!std::isfinite(x.x + x.y + x.z)) return std::nullopt;
-    point = {1, {Posed3{x, &nearest_detail::in_place, false}}, {1}};
+    const VectorOf<Real>& at = is_a ? made->of_a : made->of_b;
+    const VectorOf<Real> inwards = minus(search.support.middle_of(is_a), at);
+    const Point3 x = search.support.in_world(round_detail::sum<Real>(at, Real(0x1p-44), inwards));
+    if (!round_detail::is_finite(x)) return std::nullopt;
+    const WeightedPoint point = round_detail::weighted(x);
     return side_of(body.shape, point, &tally) == Sign::negative ? std::nullopt : std::optional(point);
   };
-  const auto p = place(a), q = place(b);
+  const auto p = place(a, true), q = place(b, false);
   return p && q ? std::optional(NearPlaces{*p, *q}) : std::nullopt;
 }
 
@@ -172,24 +142,10 @@ std::optional<NearPlaces> near_places(const RoundSearch<Real>& search, const Pla
 // Returns whether one of them said so.
 template <class Real, class Seen>
 bool search_nearest(RoundSearch<Real>& search, const VectorOf<Real>& first, Seen& seen, Cost& cost) {
-  search.simplex.count = 0;
-  search.direction = dot(first, first) > Real(0) ? first : search.first_direction();
-  Real nearest2 = std::numeric_limits<double>::infinity();
-  int in_vain = 0;
-  for (int i = 0; i < search.most_iterations; ++i) {
-    ++cost.iterations;
-    const DifferenceVertexOf<Real> w = search.probe(cost);
-    if (seen.parts(search, w)) return true;
-    if (!search.gains_by(w) || !search.step_to(w)) break;
-    if (search.distance2 < nearest2) {
-      nearest2 = search.distance2;
-      in_vain = 0;
-      if (seen.nears(search)) return true;
-    } else if (++in_vain == 4) {
-      break;
-    }
-  }
-  return false;
+  search.begin(first);
+  return search.run(
+             {round_steps<Real>}, cost, [&](const auto& w) { return seen.parts(search, w); },
+             [&](bool is_nearer) { return is_nearer && seen.nears(search); }) == GjkEnd::stopped;
 }
 
 // Directions in which bodies that people give often are exactly as far apart as they are: near this one, simple

@@ -15,16 +15,6 @@ namespace sunder::solid {
 
 namespace round_detail {
 
-inline WeightedPoint weighted(const PlacedRound& body, const RoundCombination& c) {
-  WeightedPoint point;
-  point.count = c.count;
-  for (std::size_t k = 0; k < c.count; ++k) {
-    point.points[k] = body.core[c.vertices[k]];
-    point.weights[k] = c.weights[k];
-  }
-  return point;
-}
-
 inline Combination exact(const RoundCombination& c) {
   Combination made;
   made.denominator = Dyadic(0.0);
@@ -34,11 +24,6 @@ inline Combination exact(const RoundCombination& c) {
   }
   return made;
 }
-
-inline constexpr Affine3 in_place{};
-inline WeightedPoint weighted(const Point3& p) { return {1, {Posed3{p, &in_place, false}}, {1}}; }
-
-inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace round_detail
 
@@ -147,50 +132,6 @@ class RoundDisposal {
   Sign least_;
 };
 
-// What the simplex of a search makes: the point of each body that its weights mean.
-template <class Real>
-struct Made {
-  VectorOf<Real> of_a{}, of_b{};
-  RoundCombination a, b;  // of hulls
-};
-
-template <class Real>
-void add_weight(RoundCombination& c, std::uint32_t v, double weight) {
-  for (std::size_t k = 0; k < c.count; ++k) {
-    if (c.vertices[k] != v) continue;
-    c.weights[k] += weight;
-    return;
-  }
-  c.vertices[c.count] = v;
-  c.weights[c.count++] = weight;
-}
-
-template <class Real>
-std::optional<Made<Real>> made_of(const RoundSearch<Real>& search) {
-  if (search.simplex.count == 0) return std::nullopt;
-  const std::array<Real, 4> weights = weights_of_nearest(search.simplex);
-  Real total = 0;
-  const std::size_t n = static_cast<std::size_t>(search.simplex.count);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (weights[k] > Real(0)) total = total + weights[k];
-  }
-  if (!(total > Real(0))) return std::nullopt;
-  Made<Real> made;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(weights[k] > Real(0))) continue;
-    const Real weight = weights[k] / total;
-    const auto& slot = search.slots[search.simplex.vertex[k].a];
-    made.of_a = round_detail::sum<Real>(made.of_a, weight, slot.of_a);
-    made.of_b = round_detail::sum<Real>(made.of_b, weight, slot.of_b);
-    const double w = nearest(weight);
-    if (!(w > 0)) continue;
-    add_weight<Real>(made.a, slot.vertex_a, w);
-    add_weight<Real>(made.b, slot.vertex_b, w);
-  }
-  if (made.a.count == 0) return std::nullopt;
-  return made;
-}
-
 // One search, and what it proposes.
 template <class Real>
 class RoundProposer {
@@ -208,9 +149,9 @@ class RoundProposer {
     if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
     const std::array<Point3, 2> found = nearest_points;
     const std::array<RoundCombination, 2> made = nearest_made;
-    for (const double shrink : RoundSearch<Real>::shrinks) {
-      search.shrink(shrink);
-      for (int again = 0; again < RoundSearch<Real>::runs; ++again) {
+    for (const double shrink : shrinks) {
+      search.support.shrink(shrink);
+      for (int again = 0; again < runs; ++again) {
         if (run(search.direction)) return true;
       }
     }
@@ -220,33 +161,35 @@ class RoundProposer {
   }
 
  private:
+  // By which parts of their size curved bodies shrink, one after the other: by less no search sees.
+  static constexpr auto shrinks = [] {
+    if constexpr (std::is_same_v<Real, double>) {
+      return std::array{0x1p-20};
+    } else {
+      return std::array{0x1p-42, 0x1p-56, 0x1p-70, 0x1p-84};
+    }
+  }();
+  static constexpr int runs = std::is_same_v<Real, double> ? 1 : 3;  // of those that have shrunk
+
   bool run(const Vector& first) {
-    search.simplex.count = 0;
-    search.direction = dot(first, first) > Real(0) ? first : search.first_direction();
-    Real nearest2 = std::numeric_limits<double>::infinity();
-    int in_vain = 0;
-    for (int i = 0; i < search.most_iterations; ++i) {
-      ++cost_.iterations;
-      const DifferenceVertexOf<Real> w = search.probe(cost_);
-      near_a = search.slots[w.a].vertex_a;
-      near_b = search.slots[w.a].vertex_b;
-      const Real length2 = dot(search.direction, search.direction);
-      const double gap = nearest(search.gap_at(w)) / std::sqrt(nearest(length2));
-      if (gap > best_gap_) {
-        best_gap_ = gap;
+    search.begin(first);
+    const RoundSupport<Real>& support = search.support;
+    const auto on_vertex = [&](const DifferenceVertexOf<Real>& w) {
+      near_a = support.slots[w.a].vertex_a;
+      near_b = support.slots[w.a].vertex_b;
+      const Real gap = search.gap_at(w);
+      const double clear = nearest(gap) / std::sqrt(nearest(dot(search.direction, search.direction)));
+      if (clear > best_gap_) {
+        best_gap_ = clear;
         best_direction = rounded(search.direction);
       }
-      if (parts_clearly(w) && parts()) return true;
-      if (!search.gains_by(w) || !search.step_to(w)) break;
-      if (search.reach > Real(0) && search.distance2 < search.reach * search.reach && meets()) return true;
-      if (search.distance2 < nearest2) {
-        nearest2 = search.distance2;
-        in_vain = 0;
-      } else if (++in_vain == search.most_in_vain) {
-        break;
-      }
-    }
-    if (parts_narrowly()) return true;
+      return support.exceeds(gap, support.reach, search.direction) && parts();
+    };
+    const auto on_step = [&](bool) {
+      return support.reach > Real(0) && search.distance2 < support.reach * support.reach && meets();
+    };
+    constexpr GjkLimits limits{round_steps<Real>, std::is_same_v<Real, double> ? 4 : 20};
+    if (search.run(limits, cost_, on_vertex, on_step) == GjkEnd::stopped || parts_narrowly()) return true;
     is_near_ = true;
     return meets(true);
   }
@@ -258,15 +201,6 @@ class RoundProposer {
   Point3 best_direction{};                         // which parts them furthest, about
 
  private:
-  // By more than rounding may be wrong?
-  bool parts_clearly(const DifferenceVertexOf<Real>& w) const {
-    const Real gap = search.gap_at(w);
-    if (!(gap > Real(0))) return false;
-    const Vector& d = search.direction;
-    const Real length2 = dot(d, d), reach = search.reach;
-    return gap * gap > reach * reach * length2 * Real(1 + 16 * search.noise);
-  }
-
   bool parts() {
     const Vector& d = search.direction;
     Point3 direction = rounded(d);
@@ -300,14 +234,14 @@ class RoundProposer {
     const auto at = [&](const Vector& from, const Real& by) {
       return length > Real(0) ? round_detail::sum<Real>(from, by / length, way) : from;
     };
-    const Real slack = search.reach - length;
-    nearest_points = {search.in_world(made->of_a), search.in_world(made->of_b)};
+    const Real slack = search.support.reach - length;
+    nearest_points = {search.support.in_world(made->of_a), search.support.in_world(made->of_b)};
     nearest_made = {of_a, of_b};
     for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
       const Vector& from = curved_a ? made->of_a : made->of_b;
       const Vector x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
-      if (dispose_.meets_at(search.in_world(x), of_a, of_b)) return true;
+      if (dispose_.meets_at(search.support.in_world(x), of_a, of_b)) return true;
       if (is_last && meets_exactly(x, of_a, of_b)) return true;
     }
     return false;
@@ -315,7 +249,7 @@ class RoundProposer {
   // Doubles may hold no point of what is thinner than their last bit.
   bool meets_exactly(const Point3&, const RoundCombination&, const RoundCombination&) { return false; }
   bool meets_exactly(const Vector3<DoubleDouble>& x, const RoundCombination& a, const RoundCombination& b) {
-    const auto in_world = search.exactly_in_world(x);
+    const auto in_world = search.support.exactly_in_world(x);
     return in_world && dispose_.meets_at(*in_world, a, b);
   }
 

@@ -1,3 +1,4 @@
+#include <sunder/solid/pair/gjk.h>
 #include <sunder/solid/round/round_balls.h>
 #include <sunder/solid/round/round_newton.h>
 #include <sunder/solid/round/round_quick.h>
@@ -14,6 +15,34 @@ namespace round_quick {
 namespace {
 
 constexpr int most_steps = 20, most_searched = 30;
+
+// Both bodies, in doubles; a hull's radius is left out. `size`: of both.
+struct QuickSupport {
+  QuickSupport(const Side& of_a, const Side& of_b, const double& of_both) : a(of_a), b(of_b), size(of_both) {}
+
+  const Side& a;
+  const Side& b;
+  double size, scale = 1;
+  Slots slots;
+  V direction{};  // the last that was asked about
+
+  static Point3 first_direction() { return {1, 0, 0}; }
+  DifferenceVertex furthest(const Point3& d, const DifferenceSimplex& simplex, Cost&) {
+    direction = vector(d);
+    const std::uint32_t free = free_slot(simplex);
+    auto& [p, q] = slots[free];
+    p = far_along(a, direction);
+    q = far_along(b, negated(direction));
+    return {point(p.at - q.at), free, free};
+  }
+  static bool are_same(const DifferenceVertex&, const DifferenceVertex&) { return false; }
+  double noise(const Point3& d, const DifferenceVertex&) const {
+    return 0x1p-50 * size * std::sqrt(sunder::solid::dot(d, d));
+  }
+  static double noise2(const DifferenceVertex&) { return 0; }
+  static bool is_coarse() { return false; }
+  static void refine() {}
+};
 
 class Quick {
  public:
@@ -87,57 +116,43 @@ class Quick {
   }
 
   bool walk(const V& first) {
+    Gjk<double, QuickSupport> search(a_, b_, pair_.size);
+    const Slots& slots = search.support.slots;
+    const V& d = search.support.direction;
     const double reach = a_.radius() + b_.radius();
-    DifferenceSimplex simplex;
-    Slots slots;
-    Point3 direction = point(first);
-    double distance2 = 0, nearest2 = HUGE_VAL;
-    if (!(sunder::solid::dot(direction, direction) > 0)) direction = {1, 0, 0};
-    for (int i = 0; i < most_searched; ++i) {
-      ++pair_.answer().cost.iterations;
-      const V d = vector(direction);
-      std::uint32_t free = 0;
-      const auto is_used = [&](std::uint32_t slot) {
-        for (int k = 0; k < simplex.count; ++k) {
-          if (simplex.vertex[static_cast<std::size_t>(k)].a == slot) return true;
-        }
-        return false;
-      };
-      while (is_used(free)) ++free;
-      auto& [p, q] = slots[free];
-      p = far_along(a_, d);
-      q = far_along(b_, {-d.x, -d.y, -d.z});
-      const V w = p.at - q.at;
-      const double gap = -dot(d, w), length2 = dot(d, d);
-      if (gap > 0 && gap * gap > reach * reach * length2 && pair_.parts(d)) return true;
-      const bool is_new =
-          simplex.count == 0 || dot(d, w - vector(simplex.vertex[0].at)) > 0x1p-50 * pair_.size * std::sqrt(length2);
-      if (!is_new) return refine(pair_, simplex, slots, d);
-      simplex.vertex[static_cast<std::size_t>(simplex.count++)] = {point(w), free, free};
-      const bool is_outside = reduce_to_closest_face(simplex, direction, distance2) && distance2 > 0;
-      if (!is_outside || distance2 < reach * reach) {
-        if (meets_at(simplex, slots)) return true;
-      }
-      if (!is_outside || !(distance2 < nearest2)) return refine(pair_, simplex, slots, d);
-      nearest2 = distance2;
-      if (i >= 3 && i % 2 == 1 && refine(pair_, simplex, slots, vector(direction))) return true;
+    search.begin(point(first));
+    const auto on_vertex = [&](const DifferenceVertex& w) {
+      const double gap = search.gap_at(w);
+      return gap > 0 && gap * gap > reach * reach * dot(d, d) && pair_.parts(d);
+    };
+    int steps = 0;
+    const auto on_step = [&](bool is_nearer) {
+      if (search.distance2 < reach * reach && meets_at(search.simplex, slots)) return true;
+      ++steps;
+      return is_nearer && steps >= 4 && steps % 2 == 0 &&
+             refine(pair_, search.simplex, slots, vector(search.direction));
+    };
+    switch (search.run({most_searched, 1}, pair_.answer().cost, on_vertex, on_step)) {
+      case GjkEnd::stopped: return true;
+      case GjkEnd::too_long: return false;
+      case GjkEnd::inside:
+        if (meets_at(search.simplex, slots)) return true;
+        break;
+      case GjkEnd::no_gain:
+      case GjkEnd::circling: break;
     }
-    return false;
+    return refine(pair_, search.simplex, slots, d);
   }
 
   // The points that the simplex makes.
   bool meets_at(const DifferenceSimplex& simplex, const Slots& slots) {
-    const std::array<double, 4> weights = weights_of_nearest(simplex);
-    double total = 0;
-    const std::size_t n = static_cast<std::size_t>(simplex.count);
-    for (std::size_t k = 0; k < n; ++k) total += std::max(weights[k], 0.0);
-    if (!(total > 0)) return false;
+    const auto mean = mean_nearest(simplex);
+    if (!mean) return false;
     Nearest p{}, q{};
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!(weights[k] > 0)) continue;
-      const auto& [of_a, of_b] = slots[simplex.vertex[k].a];
-      Proposals::add(a_, p, of_a, weights[k] / total);
-      Proposals::add(b_, q, of_b, weights[k] / total);
+    for (const auto& [slot, weight] : *mean) {
+      const auto& [of_a, of_b] = slots[slot];
+      Proposals::add(a_, p, of_a, weight / mean->total);
+      Proposals::add(b_, q, of_b, weight / mean->total);
     }
     return pair_.holds(p, q);
   }

@@ -266,7 +266,7 @@ class RoundFinish {
       StageTally tally;
       RoundDisposal dispose(core, other, of_core, tally);
       RoundProposer<double> proposer(core, other, dispose, of_core.cost);
-      if (proposer.propose(proposer.search.first_direction()) && !of_core.meet()) return false;
+      if (proposer.propose({}) && !of_core.meet()) return false;
     }
     ++tally_.exact;
     std::optional<CommonPoint> point;
@@ -352,7 +352,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   StageTally tally;
   RoundDisposal dispose(a, b, answer, tally);
   RoundProposer<double> first(a, b, dispose, answer.cost);
-  if (first.propose(dot(way, way) > 0 ? way : first.search.first_direction())) {
+  if (first.propose(way)) {
     return conclude(answer, tally.exact);
   }
   RoundFinish finish(a, b, answer, tally);
@@ -435,7 +435,7 @@ double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence
   const DoubleDouble length = round_detail::root_of(dot(about, about));
   search.direction = {about.x / length, about.y / length, about.z / length};
   Cost cost;
-  const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.reach;
+  const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.support.reach;
   return std::max(nearest(gap) / search.simplex.scale, 0.0);
 }
 

@@ -60,18 +60,6 @@ RoundBody smaller(const RoundBody& body) {
   return is_cone ? RoundBody::cone(from, to, r) : RoundBody::cylinder(from, to, r);
 }
 
-// Never stops a search before its end.
-struct Nearest {
-  template <class Search, class Corner>
-  static bool parts(const Search&, const Corner&) {
-    return false;
-  }
-  template <class Search>
-  static bool nears(const Search&) {
-    return false;
-  }
-};
-
 // A direction of doubles, and how far it parts the bodies at the beginning and at the end, about, over its length.
 struct Cut {
   Point3 direction{};
@@ -245,10 +233,10 @@ class RoundSweep {
     if (!std::isfinite(d.x + d.y + d.z)) return std::nullopt;
     const auto gap = [&](const PlacedRound& a, const PlacedRound& b) {
       RoundSearch<DoubleDouble> search(a, b);
-      search.simplex.count = 0;
       search.direction = {d.x, d.y, d.z};
       const DoubleDouble all = dot(search.direction, search.direction);
-      const DoubleDouble far = search.gap_at(search.probe(answer_.cost)) - search.reach * round_detail::root_of(all);
+      const DoubleDouble far =
+          search.gap_at(search.probe(answer_.cost)) - search.support.reach * round_detail::root_of(all);
       return nearest(far) / search.simplex.scale;
     };
     const Cut cut{d, gap(a_, b_), gap(to_a_, to_b_)};
@@ -260,8 +248,8 @@ class RoundSweep {
   std::optional<Cut> nearest_cut(double time) {
     const PlacedRound a(a_.body, pose_at(of_a_, time)), b(b_.body, pose_at(of_b_, time));
     RoundSearch<DoubleDouble> search(a, b);
-    const Nearest never;
-    (void)search_nearest(search, search.first_direction(), never, answer_.cost);
+    search.begin({});
+    search.run({round_steps<DoubleDouble>}, answer_.cost);
     const std::optional<Cut> cut = cut_of(rounded(search.direction));
     return cut && cut->at(time) > 0 ? cut : std::nullopt;
   }

@@ -4,9 +4,10 @@
 #pragma once
 
 #include <sunder/base/cost.h>
-#include <sunder/solid/pair/closest_simplex.h>
+#include <sunder/solid/pair/gjk.h>
 #include <sunder/solid/pair/support.h>
 #include <sunder/solid/round/round_body.h>
+#include <sunder/solid/round/round_round.h>
 
 #include <algorithm>
 #include <array>
@@ -151,10 +152,12 @@ class RoundSide {
   Real length2_ = 1;
 };
 
+// The support of two placed bodies with a radius. Its vertices' `a` are slots.
 template <class Real>
-class RoundSearch {
+class RoundSupport {
  public:
   using Vector = VectorOf<Real>;
+  using Vertex = DifferenceVertexOf<Real>;
 
   // A point of the difference A - B, and the points whose difference it is.
   struct Slot {
@@ -162,14 +165,18 @@ class RoundSearch {
     std::uint32_t vertex_a = 0, vertex_b = 0;
   };
 
-  RoundSearch(const PlacedRound& a, const PlacedRound& b)
-      : scale_(simplex.scale = scale_to_one(std::max(size_of(a), size_of(b)))),
-        a_(a, Vector{}, scale_),
-        b_(b, shift_of(a, b, scale_), scale_),
+  RoundSupport(const PlacedRound& a, const PlacedRound& b)
+      : scale(scale_to_one(std::max(size_of(a), size_of(b)))),
+        a_(a, Vector{}, scale),
+        b_(b, shift_of(a, b, scale), scale),
         origin_{a.core.pose.translation[0], a.core.pose.translation[1], a.core.pose.translation[2]} {
     const auto of_hull = [](const PlacedRound& p) { return p.body.is_curved() ? 0.0 : p.radius(); };
-    reach = of_hull(a) * scale_ + of_hull(b) * scale_;
+    reach = of_hull(a) * scale + of_hull(b) * scale;
   }
+
+  double scale;
+  std::array<Slot, 5> slots;
+  Real reach = 0;
 
   Vector first_direction() const {
     const Vector p = a_.middle(), q = b_.middle();
@@ -186,53 +193,36 @@ class RoundSearch {
     b_.shrink = by;
   }
 
-  // The next point of the difference, into a slot that no vertex of the simplex uses.
-  DifferenceVertexOf<Real> probe(Cost& cost) {
-    std::uint32_t free = 0;
-    const auto is_used = [&](std::uint32_t slot) {
-      for (int i = 0; i < simplex.count; ++i) {
-        if (simplex.vertex[static_cast<std::size_t>(i)].a == slot) return true;
-      }
-      return false;
-    };
-    while (is_used(free)) ++free;
+  // Into a slot that no vertex of the simplex uses.
+  Vertex furthest(const Vector& direction, const DifferenceSimplexOf<Real>& simplex, Cost& cost) {
+    const std::uint32_t free = free_slot(simplex);
     const auto p = a_.furthest(direction, cost);
     const auto q = b_.furthest(negated(direction), cost);
     slots[free] = {p.at, q.at, p.vertex, q.vertex};
     return {minus(p.at, q.at), free, free};
   }
 
-  bool gains_by(const DifferenceVertexOf<Real>& w) const {
-    if (simplex.count == 0) return true;
-    for (int i = 0; i < simplex.count; ++i) {
-      const Vector& v = simplex.vertex[static_cast<std::size_t>(i)].at;
-      if (v.x == w.at.x && v.y == w.at.y && v.z == w.at.z) return false;
-    }
-    const Vector& d = direction;
-    const Real gain = dot(d, minus(w.at, simplex.vertex[0].at));
+  static bool are_same(const Vertex& v, const Vertex& w) {
+    return v.at.x == w.at.x && v.at.y == w.at.y && v.at.z == w.at.z;
+  }
+  Real noise(const Vector& d, const Vertex& w) const {
     const Slot& s = slots[w.a];
     const auto size = [](const Vector& p) { return magnitude(p.x) + magnitude(p.y) + magnitude(p.z); };
     const Real largest = std::max(nearest(size(s.of_a)), nearest(size(s.of_b)));
-    return gain > Real(noise) * largest * (magnitude(d.x) + magnitude(d.y) + magnitude(d.z));
+    return Real(relative_noise) * largest * (magnitude(d.x) + magnitude(d.y) + magnitude(d.z));
   }
-
-  // As GjkSearch::step_to.
-  bool step_to(const DifferenceVertexOf<Real>& w) {
-    simplex.vertex[static_cast<std::size_t>(simplex.count++)] = w;
-    return reduce_to_closest_face(simplex, direction, distance2) && distance2 > Real(0);
-  }
-
-  // How far the direction parts A from B, times its length: at w, the last point.
-  Real gap_at(const DifferenceVertexOf<Real>& w) const { return -dot(direction, w.at); }
+  static Real noise2(const Vertex&) { return 0; }
+  static bool is_coarse() { return false; }
+  static void refine() {}
 
   // A point of the search in the world, in doubles.
   Point3 in_world(const Vector& p) const {
-    return {origin_.x + nearest(p.x) / scale_, origin_.y + nearest(p.y) / scale_, origin_.z + nearest(p.z) / scale_};
+    return {origin_.x + nearest(p.x) / scale, origin_.y + nearest(p.y) / scale, origin_.z + nearest(p.z) / scale};
   }
 
   // The same without rounding; nothing where that is out of the range of numbers.
   std::optional<ExactPoint3> exactly_in_world(const Vector& p) const {
-    const double by = 1 / scale_;  // a power of two
+    const double by = 1 / scale;  // a power of two
     if (!(by >= std::numeric_limits<double>::min() && by <= std::numeric_limits<double>::max())) return std::nullopt;
     const auto number = [&](double origin, const DoubleDouble& x) {
       return Dyadic(origin) + (Dyadic(x.high) + Dyadic(x.low)) * Dyadic(by);
@@ -241,25 +231,12 @@ class RoundSearch {
     return ExactPoint3{number(origin_.x, p.x), number(origin_.y, p.y), number(origin_.z, p.z)};
   }
 
-  static constexpr double noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;
-  static constexpr int most_iterations = std::is_same_v<Real, double> ? 100 : 400;
-  static constexpr int most_in_vain = std::is_same_v<Real, double> ? 4 : 20;  // iterations that come no nearer
-  static constexpr int runs = std::is_same_v<Real, double> ? 1 : 3;           // of those that have shrunk
+  // Does the direction part what is seen of A and of B by more than that, and than rounding may be wrong?
+  static bool exceeds(const Real& gap, const Real& least, const Vector& direction) {
+    return gap > Real(0) && gap * gap > least * least * dot(direction, direction) * Real(1 + 16 * relative_noise);
+  }
 
-  // By which parts of their size curved bodies shrink, one after the other: by less no search sees.
-  static constexpr auto shrinks = [] {
-    if constexpr (std::is_same_v<Real, double>) {
-      return std::array{0x1p-20};
-    } else {
-      return std::array{0x1p-42, 0x1p-56, 0x1p-70, 0x1p-84};
-    }
-  }();
-
-  Vector direction{};                 // of the world, from A towards B
-  DifferenceSimplexOf<Real> simplex;  // its vertices' `a` are slots
-  std::array<Slot, 5> slots;
-  Real distance2 = 0;  // of the simplex from the origin, squared, after a step
-  Real reach = 0;
+  static constexpr double relative_noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;
 
  private:
   static double size_of(const PlacedRound& p) {
@@ -273,9 +250,70 @@ class RoundSearch {
     return {part(0), part(1), part(2)};
   }
 
-  double scale_;
   RoundSide<Real> a_, b_;
   Point3 origin_;
 };
+
+template <class Real>
+using RoundSearch = Gjk<Real, RoundSupport<Real>>;
+
+template <class Real>
+constexpr int round_steps = std::is_same_v<Real, double> ? 100 : 400;
+
+// What the simplex of a search makes: the point of each body that its weights mean.
+template <class Real>
+struct Made {
+  VectorOf<Real> of_a{}, of_b{};
+  RoundCombination a, b;  // of hulls
+};
+
+inline void add_weight(RoundCombination& c, std::uint32_t v, double weight) {
+  for (std::size_t k = 0; k < c.count; ++k) {
+    if (c.vertices[k] != v) continue;
+    c.weights[k] += weight;
+    return;
+  }
+  c.vertices[c.count] = v;
+  c.weights[c.count++] = weight;
+}
+
+template <class Real>
+std::optional<Made<Real>> made_of(const RoundSearch<Real>& search) {
+  const auto mean = mean_nearest(search.simplex);
+  if (!mean) return std::nullopt;
+  Made<Real> made;
+  for (const auto& part : *mean) {
+    const Real weight = part.weight / mean->total;
+    const auto& slot = search.support.slots[part.a];
+    made.of_a = round_detail::sum<Real>(made.of_a, weight, slot.of_a);
+    made.of_b = round_detail::sum<Real>(made.of_b, weight, slot.of_b);
+    const double w = nearest(weight);
+    if (!(w > 0)) continue;
+    add_weight(made.a, slot.vertex_a, w);
+    add_weight(made.b, slot.vertex_b, w);
+  }
+  if (made.a.count == 0) return std::nullopt;
+  return made;
+}
+
+namespace round_detail {
+
+// The point of a hull's core that the combination makes.
+inline WeightedPoint weighted(const PlacedRound& body, const RoundCombination& c) {
+  WeightedPoint point;
+  point.count = c.count;
+  for (std::size_t k = 0; k < c.count; ++k) {
+    point.points[k] = body.core[c.vertices[k]];
+    point.weights[k] = c.weights[k];
+  }
+  return point;
+}
+
+inline constexpr Affine3 in_place{};
+inline WeightedPoint weighted(const Point3& p) { return {1, {Posed3{p, &in_place, false}}, {1}}; }
+
+inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+}  // namespace round_detail
 
 }  // namespace sunder::solid
