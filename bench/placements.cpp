@@ -73,16 +73,16 @@ class Folder {
 
 struct Arm {
   Folder folder;
-  sunder::ask::SceneInput input{{SUNDER_BENCH_ARM}, {}, false, false, nullptr};
+  sunder::robot::Cell cell{std::vector<sunder::robot::CellFile>{{SUNDER_BENCH_ARM}}};
   sunder::scene::Question question;
   sunder::ask::PlacementsCall call;
   PlacementScenario scenario;
 
   Arm() {
-    question.allowed = sunder::ask::bodies_of(input.allowed("adjacent", nullptr));
+    question.allowed = bodies_of(cell.adjacent(""));
     call.threads = 1;
     call.json_lines = folder.file("sunder.jsonl");
-    const sunder::io::Robot& robot = input.robot("");
+    const sunder::io::Robot& robot = cell.robot("");
     scenario.table = call.table = folder.file("table.csv");
     scenario.output = folder.file("peer.jsonl");
     scenario.links = robot.links.size();
@@ -111,7 +111,7 @@ struct Arm {
 
   // Writes so many placements.
   void write_table(bool is_slow, std::size_t rows, std::uint64_t seed) const {
-    const sunder::io::Robot& robot = input.robot("");
+    const sunder::io::Robot& robot = cell.robot("");
     const std::vector<std::string> names = sunder::io::movable_joints(robot);
     const sunder::io::RobotMotion motion(robot, names);
     Random random(seed);
@@ -134,16 +134,16 @@ struct Arm {
   std::uint64_t run(std::size_t threads) const {
     sunder::ask::PlacementsCall asked = call;
     asked.threads = threads;
-    const sunder::io::JointTable table = read_placements(asked, input, nullptr);
-    return answer_placements(asked, input, question, table).meeting;
+    const sunder::io::JointTable table = read_placements(asked, cell, nullptr);
+    return answer_placements(asked, cell, question, table).meeting;
   }
 };
 
 // Of each placement by itself, and by all boxes.
 std::uint64_t truth_of(const Arm& arm) {
   std::uint64_t meeting = 0;
-  for (const auto& joints : sunder::ask::joint_values_of(read_placements(arm.call, arm.input, nullptr))) {
-    meeting += sunder::scene::meeting_pairs(arm.input.bodies(joints.values), arm.question).counts.meeting;
+  for (const auto& joints : sunder::ask::joint_values_of(read_placements(arm.call, arm.cell, nullptr))) {
+    meeting += sunder::scene::meeting_pairs(arm.cell.place(joints.values), arm.question).counts.meeting;
   }
   return meeting;
 }

@@ -101,11 +101,11 @@ function(sunder_add_test name)
 endfunction()
 
 # Beside the sources.
-foreach(folder ${SUNDER_CORE_LAYERS} io picture ask verifier cli)
+foreach(folder ${SUNDER_CORE_LAYERS} io robot picture ask verifier cli)
   set(place sunder/${folder})
   set(link rapidcheck)
   set(speed "")
-  if(folder MATCHES "^(io|picture|ask|cli)$")
+  if(folder MATCHES "^(io|robot|picture|ask|cli)$")
     set(speed PLAIN)
   endif()
   if(folder STREQUAL "verifier")
@@ -193,10 +193,11 @@ foreach(source ${sources})
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
+set(arguments_of_robot ${PROJECT_SOURCE_DIR}/cases/panda/panda.urdf 100000 ${PROJECT_BINARY_DIR}/examples/robot.json)
 foreach(source ${sources})
   cmake_path(GET source STEM name)
   sunder_add_executable(example_${name} examples SOURCES ${source})
-  sunder_add_test(example_${name} COMMAND example_${name} TIMEOUT 60 LABELS example)
+  sunder_add_test(example_${name} COMMAND example_${name} ${arguments_of_${name}} TIMEOUT 60 LABELS example)
 endforeach()
 
 # Scripts: what they say about this tree, and their own tests.

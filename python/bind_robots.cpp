@@ -1,19 +1,15 @@
 // Robots out of files: which links meet, for thousands of placements in one call.
-#include <sunder/io/robot_bodies.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/io/scene_file.h>
-#include <sunder/io/srdf.h>
+#include <sunder/robot/cell.h>
+#include <sunder/robot/rows.h>
 #include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/scene/timeline.h>
-#include <sunder/solid/object/affine_product.h>
 
 #include "common.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
-#include <set>
 
 namespace sunder::python {
 
@@ -40,76 +36,64 @@ struct Collisions {
   }
 };
 
+std::vector<robot::CellFile> files_of(const std::string& robot, const std::string& scene) {
+  std::vector<robot::CellFile> files{{robot}};
+  if (!scene.empty()) files.push_back({scene});
+  return files;
+}
+
+robot::CellOptions options_of(const Names& packages, bool require_convex, bool leave_out) {
+  const char* search = std::getenv("ROS_PACKAGE_PATH");
+  return {require_convex, leave_out, io::parse_packages(packages, search == nullptr ? "" : search)};
+}
+
 class Robot {
  public:
   Robot(const std::string& file, const Names& packages, const std::string& srdf, const std::string& scene,
         const Names& groups, bool require_convex, bool leave_out)
-      : left_out_(leave_out) {
-    const char* search = std::getenv("ROS_PACKAGE_PATH");
-    robot_ = io::read_urdf(file, &inputs_);
-    links_ = io::read_robot_bodies(robot_, file, require_convex, left_out_, &inputs_,
-                                   io::parse_packages(packages, search == nullptr ? "" : search));
-    if (!links_.told.empty() && !left_out_.consent()) left_out_ = io::LeftOutList(file, links_.told);
-    if (links_.bodies.empty()) {
-      throw Error(ErrorCode::bad_file, "no link has a shape, so there is nothing to ask about", file);
-    }
+      : cell_(files_of(file, scene), options_of(packages, require_convex, leave_out), &inputs_) {
     const io::Srdf given = srdf.empty() ? io::Srdf{} : io::read_srdf(srdf, &inputs_);
-    adjacent_ = adjacent_links();
-    if (!groups.empty()) keep_groups(given, groups, file);
-    for (const io::LinkBody& body : links_.bodies) names_.push_back(robot_.links[body.link].name);
-    allow_disabled(given);
-    if (!scene.empty()) add_scene(scene, require_convex);
+    Names remarks;
+    if (!groups.empty()) cell_.keep_groups(given, groups, "groups", remarks);
+    add_allowed(cell_.disabled(given, srdf, "srdf", remarks), allowed_);
+    add_allowed(cell_.allowed_by_files(), allowed_);
   }
 
   void allow(const std::string& a, const std::string& b) {
-    const std::uint32_t i = number_of(a), j = number_of(b);
-    if (i == j)
+    if (a == b)
       throw Error(ErrorCode::bad_call, "'" + a + "' is named twice; parts of a body are never compared", "allow");
-    allowed_.insert({std::min(i, j), std::max(i, j)});
+    add_allowed(std::array{robot::AllowedPair{{cell_.body_named(a, "allow"), cell_.body_named(b, "allow")}, "allow"}},
+                allowed_);
   }
-  void allow_adjacent() {
-    for (const auto& [a, b] : adjacent_) {
-      if (is_body(a) && is_body(b)) allow(a, b);
-    }
-  }
+  void allow_adjacent() { add_allowed(cell_.adjacent("allow"), allowed_); }
   void allow_touch() { touch_ = true; }
 
-  const std::string& name() const { return robot_.name; }
-  Names links() const {
-    Names all;
-    for (const io::Link& link : robot_.links) all.push_back(link.name);
-    return all;
-  }
-  const Names& bodies() const { return names_; }
-  Names part_names(std::uint32_t body) const {
-    Names all;
-    for (const io::BodyPart& part : parts_of(body)) all.push_back(part.name);
-    return all;
-  }
+  const std::string& name() const { return model().name; }
+  Names links() const { return names_of(model().links); }
+  Names bodies() const { return names_of(cell_.bodies()); }
+  Names part_names(std::uint32_t body) const { return names_of(cell_.bodies().at(body).parts); }
+  Names left_out() const { return cell_.left_out().texts(); }
   Names hulls() const {
     Names all;
-    for (std::uint32_t b = 0; b < names_.size(); ++b) {
-      const auto& parts = parts_of(b);
-      if (std::any_of(parts.begin(), parts.end(),
+    for (const robot::CellBody& body : cell_.bodies()) {
+      if (std::any_of(body.parts.begin(), body.parts.end(),
                       [](const io::BodyPart& part) { return part.body.shape == io::BodyShape::hull; })) {
-        all.push_back(names_[b]);
+        all.push_back(body.name);
       }
     }
     return all;
   }
   std::vector<std::pair<std::string, std::string>> allowed() const {
     std::vector<std::pair<std::string, std::string>> all;
-    for (const auto& [a, b] : allowed_) all.emplace_back(names_[a], names_[b]);
+    for (const auto& [a, b] : allowed_pairs()) all.emplace_back(cell_.bodies()[a].name, cell_.bodies()[b].name);
     return all;
   }
-  Names left_out() const { return left_out_.texts(); }
   nb::dict joints() const {
     nb::dict all;
-    const io::RobotMotion motion(robot_, io::movable_joints(robot_));
-    for (const std::string& joint : io::movable_joints(robot_)) {
-      const auto found =
-          std::find_if(robot_.joints.begin(), robot_.joints.end(), [&](const io::Joint& j) { return j.name == joint; });
-      all[joint.c_str()] = nb::make_tuple(found->lower, found->upper);
+    const Names names = io::movable_joints(model());
+    const io::RobotMotion motion(model(), names);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      all[names[k].c_str()] = nb::make_tuple(motion.joint_of(k).lower, motion.joint_of(k).upper);
     }
     return all;
   }
@@ -124,157 +108,70 @@ class Robot {
   }
 
  private:
-  bool is_body(const std::string& name) const { return std::find(names_.begin(), names_.end(), name) != names_.end(); }
-
-  void allow_disabled(const io::Srdf& srdf) {
-    for (const auto& [links, reason] : srdf.disabled) {
-      if (is_body(links[0]) && is_body(links[1])) allow(links[0], links[1]);
-    }
+  template <class Named>
+  static Names names_of(const std::vector<Named>& all) {
+    Names names;
+    for (const Named& each : all) names.push_back(each.name);
+    return names;
   }
 
-  // Of all links, so that those on both sides of one that is in no group are not taken for neighbours.
-  std::vector<std::pair<std::string, std::string>> adjacent_links() const {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    const auto name = [&](std::uint32_t body) { return robot_.links[links_.bodies[body].link].name; };
-    for (const auto& [a, b] : io::adjacent_bodies(robot_, links_)) pairs.emplace_back(name(a), name(b));
+  const io::Robot& model() const { return cell_.robot("file"); }
+
+  // Sorted, the lower body first.
+  Pairs allowed_pairs() const {
+    Pairs pairs = bodies_of(allowed_);
+    for (auto& pair : pairs) std::sort(pair.begin(), pair.end());
+    std::sort(pairs.begin(), pairs.end());
     return pairs;
-  }
-
-  void keep_groups(const io::Srdf& srdf, const Names& groups, const std::string& file) {
-    Names remarks;
-    const std::vector<std::uint32_t> kept = io::group_links(srdf, robot_, groups, "groups", remarks);
-    std::vector<io::LeftOut> left_out;
-    std::erase_if(links_.bodies, [&](const io::LinkBody& body) {
-      if (std::binary_search(kept.begin(), kept.end(), body.link)) return false;
-      left_out.push_back({"shape", robot_.links[body.link].name, body.parts.size()});
-      return true;
-    });
-    if (links_.bodies.empty()) {
-      throw Error(ErrorCode::bad_call, "no link of them has a shape, so there is nothing to ask about", "groups");
-    }
-    if (left_out.empty()) return;
-    if (left_out_.consent()) {
-      left_out_.add(file, left_out, "");
-    } else {
-      left_out_ = io::LeftOutList(file, left_out);
-    }
-  }
-
-  // Bodies that do not move.
-  void add_scene(const std::string& file, bool require_convex) {
-    const io::SceneFile scene = io::read_scene_file(file, &inputs_);
-    if (!scene.unit.empty() && scene.unit != "m") {
-      throw Error(ErrorCode::bad_call, "is in " + scene.unit + ", and the robot is in m; scale one of them", file);
-    }
-    const auto first = static_cast<std::uint32_t>(names_.size());
-    fixed_ = io::read_scene_parts(scene, file, require_convex, left_out_, &inputs_);
-    for (const io::SceneFile::Body& body : scene.bodies) {
-      if (std::find(names_.begin(), names_.end(), body.name) != names_.end()) {
-        throw Error(ErrorCode::bad_call, "a link of the robot is named '" + body.name + "', too; rename one", file);
-      }
-      names_.push_back(body.name);
-    }
-    for (const auto& [a, b] : scene.allowed) allowed_.insert({first + a, first + b});
-  }
-
-  std::uint32_t number_of(const std::string& name) const {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    if (found == names_.end()) throw Error(ErrorCode::bad_call, "no body is named '" + name + "'", "allow");
-    return static_cast<std::uint32_t>(found - names_.begin());
-  }
-
-  const std::vector<io::BodyPart>& parts_of(std::uint32_t body) const {
-    return body < links_.bodies.size() ? links_.bodies[body].parts : fixed_.at(body - links_.bodies.size());
   }
 
   scene::Question question() const {
     scene::Question question;
-    for (const auto& [a, b] : allowed_) question.allowed.push_back({a, b});
+    question.allowed = allowed_pairs();
     question.touching_allowed = question.contacts = touch_;
     return question;
   }
 
-  std::vector<scene::Body> bodies_at(std::span<const solid::Pose> poses) const {
-    std::vector<scene::Body> placed;
-    for (std::uint32_t b = 0; b < names_.size(); ++b) {
-      const bool moves = b < links_.bodies.size();
-      placed.push_back(io::placed_body(names_[b], parts_of(b), moves ? poses[links_.bodies[b].link] : solid::Pose()));
-    }
-    return placed;
+  robot::Rows rows_of(const Names& joints, const Doubles& values) const {
+    return {cell_, joints, {values.data(), values.size()}, values.shape(0), [](std::size_t row) {
+              return "joints[" + std::to_string(row) + "]";
+            }};
+  }
+
+  Collisions found(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
+    const robot::Rows rows = rows_of(joints, values);
+    Collisions all;
+    all.placements = scene::run_timeline<Collisions>(
+        practised(scene::MomentFollower(cell_.place(), question()), rows), rows, scene::thread_count(threads),
+        [&](std::size_t k, const scene::Moment& moment, Collisions& out) { take(k, moment, evidence, out); },
+        [&](const Collisions& chain, std::size_t) { all.append(chain); });
+    return all;
   }
 
   std::string proof(const Names& joints, const Doubles& values) const {
-    const io::RobotMotion motion(robot_, joints);
+    const robot::Rows rows = rows_of(joints, values);
+    const std::vector<scene::Body> bodies = cell_.place();
     scene::Question asked = question();
     asked.every_pair = true;
-    std::vector<std::vector<scene::Body>> bodies;
-    std::vector<scene::Answer> answers;
-    Names titles;
-    std::vector<Affine3> links(robot_.links.size());
-    for (std::size_t k = 0; k < values.shape(0); ++k) {
-      motion.place({values.data() + k * joints.size(), joints.size()}, links);
-      std::vector<solid::Pose> poses;
-      for (const Affine3& link : links) poses.push_back(solid::Pose::from_matrix(link.linear, link.translation));
-      bodies.push_back(bodies_at(poses));
-      answers.push_back(scene::meeting_pairs(bodies.back(), asked));
-      titles.push_back(std::to_string(k));
+    robot::RowBodies placed(rows, bodies);
+    std::vector<std::vector<scene::PartPair>> met;
+    std::uint64_t decided = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      scene::Answer answer = scene::meeting_pairs(placed.at(k), asked);
+      decided += answer.pairs.size() - answer.counts.undecided;
+      std::erase_if(answer.pairs, [](const scene::PartPair& pair) { return !pair.meet() && !pair.undecided(); });
+      met.push_back(std::move(answer.pairs));
     }
-    std::vector<scene::Placement> placements;
-    std::size_t pairs = 0;
-    for (std::size_t k = 0; k < answers.size(); ++k) {
-      placements.push_back({titles[k], bodies[k], answers[k]});
-      pairs += answers[k].pairs.size() - answers[k].counts.undecided;
-    }
-    if (pairs == 0) {
+    if (decided == 0) {
       throw Error(ErrorCode::bad_call, "no pair is asked about and decided, so there is nothing to prove",
                   "certificate");
     }
     std::string text;
-    scene::write_certificate(placements, asked, {inputs_, left_out_.texts()},
-                             [&](std::string_view piece) { text += piece; });
+    scene::write_whole_certificate(
+        bodies, rows.size(),
+        [&](std::size_t k) { return scene::MeetingPlacement{std::to_string(k), placed.at(k), met[k]}; }, asked,
+        {inputs_, cell_.left_out().texts()}, [&](std::string_view piece) { text += piece; });
     return text;
-  }
-
-  // The rows of one call, for run_timeline.
-  struct Rows {
-    const Robot& of;
-    const io::RobotMotion motion;
-    std::span<const double> values;
-    std::size_t columns, count;
-
-    std::size_t size() const { return count; }
-    std::string name(std::size_t row) const { return "joints[" + std::to_string(row) + "]"; }
-    auto placer() const {
-      return [this, links = std::vector<Affine3>(of.robot_.links.size())](std::size_t row, const auto& put) mutable {
-        motion.place(values.subspan(row * columns, columns), links);
-        std::uint32_t number = 0;
-        for (const io::LinkBody& body : of.links_.bodies) {
-          for (const io::BodyPart& part : body.parts) {
-            const Affine3 &link = links[body.link], &inner = part.pose.affine();
-            const Affine3 at = io::is_identity(inner) ? link : solid::affine_product(link, inner);
-            put(number++, solid::Pose::from_matrix(at.linear, at.translation));
-          }
-        }
-      };
-    }
-  };
-
-  Collisions found(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
-    const Rows rows{
-        *this, io::RobotMotion(robot_, joints), {values.data(), values.size()}, joints.size(), values.shape(0)};
-    const scene::MomentFollower start(bodies_at(std::vector<solid::Pose>(robot_.links.size())), question());
-    Collisions all;
-    all.placements = scene::run_timeline<Collisions>(
-        practised(start, rows), rows, scene::thread_count(threads),
-        [&](std::size_t k, const scene::Moment& moment, Collisions& out) {
-          take(k, moment, evidence, out);
-          return true;
-        },
-        [&](const Collisions& chain, std::size_t) {
-          all.append(chain);
-          return true;
-        });
-    return all;
   }
 
   static void take(std::size_t k, const scene::Moment& moment, bool evidence, Collisions& out) {
@@ -293,14 +190,9 @@ class Robot {
     }
   }
 
-  io::Robot robot_;
-  io::RobotBodies links_;
-  std::vector<std::vector<io::BodyPart>> fixed_;  // the parts of bodies that do not move, after the links
-  Names names_;                                   // of all bodies
-  io::LeftOutList left_out_;
   InputFiles inputs_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> allowed_;
-  std::vector<std::pair<std::string, std::string>> adjacent_;  // links
+  robot::Cell cell_;
+  std::vector<robot::AllowedPair> allowed_;
   bool touch_ = false;
 };
 

@@ -39,10 +39,11 @@ LAYERS = {
     "polytope": UP_TO_NEAR,
     "scene": UP_TO_NEAR | {"planar", "solid", "polytope"},
     "io": set(CORE),
-    "picture": set(CORE) | {"io"},
-    "ask": set(CORE) | {"io", "picture", "verifier"},
-    "cli": set(CORE) | {"io", "picture", "ask", "verifier", "sunder"},
-    "python": set(CORE) | {"io", "sunder"},
+    "robot": set(CORE) | {"io"},
+    "picture": set(CORE) | {"io", "robot"},
+    "ask": set(CORE) | {"io", "robot", "picture", "verifier"},
+    "cli": set(CORE) | {"io", "robot", "picture", "ask", "verifier", "sunder"},
+    "python": set(CORE) | {"io", "robot", "sunder"},
     "verifier": set(),
     "sunder": set(CORE),
 }
@@ -60,7 +61,7 @@ ORDER = {
 
 # The first part of a header of somebody else's: where it may be included (tests may include all).
 CORE_AND_UP = set(LAYERS)
-IO_AND_UP = {"io", "picture", "ask", "cli"}
+IO_AND_UP = {"io", "robot", "picture", "ask", "cli"}
 OUTSIDE = {
     "boost": CORE_AND_UP,
     "hwy": set(CORE),

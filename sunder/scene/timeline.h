@@ -27,6 +27,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace sunder::scene {
@@ -100,11 +102,22 @@ void place_row(const Rows& rows, std::size_t row, Placer& placer, const Put& put
   }
 }
 
+// What a visitor says; one that returns nothing wants all.
+template <class Visit, class... Seen>
+bool goes_on(const Visit& visit, Seen&&... seen) {
+  if constexpr (std::is_void_v<decltype(visit(std::forward<Seen>(seen)...))>) {
+    visit(std::forward<Seen>(seen)...);
+    return true;
+  } else {
+    return visit(std::forward<Seen>(seen)...);
+  }
+}
+
 // Asks about each row (or about each step from a row to the next) on so many threads. All chains begin with a copy of
 // `start`. visit(k, answer, found) sees row k, or the step from row k on, in any order but for those of a chain;
-// `found`, a Found that was new at the beginning of its chain, is what it may write to; false: nothing later is wanted.
-// end(found, asked) takes what a chain came to, one at a time, in order; `asked` rows or steps are done then; false:
-// enough. Returns how many were asked about.
+// `found`, a Found that was new at the beginning of its chain, is what it may write to. false: nothing later is wanted.
+// end(found, asked) takes what a chain came to, one at a time, in order; `asked` rows or steps are done then. false:
+// enough. Where one returns nothing, all are wanted. Returns how many were asked about.
 //   T1. What `end` sees does not depend on the number of threads.
 //   T2. Throws the Error of the first row that has one, named by rows.name; before that, all earlier chains have ended.
 // Requires a thread. Memory: a follower and what was found for each place of chains.h. Allocates for a chain, not for a
@@ -145,12 +158,12 @@ std::size_t run_timeline(const AnyFollower& start, const Rows& rows, std::size_t
                          for (std::size_t k = chain.begin; k < chain.end; ++k) {
                            may_be_interrupted(100);
                            go_to(k + AnyFollower::rows_before);
-                           if (!visit(k, chain.follower.ask(), chain.found)) chain.end = k + 1;
+                           if (!goes_on(visit, k, chain.follower.ask(), chain.found)) chain.end = k + 1;
                          }
                        },
                        [&](std::size_t place) {
                          asked = chains[place]->end;
-                         return bool{end(chains[place]->found, asked)};
+                         return goes_on(end, chains[place]->found, asked);
                        }});
   return asked;
 }

@@ -208,6 +208,9 @@ TEST(Timeline, OfNoRowsNothingIsAsked) {
   EXPECT_EQ(run(MomentFollower(bodies, {}), none), 0u);
   EXPECT_EQ(run(StepFollower(bodies, {}), none), 0u);
   EXPECT_EQ(run(StepFollower(bodies, {}), rows), 0u) << "one placement is no step";
+  std::size_t seen = 0;
+  run_timeline<int>(MomentFollower(bodies, {}), timeline_rows(100), 1, [&](auto&&...) { ++seen; }, [](auto&&...) {});
+  EXPECT_EQ(seen, 100u) << "visitors that say nothing want all";
 }
 
 }  // namespace

@@ -5,17 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <tuple>
 
 namespace sunder::ask {
 
 namespace {
-
-std::array<std::uint32_t, 2> in_order(const AllowedPair& pair) {
-  const auto [low, high] = std::minmax(pair.bodies[0], pair.bodies[1]);
-  return {low, high};
-}
 
 int rank(const std::string& reason) {
   constexpr std::array<std::string_view, 3> first{"Never", "Default", "User"};
@@ -24,26 +18,6 @@ int rank(const std::string& reason) {
 }
 
 }  // namespace
-
-void add_allowed(std::span<const AllowedPair> more, std::vector<AllowedPair>& list) {
-  std::set<std::array<std::uint32_t, 2>> known;
-  for (const AllowedPair& pair : list) known.insert(in_order(pair));
-  for (const AllowedPair& pair : more) {
-    if (pair.bodies[0] != pair.bodies[1] && known.insert(in_order(pair)).second) list.push_back(pair);
-  }
-}
-
-std::vector<std::array<std::uint32_t, 2>> bodies_of(std::span<const AllowedPair> list) {
-  std::vector<std::array<std::uint32_t, 2>> pairs;
-  for (const AllowedPair& pair : list) pairs.push_back(pair.bodies);
-  return pairs;
-}
-
-std::vector<std::string> reason_of_each(std::span<const AllowedPair> list) {
-  std::vector<std::string> reasons;
-  for (const AllowedPair& pair : list) reasons.push_back(pair.reason);
-  return reasons;
-}
 
 std::vector<AllowedFor> reasons_of(std::span<const AllowedPair> list) {
   std::vector<AllowedFor> reasons;

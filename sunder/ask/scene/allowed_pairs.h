@@ -1,9 +1,10 @@
-// The pairs of bodies that `sunder scene` does not count, since they are allowed to meet, and why they are.
+// What is said of the pairs of bodies that `sunder scene` does not count, since they are allowed to meet, and why they are.
 #pragma once
 
 #include <sunder/ask/report.h>
 
-#include <array>
+#include <sunder/robot/cell.h>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -11,16 +12,7 @@
 
 namespace sunder::ask {
 
-struct AllowedPair {
-  std::array<std::uint32_t, 2> bodies;
-  std::string reason;  // of an SRDF its own ("Never"); "adjacent"; "--allow"; the file that has it
-};
-
-// Adds those that are not there yet; of a pair the first reason holds.
-void add_allowed(std::span<const AllowedPair> more, std::vector<AllowedPair>& list);
-
-std::vector<std::array<std::uint32_t, 2>> bodies_of(std::span<const AllowedPair> list);
-std::vector<std::string> reason_of_each(std::span<const AllowedPair> list);
+using robot::AllowedPair;
 
 // The reasons, and how many pairs have each: first those that say that a pair does not meet, or hardly ("Never"), or
 // nothing about that; last that links are joined ("Adjacent"), which mostly meet.

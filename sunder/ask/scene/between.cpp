@@ -33,7 +33,7 @@ constexpr const char* between_option = "--between";
 // What is said of a step. With every_pair the answers have pairs that are apart; these are for proofs alone.
 class StepLines {
  public:
-  StepLines(const SceneInput& input, std::span<const Body> bodies) : input_(input), bodies_(bodies) {}
+  StepLines(const robot::Cell& cell, std::span<const Body> bodies) : cell_(cell), bodies_(bodies) {}
 
   // "3 to 4: hand and link1 meet from about 0.25 of the way on; hand and post undecided"
   void add_text(std::size_t step, const SweptAnswer& answer, std::string& out) const {
@@ -92,10 +92,10 @@ class StepLines {
   std::string name_a(const SweptPair& pair) const { return part_name(bodies_[pair.body_a], pair.part_a); }
   std::string name_b(const SweptPair& pair) const { return part_name(bodies_[pair.body_b], pair.part_b); }
   bool is_hull(const SweptPair& pair) const {
-    return input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
+    return cell_.is_hull(pair.body_a, pair.part_a) || cell_.is_hull(pair.body_b, pair.part_b);
   }
 
-  const SceneInput& input_;
+  const robot::Cell& cell_;
   std::span<const Body> bodies_;
 };
 
@@ -125,17 +125,17 @@ struct FoundSteps {
 
 class Between {
  public:
-  Between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+  Between(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
           const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed)
       : call_(call),
         allowed_(allowed),
         inputs_(inputs),
-        input_(input),
+        cell_(cell),
         table_(table),
         question_(question),
-        rows_(input, table),
-        bodies_(input.bodies({})),
-        lines_(input, bodies_),
+        rows_(cell, table),
+        bodies_(cell.place()),
+        lines_(cell, bodies_),
         steps_(table.rows() - 1),
         files_(call) {
     question_.every_pair = call.parted;
@@ -143,7 +143,7 @@ class Between {
 
   int run() {
     files_.write(
-        {"", header_line(input_, question_, bodies_, table_, allowed_, call_, true), "step,answer,meeting,pairs\n"});
+        {"", header_line(cell_, question_, bodies_, table_, allowed_, call_, true), "step,answer,meeting,pairs\n"});
     Progress progress("placements");
     const auto report = progress.reporter();
     asked_ = scene::run_timeline<FoundSteps>(
@@ -180,7 +180,7 @@ class Between {
 
   void write_certificate() {
     if (totals_.stated == 0) return;
-    RowBodies last(rows_, bodies_), next(rows_, bodies_);
+    robot::RowBodies last(rows_, bodies_), next(rows_, bodies_);
     auto stated = stated_.cbegin();
     const auto step = [&](std::size_t k) {
       if (k == 0) stated = stated_.cbegin();
@@ -189,15 +189,15 @@ class Between {
       if (!has_some) return scene::SweptStep{bodies_, bodies_, {}};
       return scene::SweptStep{last.at(k), next.at(k + 1), stated->pairs};
     };
-    const scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_),
+    const scene::SaidOfScene said{said_of(cell_, inputs_), reason_of_each(allowed_),
                                   [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
     write_motion_certificate(bodies_, asked_, step, question_,
-                             origin_of(inputs_, left_out_texts(input_.left_out(), allowed_)), files_.certificate(),
+                             origin_of(inputs_, left_out_texts(cell_.left_out(), allowed_)), files_.certificate(),
                              said);
   }
 
   std::string summary() const {
-    const LeftOutList& left_out = input_.left_out();
+    const LeftOutList& left_out = cell_.left_out();
     std::string text = fmt::format("{} of {} {} bodies that meet during the motion{}", totals_.some,
                                    count_of(asked_, "step"), totals_.some == 1 || asked_ == 1 ? "has" : "have",
                                    left_out.empty() ? "" : ", among the bodies read");
@@ -219,10 +219,10 @@ class Between {
   const PlacementsCall& call_;
   const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
-  const SceneInput& input_;
+  const robot::Cell& cell_;
   const io::JointTable& table_;
   scene::Question question_;
-  const JointRows rows_;
+  const robot::Rows rows_;
   const std::vector<Body> bodies_;
   const StepLines lines_;
   const std::size_t steps_;
@@ -234,7 +234,7 @@ class Between {
 
 }  // namespace
 
-int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+int answer_between(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
                    const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed) {
   if (question.contacts) {
     throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; leave out --classify and --allow touch",
@@ -243,7 +243,7 @@ int answer_between(const PlacementsCall& call, const SceneInput& input, const sc
   if (table.rows() < 2) {
     throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", between_option);
   }
-  return Between(call, input, question, table, inputs, allowed).run();
+  return Between(call, cell, question, table, inputs, allowed).run();
 }
 
 }  // namespace sunder::ask

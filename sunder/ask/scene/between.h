@@ -17,7 +17,7 @@ namespace sunder::ask {
 // made of. allowed: the pairs of question.allowed, with their reasons. Throws Error where there are no two
 // placements, and for a question that tells touching from overlapping;
 // then no file is written.
-int answer_between(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+int answer_between(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
                    const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

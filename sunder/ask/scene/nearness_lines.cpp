@@ -31,7 +31,7 @@ void insert(std::string_view ending, std::string_view piece, std::string& text) 
 }  // namespace
 
 bool NearnessLines::is_hull(const PartDistance& pair) const {
-  return input_.is_hull(pair.body_a, pair.part_a) || input_.is_hull(pair.body_b, pair.part_b);
+  return cell_.is_hull(pair.body_a, pair.part_a) || cell_.is_hull(pair.body_b, pair.part_b);
 }
 
 std::string NearnessLines::names_of(const PartDistance& pair) const {

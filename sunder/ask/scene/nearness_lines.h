@@ -20,8 +20,8 @@ namespace sunder::ask {
 class NearnessLines {
  public:
   // Keeps references to all three. bodies: their names are what is told.
-  NearnessLines(const scene::NearnessQuestion& question, const SceneInput& input, std::span<const scene::Body> bodies)
-      : question_(question), input_(input), bodies_(bodies) {}
+  NearnessLines(const scene::NearnessQuestion& question, const robot::Cell& cell, std::span<const scene::Body> bodies)
+      : question_(question), cell_(cell), bodies_(bodies) {}
 
   // Each adds to the line that stands at the end of the text.
   void add_text(const scene::Nearness& found, std::string& text) const;
@@ -36,7 +36,7 @@ class NearnessLines {
   std::string json_of(const scene::PartDistance& pair, bool has_margin) const;
 
   const scene::NearnessQuestion& question_;
-  const SceneInput& input_;
+  const robot::Cell& cell_;
   std::span<const scene::Body> bodies_;
 };
 

@@ -43,7 +43,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 }
 
 // Values beyond the limits are asked about as they are, and said.
-void note_limits(const io::JointTable& table, const io::RobotMotion& motion) {
+void note_rows_beyond_limits(const io::JointTable& table, const io::RobotMotion& motion) {
   std::uint64_t beyond = 0;
   std::string first;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -70,13 +70,13 @@ struct PartNames {
 
 class Lines {
  public:
-  Lines(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies)
+  Lines(const robot::Cell& cell, const scene::Question& question, std::span<const scene::Body> bodies)
       : question_(question) {
     for (std::uint32_t b = 0; b < bodies.size(); ++b) {
       names_.emplace_back();
       for (std::uint32_t p = 0; p < bodies[b].parts.size(); ++p) {
         const std::string name = part_name(bodies[b], p);
-        names_.back().push_back({name, quoted_json(bodies[b].name), name, input.is_hull(b, p)});
+        names_.back().push_back({name, quoted_json(bodies[b].name), name, cell.is_hull(b, p)});
       }
     }
   }
@@ -223,26 +223,26 @@ struct FoundPlacements {
 
 class Placements {
  public:
-  Placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+  Placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
              const io::JointTable& table, const InputFiles& inputs, const scene::NearnessQuestion& near,
              std::span<const AllowedPair> allowed)
       : call_(call),
         allowed_(allowed),
         inputs_(inputs),
         near_(near),
-        input_(input),
+        cell_(cell),
         table_(table),
         question_(question),
-        rows_(input, table),
-        bodies_(input.bodies({})),
-        lines_(input, question, bodies_),
-        near_lines_(near, input, bodies_),
+        rows_(cell, table),
+        bodies_(cell.place()),
+        lines_(cell, question, bodies_),
+        near_lines_(near, cell, bodies_),
         files_(call) {
-    note_limits(table, rows_.motion());
+    note_rows_beyond_limits(table, rows_.motion());
   }
 
   PlacementsAnswer run() {
-    LineTexts header{"", header_line(input_, question_, bodies_, table_, allowed_, call_, false),
+    LineTexts header{"", header_line(cell_, question_, bodies_, table_, allowed_, call_, false),
                      "placement,answer,meeting,pairs\n"};
     near_lines_.add_json_header(header.json);
     near_lines_.add_csv_header(header.csv);
@@ -267,7 +267,7 @@ class Placements {
 
  private:
   std::string summary() const {
-    const LeftOutList& left_out = input_.left_out();
+    const LeftOutList& left_out = cell_.left_out();
     const auto& [some, undecided, meeting, not_kept, closer] = static_cast<const PlacementsCounts&>(answer_);
     std::string text = fmt::format("{} of {} {} bodies that meet{}", some, count_of(answer_.asked, "placement"),
                                    some == 1 || answer_.asked == 1 ? "has" : "have",
@@ -315,14 +315,14 @@ class Placements {
   // Of what was found to meet, or to be closer; links are placed again, to the same numbers.
   void write_certificate() {
     if (answer_.meeting + answer_.closer == 0 && !call_.parted) return;
-    RowBodies placed(rows_, bodies_);
+    robot::RowBodies placed(rows_, bodies_);
     const Met nothing{};
     const auto placement_of = [&](std::size_t row, const Met& met) {
       return scene::MeetingPlacement{std::to_string(row), placed.at(row), met.pairs, met.closer};
     };
     const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
-    scene::SaidOfScene said{input_.said(inputs_), reason_of_each(allowed_), joints_in};
-    const Origin origin = origin_of(inputs_, left_out_texts(input_.left_out(), allowed_));
+    scene::SaidOfScene said{said_of(cell_, inputs_), reason_of_each(allowed_), joints_in};
+    const Origin origin = origin_of(inputs_, left_out_texts(cell_.left_out(), allowed_));
     if (call_.parted) {
       const auto any = [&](std::size_t k) {
         const auto met =
@@ -342,10 +342,10 @@ class Placements {
   const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
   const scene::NearnessQuestion& near_;
-  const SceneInput& input_;
+  const robot::Cell& cell_;
   const io::JointTable& table_;
   const scene::Question& question_;
-  const JointRows rows_;
+  const robot::Rows rows_;
   const std::vector<scene::Body> bodies_;
   const Lines lines_;
   const NearnessLines near_lines_;
@@ -362,19 +362,6 @@ void PlacementsCounts::add(const PlacementsCounts& other) {
   meeting += other.meeting;
   not_kept += other.not_kept;
   closer += other.closer;
-}
-
-RowBodies::RowBodies(const JointRows& rows, std::span<const scene::Body> bodies)
-    : rows_(rows), placer_(rows.placer()), bodies_(bodies.begin(), bodies.end()) {
-  for (scene::Body& body : bodies_) {
-    for (scene::Part& part : body.parts) parts_.push_back(&part);
-  }
-}
-
-std::span<const scene::Body> RowBodies::at(std::size_t row) {
-  scene::place_row(rows_, row, placer_,
-                   [&](std::uint32_t part, const solid::Pose& pose) { parts_[part]->pose = pose; });
-  return bodies_;
 }
 
 LineFiles::LineFiles(const PlacementsCall& call)
@@ -400,7 +387,7 @@ void LineFiles::commit() {
   }
 }
 
-std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
+std::string header_line(const robot::Cell& cell, const scene::Question& question, std::span<const scene::Body> bodies,
                         const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call,
                         bool between) {
   Json json{{"verb", "scene"}};
@@ -417,7 +404,7 @@ std::string header_line(const SceneInput& input, const scene::Question& question
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   json["allowed_reasons"] = allowed_json(allowed);
-  if (!input.left_out().empty()) json["left_out"] = to_json(input.left_out());
+  if (!cell.left_out().empty()) json["left_out"] = to_json(cell.left_out());
   if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
   return json.on_one_line() + "\n";
 }
@@ -445,8 +432,8 @@ std::vector<std::string> not_proved(const PlacementsCall& call) {
   return words;
 }
 
-io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs) {
-  const io::Robot& robot = input.robot(placements_option);
+io::JointTable read_placements(const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs) {
+  const io::Robot& robot = cell.robot(placements_option);
   io::JointTable table = io::read_joint_table(call.table, inputs, scene::thread_count(call.threads));
   if (!table.joints.empty()) {
     if (!call.joint_names.empty()) {
@@ -495,10 +482,10 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
   return {least, greatest};
 }
 
-PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+PlacementsAnswer answer_placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs,
                                    const scene::NearnessQuestion& near, std::span<const AllowedPair> allowed) {
-  return Placements(call, input, question, table, inputs, near, allowed).run();
+  return Placements(call, cell, question, table, inputs, near, allowed).run();
 }
 
 }  // namespace sunder::ask

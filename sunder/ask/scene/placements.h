@@ -8,7 +8,8 @@
 #include <sunder/io/file.h>
 #include <sunder/io/joint_table.h>
 #include <sunder/io/joint_values.h>
-#include <sunder/io/robot_motion.h>
+#include <sunder/robot/cell.h>
+#include <sunder/robot/rows.h>
 #include <sunder/scene/scene.h>
 #include <sunder/scene/timeline.h>
 
@@ -18,7 +19,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace sunder::ask {
@@ -48,45 +48,6 @@ struct PlacementsAnswer : PlacementsCounts {
   int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
 
-// The rows of a table, for run_timeline (scene/timeline.h). Keeps references to both.
-class JointRows {
- public:
-  // Throws Error as RobotMotion does, and where there is no robot.
-  JointRows(const SceneInput& input, const io::JointTable& table)
-      : input_(input), table_(table), robot_(input.robot("--placements")), motion_(robot_, table.joints) {}
-
-  std::size_t size() const { return table_.rows(); }
-  std::string name(std::size_t row) const { return table_.place(row); }
-  const io::RobotMotion& motion() const { return motion_; }
-  auto placer() const {
-    return [this, links = std::vector<Affine3>(robot_.links.size())](std::size_t row, const auto& put) mutable {
-      motion_.place(table_.row(row), links);
-      input_.place_links(links, put);
-    };
-  }
-
- private:
-  const SceneInput& input_;
-  const io::JointTable& table_;
-  const io::Robot& robot_;
-  io::RobotMotion motion_;
-};
-
-// Bodies that are moved to one row after another.
-class RowBodies {
- public:
-  RowBodies(const JointRows& rows, std::span<const scene::Body> bodies);
-
-  // Where they are in a row; holds until the next one is asked for. Throws Error with the row's name.
-  std::span<const scene::Body> at(std::size_t row);
-
- private:
-  const JointRows& rows_;
-  decltype(std::declval<const JointRows&>().placer()) placer_;
-  std::vector<scene::Body> bodies_;
-  std::vector<scene::Part*> parts_;
-};
-
 // The lines of some rows, and where lines go: to standard output, or to the files that the call names.
 struct LineTexts {
   std::string text, json, csv;
@@ -111,7 +72,7 @@ class LineFiles {
 };
 
 // What all rows have in common: the first line of JSON lines.
-std::string header_line(const SceneInput& input, const scene::Question& question, std::span<const scene::Body> bodies,
+std::string header_line(const robot::Cell& cell, const scene::Question& question, std::span<const scene::Body> bodies,
                         const io::JointTable& table, std::span<const AllowedPair> allowed, const PlacementsCall& call,
                         bool between);
 
@@ -125,7 +86,7 @@ std::vector<std::string> not_proved(const PlacementsCall& call);
 SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs);
 
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
-io::JointTable read_placements(const PlacementsCall& call, const SceneInput& input, InputFiles* inputs);
+io::JointTable read_placements(const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs);
 
 // The same as values by name, one placement after another, named by their numbers, from 0.
 std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
@@ -137,7 +98,7 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 // output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
 // nearest no certificate is written. allowed: the pairs of question.allowed, with their reasons. Throws Error; then no
 // file is written.
-PlacementsAnswer answer_placements(const PlacementsCall& call, const SceneInput& input, const scene::Question& question,
+PlacementsAnswer answer_placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
                                    const io::JointTable& table, const InputFiles& inputs = {},
                                    const scene::NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
 

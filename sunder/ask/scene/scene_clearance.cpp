@@ -31,7 +31,7 @@ double distance_of(std::string_view text, const char* option, bool may_be_zero) 
 constexpr const char* margin_option = "--margin";
 
 // "a,b=c"
-scene::Margin margin_of(const std::string& text, const SceneInput& input) {
+scene::Margin margin_of(const std::string& text, const robot::Cell& cell) {
   const std::size_t equals = text.rfind('=');
   const std::size_t comma = std::min(equals, text.find(','));
   if (equals == std::string::npos || comma == equals) {
@@ -41,7 +41,7 @@ scene::Margin margin_of(const std::string& text, const SceneInput& input) {
   }
   const std::string_view all(text);
   const auto body = [&](std::string_view name) {
-    return input.body_named(std::string(io::trimmed(name)), margin_option);
+    return cell.body_named(std::string(io::trimmed(name)), margin_option);
   };
   const std::uint32_t a = body(all.substr(0, comma)), b = body(all.substr(comma + 1, equals - comma - 1));
   if (a == b) {
@@ -60,7 +60,7 @@ std::string name_b(const Placed& placed, const PartDistance& pair) {
 
 // How far apart two parts are, or that they are closer, is said of what stands for them.
 bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
-  return report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b);
+  return report.cell.is_hull(pair.body_a, pair.part_a) || report.cell.is_hull(pair.body_b, pair.part_b);
 }
 
 // "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
@@ -95,11 +95,11 @@ std::string closer_text(const SceneReport& report, const Placed& placed, const s
   return text + fmt::format("{}closer than asked for: {} of {} (allowed {}, by boxes {}, by distance {}{}){}\n", prefix,
                             known, count_of(answer.pairs, "pair"), answer.allowed, answer.by_boxes, answer.by_method,
                             undecided == 0 ? "" : fmt::format(", undecided {}", undecided),
-                            report.input.left_out().clause());
+                            report.cell.left_out().clause());
 }
 
 std::string nearest_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
-  const LeftOutList& left_out = report.input.left_out();
+  const LeftOutList& left_out = report.cell.left_out();
   if (!placed.near.nearest) return prefix + "nearest: no pair is asked about" + left_out.clause() + "\n";
   const PartDistance& pair = *placed.near.nearest;
   return fmt::format("{}nearest: {} and {}{}: {}{}\n", prefix, name_a(placed, pair), name_b(placed, pair),
@@ -155,7 +155,7 @@ Json clearance_json(const SceneReport& report) {
 
 }  // namespace
 
-std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const SceneInput& input,
+std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const robot::Cell& cell,
                                                            const std::vector<std::array<std::uint32_t, 2>>& allowed) {
   if (call.least.empty() && call.margins.empty()) return std::nullopt;
   scene::ClearanceQuestion question;
@@ -164,7 +164,7 @@ std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& 
   std::set<std::pair<std::uint32_t, std::uint32_t>> may_meet, seen;
   for (const auto& [a, b] : allowed) may_meet.insert(std::minmax(a, b));
   for (const std::string& text : call.margins) {
-    const scene::Margin margin = margin_of(text, input);
+    const scene::Margin margin = margin_of(text, cell);
     const std::pair pair(margin.body_a, margin.body_b);
     if (!seen.insert(pair).second) {
       throw Error(ErrorCode::bad_call, io::quote(text) + " is of a pair that has a margin already; give one",

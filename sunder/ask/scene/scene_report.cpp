@@ -32,7 +32,7 @@ std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.b
 // Do the parts meet, and do hulls replace meshes in that?
 bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
   return pair.meet() &&
-         (report.input.is_hull(pair.body_a, pair.part_a) || report.input.is_hull(pair.body_b, pair.part_b));
+         (report.cell.is_hull(pair.body_a, pair.part_a) || report.cell.is_hull(pair.body_b, pair.part_b));
 }
 
 // Of a pair that meets, rounded.
@@ -162,7 +162,7 @@ std::string undecided_text(const Placed& placed, const std::string& prefix) {
 
 std::string meeting_text(const SceneReport& report, const Placed& placed) {
   const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
-  const LeftOutList& left_out = report.input.left_out();
+  const LeftOutList& left_out = report.cell.left_out();
   std::string text;
   std::uint64_t listed = 0;
   for (const PartPair& pair : placed.answer.pairs) {
@@ -398,7 +398,7 @@ std::vector<std::string> picture_notes(const SceneReport& report, const Placed& 
   std::string text = report.allowed.empty() ? "" : allowed_pairs_text(report) + "\n";
   if (report.checks_allowed) text += allowed_meeting_text(report, placed, "");
   if (report.question.touching_allowed) text += "what only touches is allowed, and does not count\n";
-  if (!report.input.left_out().empty()) text += "left out: " + report.input.left_out().text() + "\n";
+  if (!report.cell.left_out().empty()) text += "left out: " + report.cell.left_out().text() + "\n";
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = text.find('\n', begin);
@@ -412,10 +412,10 @@ Json scene_json(const SceneReport& report) {
   Json json = envelope("scene", std::string(report.verdict()), report.method);
   json["decided_by"] = decided_by(report);
   json["objects"] = Json::array();
-  for (const io::BodyPart* part : report.input.parts()) json["objects"].push_back(object_json(*part));
+  for (const io::BodyPart* part : report.cell.parts()) json["objects"].push_back(object_json(*part));
 
-  if (!report.input.left_out().empty()) json["left_out"] = to_json(report.input.left_out());
-  if (!report.input.unit().empty()) json["unit"] = report.input.unit();
+  if (!report.cell.left_out().empty()) json["left_out"] = to_json(report.cell.left_out());
+  if (!report.cell.unit().empty()) json["unit"] = report.cell.unit();
 
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;

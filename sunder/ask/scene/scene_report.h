@@ -26,7 +26,7 @@ struct Placed {
 };
 
 struct SceneReport {
-  const SceneInput& input;
+  const robot::Cell& cell;
   std::string method;
   scene::Question question{};
   std::optional<scene::ClearanceQuestion> clearance{};

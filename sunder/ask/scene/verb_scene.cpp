@@ -52,9 +52,9 @@ bool wants_lines(const SceneCall& call) {
   return !call.json && !call.proves() && call.svg.empty() && call.gltf.empty();
 }
 
-// table: what --placements names, to be held; srdf, input: for --state.
+// table: what --placements names, to be held; srdf, cell: for --state.
 std::vector<io::JointValues> joints_of(const SceneCall& call, const io::JointTable& table, const io::Srdf& srdf,
-                                       const SceneInput& input, InputFiles* inputs) {
+                                       const robot::Cell& cell, InputFiles* inputs) {
   if (table.rows() > most_held) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("{} are too many for --json, --certificate and --svg, which hold at most {}; leave these "
@@ -65,15 +65,19 @@ std::vector<io::JointValues> joints_of(const SceneCall& call, const io::JointTab
   std::vector<io::JointValues> all = joint_values_of(table);
   for (const std::string& file : call.joints_files) all.push_back(io::read_joint_values(file, inputs));
   for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
-  for (const std::string& text : call.states) all.push_back(input.state(srdf, text));
+  for (const std::string& text : call.states) {
+    const io::Robot& robot = cell.robot("--state");
+    all.push_back(noting([&](auto& remarks) { return io::state_values(srdf, robot, text, "--state", remarks); }));
+  }
   if (all.empty()) all.emplace_back();
-  input.note_limits(all);
+  note_limits(cell, all);
   return all;
 }
 
 Placed ask(const SceneReport& report, const io::JointValues& joints, const std::string& number) {
   const scene::Question& question = report.question;
-  Placed placed{joints.values, joints.name.empty() ? number : joints.name, report.input.bodies(joints.values), {}};
+  if (!joints.values.empty()) (void)report.cell.robot("--joints");
+  Placed placed{joints.values, joints.name.empty() ? number : joints.name, report.cell.place(joints.values), {}};
   const auto start = std::chrono::steady_clock::now();
   placed.answer = scene::meeting_pairs(placed.bodies, question);
   if (report.checks_allowed) {
@@ -89,9 +93,9 @@ Placed ask(const SceneReport& report, const io::JointValues& joints, const std::
 }
 
 // What the call names is compared before anything is read; what a robot's file names, here.
-void require_apart(const SceneCall& call, const SceneInput& input) {
+void require_apart(const SceneCall& call, const robot::Cell& cell) {
   std::vector<NamedFile> meshes, outputs;
-  for (const std::filesystem::path& mesh : input.meshes_read()) meshes.push_back({"", mesh});
+  for (const std::filesystem::path& mesh : cell.meshes_read()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
   if (!call.svg.empty()) outputs.push_back({"--svg", call.svg});
   if (!call.gltf.empty()) outputs.push_back({"--gltf", call.gltf});
@@ -103,10 +107,10 @@ void require_apart(const SceneCall& call, const SceneInput& input) {
   ask::require_apart(meshes, outputs);
 }
 
-void require_drawable(const SceneCall& call, const SceneInput& input, std::size_t placements) {
+void require_drawable(const SceneCall& call, const robot::Cell& cell, std::size_t placements) {
   if (call.svg.empty() && call.gltf.empty()) return;
   std::uint64_t facets = 0;
-  for (const io::BodyPart* part : input.parts()) facets += picture::drawn_as(part->shape()).facet_count();
+  for (const io::BodyPart* part : cell.parts()) facets += picture::drawn_as(part->shape()).facet_count();
   facets *= placements;
   if (!call.svg.empty()) ask::require_drawable(facets, "facet", 0, call.svg_limit);
   if (!call.gltf.empty() && facets > most_facets) {
@@ -140,12 +144,12 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
                               : "no pair is asked about, so there is nothing to prove; leave it out, or allow less",
                 "--certificate");
   }
-  const scene::SaidOfScene said{report.input.said(inputs), reason_of_each(report.allowed), [&](std::size_t placement) {
-                                  return joint_values_note(report.placements[placement].joints);
-                                }};
+  const scene::SaidOfScene said{
+      said_of(report.cell, inputs), reason_of_each(report.allowed),
+      [&](std::size_t placement) { return joint_values_note(report.placements[placement].joints); }};
   io::OutputFile file(name);
   scene::write_certificate(
-      placements, report.question, origin_of(inputs, left_out_texts(report.input.left_out(), report.allowed)),
+      placements, report.question, origin_of(inputs, left_out_texts(report.cell.left_out(), report.allowed)),
       [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()), said);
   file.commit();
   return pairs;
@@ -153,7 +157,7 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
 
 void draw(const SceneCall& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
-  const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.input.is_hull(body, part); };
+  const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.cell.is_hull(body, part); };
   for (const Placed& placed : report.placements) {
     panels.push_back({placed.title, placed.bodies, placed.answer, is_hull, picture_notes(report, placed)});
   }
@@ -169,18 +173,22 @@ int run(const SceneCall& call) {
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  SceneInput input(call.files, call.poses, call.require_convex, call.leave_out, inputs, packages_of(call.packages),
-                   call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects);
-  if (!call.groups_of_links.empty()) input.keep_groups(srdf, call.groups_of_links);
-  require_apart(call, input);
+  robot::Cell cell = read_cell(call.files, call.poses,
+                               {call.require_convex, call.leave_out, packages_of(call.packages),
+                                call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects},
+                               inputs);
+  if (!call.groups_of_links.empty()) {
+    noting([&](auto& remarks) { cell.keep_groups(srdf, call.groups_of_links, "--group", remarks); });
+  }
+  require_apart(call, cell);
   io::JointTable table;
-  if (!call.placements.table.empty()) table = read_placements(call.placements, input, inputs);
+  if (!call.placements.table.empty()) table = read_placements(call.placements, cell, inputs);
   const bool is_by_lines = table.rows() > 0 && wants_lines(call);
   std::vector<io::JointValues> placements;
-  if (!is_by_lines) placements = joints_of(call, table, srdf, input, inputs);
-  require_drawable(call, input, placements.size());
+  if (!is_by_lines) placements = joints_of(call, table, srdf, cell, inputs);
+  require_drawable(call, cell, placements.size());
 
-  SceneReport report{input, call.method};
+  SceneReport report{cell, call.method};
   scene::Question& question = report.question;
   question.method = method;
   question.every_pair = call.proves();
@@ -189,18 +197,19 @@ int run(const SceneCall& call) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
     } else {
-      add_allowed(input.allowed(word, inputs), report.allowed);
+      add_allowed(allowed_by_word(cell, word, inputs), report.allowed);
       report.allowed_because.push_back(word);
     }
   }
   if (!call.srdf.empty()) {
-    add_allowed(input.allowed(srdf, call.srdf), report.allowed);
+    add_allowed(noting([&](auto& remarks) { return cell.disabled(srdf, call.srdf, "--srdf", remarks); }),
+                report.allowed);
     report.allowed_because.push_back(call.srdf);
   }
-  add_allowed(input.allowed_by_files(), report.allowed);
+  add_allowed(cell.allowed_by_files(), report.allowed);
   question.allowed = bodies_of(report.allowed);
-  for (const std::string& file : input.scene_files()) report.allowed_because.push_back(io::one_line(file));
-  report.clearance = clearance_question(call.clearance, input, question.allowed);
+  for (const std::string& file : cell.scene_files()) report.allowed_because.push_back(io::one_line(file));
+  report.clearance = clearance_question(call.clearance, cell, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
   const bool is_one = !is_by_lines && placements.size() == 1;
   report.checks_allowed = !report.allowed.empty() && !call.no_check_allowed && (call.check_allowed || is_one);
@@ -218,12 +227,12 @@ int run(const SceneCall& call) {
                   "--distance, or give --certificate, for all",
                   "--meeting-certificate");
     }
-    input.note_limits(extremes_of(table));
-    note_hulls(input.meshes());
-    if (call.between) return answer_between(call.placements, input, question, table, files, report.allowed);
+    note_limits(cell, extremes_of(table));
+    note_hulls(meshes_of(cell));
+    if (call.between) return answer_between(call.placements, cell, question, table, files, report.allowed);
     const scene::NearnessQuestion near{report.clearance, report.asks_for_nearest, question.allowed};
     const PlacementsAnswer answer =
-        answer_placements(call.placements, input, question, table, files, near, report.allowed);
+        answer_placements(call.placements, cell, question, table, files, near, report.allowed);
     print_for_people(answer.summary);
     return answer.code();
   }
@@ -236,7 +245,7 @@ int run(const SceneCall& call) {
   report.is_proved = call.proves();
   const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
   draw(call, report);
-  note_hulls(input.meshes());
+  note_hulls(meshes_of(cell));
   if (call.json) {
     print(to_text(scene_json(report)));
   } else {
