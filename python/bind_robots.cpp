@@ -1,7 +1,7 @@
 // Robots out of files: which links meet, for thousands of placements in one call.
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/robot/cell.h>
 #include <sunder/robot/rows.h>
-#include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/scene/timeline.h>
 
@@ -183,10 +183,9 @@ class Robot {
       out.parts.push_back({pair.part_a, pair.part_b});
       out.decided.push_back(pair.undecided() ? 0 : 1);
       if (!evidence) continue;
-      out.points.push_back(pair.undecided()
-                               ? Point3{none, none, none}
-                               : scene::rounded_common_point(pair, moment.bodies[pair.body_a].parts[pair.part_a],
-                                                             moment.bodies[pair.body_b].parts[pair.part_b]));
+      out.points.push_back(pair.undecided() ? Point3{none, none, none}
+                                            : rounded_common_point(pair, moment.bodies[pair.body_a].parts[pair.part_a],
+                                                                   moment.bodies[pair.body_b].parts[pair.part_b]));
     }
   }
 

@@ -72,13 +72,13 @@
 #include <sunder/scene/clearance.h>
 #include <sunder/scene/clearance_follower.h>
 #include <sunder/scene/follower.h>
-#include <sunder/scene/mesh_convexity.h>
-#include <sunder/scene/mesh_departure.h>
 #include <sunder/scene/scene.h>
 #include <sunder/scene/scene_json.h>
 #include <sunder/scene/sweep.h>
 #include <sunder/scene/timeline.h>
 #include <sunder/solid/hull/convex_hull.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/frame.h>
 #include <sunder/solid/object/hull_json.h>

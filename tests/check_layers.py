@@ -54,7 +54,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "number": ["exact"],
     "planar": ["represent", "object", "pair", "sweep", "set", "region"],
-    "solid": ["hull", "represent", "object", "pair", "round"],
+    "solid": ["hull", "represent", "object", "mesh", "pair", "round"],
     "polytope": ["object", "represent", "pair", "hull", "region"],
     "ask": ["set", "scene", "pair", "region"],
 }

@@ -1,6 +1,6 @@
 #include <sunder/ask/evidence.h>
 
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 
 #include <cstdint>
 #include <vector>
@@ -14,11 +14,11 @@ PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid
 Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
   if (c.verdict == Verdict::meet) {
     const auto begin = c.vertices.begin(), middle = begin + c.count_a;
-    return {{"point", to_json(scene::rounded_common_point(c, a, b))},
+    return {{"point", to_json(rounded_common_point(c, a, b))},
             {"vertices_a", std::vector<std::uint32_t>(begin, middle)},
             {"vertices_b", std::vector<std::uint32_t>(middle, middle + c.count_b)}};
   }
-  const scene::RoundedGap gap = scene::rounded_gap(c, a, b);
+  const RoundedGap gap = rounded_gap(c, a, b);
   return {{"direction_about", to_json(gap.direction)},
           {"gap_about", gap.width},
           {"extreme_a", c.extreme_a},
@@ -28,9 +28,9 @@ Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const Plac
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
   if (evidence.verdict == Verdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
   if (evidence.verdict == Verdict::undecided) {
-    return {{"direction_about", to_json(scene::rounded_direction(evidence))}};
+    return {{"direction_about", to_json(rounded_direction(evidence))}};
   }
-  const scene::RoundedGap gap = scene::rounded_gap(evidence, a, b);
+  const RoundedGap gap = rounded_gap(evidence, a, b);
   return {{"direction_about", to_json(gap.direction)}, {"gap_about", gap.width}};
 }
 

@@ -27,13 +27,13 @@ std::string vertex_text(const Mesh& mesh, const Numbering& origin, std::uint32_t
 }
 
 // Numbers are those of the file.
-std::string why(const Mesh& mesh, const Numbering& origin, const scene::MeshDefect& defect) {
+std::string why(const Mesh& mesh, const Numbering& origin, const solid::MeshDefect& defect) {
   const auto edge = [&] {
     return fmt::format("from {} to {}", vertex_text(mesh, origin, defect.edge[0]),
                        vertex_text(mesh, origin, defect.edge[1]));
   };
   const std::uint32_t face = origin.first_face + defect.face;
-  using Kind = scene::MeshDefect::Kind;
+  using Kind = solid::MeshDefect::Kind;
   switch (defect.kind) {
     case Kind::none: return "";
     case Kind::thin: return "all its vertices are on one line";
@@ -75,9 +75,9 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
                 solid::ConvexPolyhedron(mesh.vertices)};
   if (mesh.polygon_count() == 0) return body;
 
-  const scene::MeshView view{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices};
-  const scene::MeshDefect defect = scene::find_mesh_defect(view, body.hull);
-  if (defect.kind == scene::MeshDefect::Kind::none) {
+  const solid::MeshView view{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices};
+  const solid::MeshDefect defect = solid::find_mesh_defect(view, body.hull);
+  if (defect.kind == solid::MeshDefect::Kind::none) {
     body.shape = BodyShape::convex;
     return body;
   }
@@ -90,7 +90,7 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
                             body.why_hull),
                 shown);
   }
-  if (body.hull.dimension() == 3) body.departure = scene::mesh_departure(view, body.hull);
+  if (body.hull.dimension() == 3) body.departure = solid::mesh_departure(view, body.hull);
   return body;
 }
 

@@ -5,7 +5,7 @@
 #include <sunder/certificate/origin.h>
 #include <sunder/io/left_out.h>
 #include <sunder/io/mesh.h>
-#include <sunder/scene/mesh_departure.h>
+#include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct MeshBody {
   std::uint32_t mesh_polygons = 0;
   BodyShape shape = BodyShape::convex;
   std::string why_hull;                           // in words, with numbers of the file; empty unless shape is hull
-  std::optional<scene::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
+  std::optional<solid::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
   std::uint64_t inner_vertices = 0;  // unused ones of the file in the hull of the others: not taken, to be told
 };

@@ -1,6 +1,6 @@
 #include <sunder/io/mesh_builder.h>
 #include <sunder/io/text.h>
-#include <sunder/scene/mesh_sides.h>
+#include <sunder/solid/mesh/mesh_sides.h>
 
 #include <algorithm>
 
@@ -37,7 +37,7 @@ void MeshBuilder::leave_out(std::string_view kind, std::uint64_t count) {
 
 void MeshBuilder::join_equal_vertices() {
   std::vector<Point3>& points = mesh_.vertices;
-  const std::vector<std::uint32_t> first = scene::lowest_of_equals(points);
+  const std::vector<std::uint32_t> first = solid::lowest_of_equals(points);
   std::vector<std::uint32_t> joined(points.size());
   std::uint32_t count = 0;
   for (std::uint32_t i = 0; i < points.size(); ++i) {

@@ -1,7 +1,7 @@
 #include <sunder/base/json.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/picture/gltf.h>
 #include <sunder/picture/round.h>
-#include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -144,7 +144,7 @@ class Model {
     for (const scene::PartPair& pair : panel.answer.pairs) {
       if (!pair.counts) continue;
       const scene::Body &a = panel.bodies[pair.body_a], &b = panel.bodies[pair.body_b];
-      const Point3 at = scene::rounded_common_point(pair, a.parts[pair.part_a], b.parts[pair.part_b]);
+      const Point3 at = rounded_common_point(pair, a.parts[pair.part_a], b.parts[pair.part_b]);
       node({{"name", panel.told(pair)},
             {"translation", {single(at.x, a.name), single(at.y, a.name), single(at.z, a.name)}}},
            &all);

@@ -2,11 +2,11 @@
 #include <sunder/picture/plane.h>
 
 #include <sunder/certificate/direction.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/io/text.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/placed.h>
 #include <sunder/planar/pair/polygon_polygon_by.h>
-#include <sunder/scene/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -91,11 +91,11 @@ std::string draw_evidence(PlanePicture& drawing, const PairCertificate& certific
                 pose_b = planar::in_space(bodies[1]->pose.affine());
   const PlacedVertices in_a{tables[0], pose_a, false}, in_b{tables[1], pose_b, false};
   if (certificate.verdict == Verdict::meet) {
-    const Point3 p = scene::rounded_common_point(certificate, in_a, in_b);
+    const Point3 p = rounded_common_point(certificate, in_a, in_b);
     drawing.dot({p.x, p.y}, Ink::dark, "a common point");
     return fmt::format("they meet: a common point at about ({:.4g}, {:.4g})", p.x, p.y);
   }
-  const scene::RoundedGap gap = scene::rounded_gap(certificate, in_a, in_b);
+  const RoundedGap gap = rounded_gap(certificate, in_a, in_b);
   const std::array extremes{certificate.extreme_a, certificate.extreme_b};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::uint32_t at = PosedPolygon(bodies.at(k)->polygon, bodies.at(k)->pose).number(extremes.at(k));

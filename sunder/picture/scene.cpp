@@ -4,7 +4,7 @@
 #include <sunder/picture/scene.h>
 
 #include <sunder/certificate/direction.h>
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -301,8 +301,8 @@ class SceneDrawing {
   }
 
   static Point3 common_point(const ScenePanel& panel, const scene::PartPair& pair) {
-    return scene::rounded_common_point(pair, panel.bodies[pair.body_a].parts[pair.part_a],
-                                       panel.bodies[pair.body_b].parts[pair.part_b]);
+    return rounded_common_point(pair, panel.bodies[pair.body_a].parts[pair.part_a],
+                                panel.bodies[pair.body_b].parts[pair.part_b]);
   }
 
   // Of each part, on the lowest plane, the light straight above.

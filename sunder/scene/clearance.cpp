@@ -78,10 +78,6 @@ PartDistance distance_of(const Members& members, std::span<const Body> bodies, s
   return with(pair, solid::round_distance(a.shape, a.pose, b.shape, b.pose));
 }
 
-bool comes_first(const PartDistance& p, const PartDistance& q) {
-  return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);
-}
-
 const Part& part_a(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_a].parts[p.part_a]; }
 const Part& part_b(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_b].parts[p.part_b]; }
 

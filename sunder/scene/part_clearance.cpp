@@ -22,10 +22,6 @@ constexpr double outermost = std::numeric_limits<double>::infinity();
 
 [[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
-bool comes_first(const PartDistance& p, const PartDistance& q) {
-  return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);
-}
-
 enum class Nearer : std::uint8_t { no, yes, undecided };
 
 Point3 rounded(const WorldDirection& direction) {

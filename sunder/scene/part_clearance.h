@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace sunder::scene {
@@ -39,6 +40,11 @@ Box3 widened(const Box3& box, double least);
 // of their distance, and half of that for the direction.
 void look_whether_closer(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j,
                          double least, ClearanceAnswer& answer, std::optional<Point3>* apart_along = nullptr);
+
+// The order of pairs (clearance.h, C3).
+inline bool comes_first(const PartDistance& p, const PartDistance& q) {
+  return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);
+}
 
 // Brings the lists into order (clearance.h, C3), and says how many pairs there are; what is counted as by_method stands
 // there, the rest is by boxes.

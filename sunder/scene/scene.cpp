@@ -64,6 +64,16 @@ std::string part_name(const Body& body, std::uint32_t part) {
   return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
 }
 
+Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) {
+  SUNDER_REQUIRE(pair.meet());
+  if (pair.round) {
+    return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
+                                   *pair.round);
+  }
+  return rounded_common_point(pair.answer.certificate(), {a.shape.points(), a.pose.affine(), false},
+                              {b.shape.points(), b.pose.affine(), false});
+}
+
 std::string_view Answer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
 
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question) {

@@ -70,6 +70,9 @@ struct PartPair {
   bool undecided() const { return verdict() == Verdict::undecided; }
 };
 
+// A common point of two parts that meet, rounded. Requires the parts that the pair is of.
+Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b);
+
 struct Counts {
   std::uint64_t parts = 0;
   std::uint64_t pairs = 0;          // of parts of different bodies

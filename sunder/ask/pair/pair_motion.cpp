@@ -3,7 +3,7 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
 #include <fmt/format.h>
@@ -90,9 +90,9 @@ class MotionPair : public PairQuestion {
     const auto gap = [&](bool at_end) {
       const Affine3 &a = (at_end ? of_a_.end() : of_a_.begin()).affine(),
                     &b = (at_end ? of_b_.end() : of_b_.begin()).affine();
-      return scene::rounded_gap(apart_, {a_.vertices, a, false}, {b_.vertices, b, false});
+      return rounded_gap(apart_, {a_.vertices, a, false}, {b_.vertices, b, false});
     };
-    const scene::RoundedGap first = gap(false), last = gap(true);
+    const RoundedGap first = gap(false), last = gap(true);
     return {
         "evidence",
         {{"direction_about", to_json(first.direction)},

@@ -1,7 +1,7 @@
 #include <sunder/ask/evidence.h>
 #include <sunder/ask/pair/pair_question.h>
 
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -13,11 +13,10 @@ namespace {
 std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b, bool is_planar) {
   const auto told = [&](const Point3& p) { return is_planar ? about(Point2{p.x, p.y}) : about(p); };
   if (c.verdict == Verdict::meet) {
-    return fmt::format("a common point at about {}, made of {} of A and {} of B",
-                       told(scene::rounded_common_point(c, a, b)),
+    return fmt::format("a common point at about {}, made of {} of A and {} of B", told(rounded_common_point(c, a, b)),
                        c.count_a == 1 ? "1 vertex" : fmt::format("{} vertices", c.count_a), c.count_b);
   }
-  const scene::RoundedGap gap = scene::rounded_gap(c, a, b);
+  const RoundedGap gap = rounded_gap(c, a, b);
   return fmt::format(
       "an empty {} about {} wide across the direction of about {},\nfrom vertex {} of A to vertex {} of B",
       is_planar ? "strip" : "slab", about(gap.width), told(gap.direction), c.extreme_a, c.extreme_b);

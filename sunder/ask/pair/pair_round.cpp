@@ -109,17 +109,13 @@ class RoundPair : public PairQuestion {
       const Point3 p = rounded_point_of(placed_a_, placed_b_, evidence);
       return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point at about {}", about(p))};
     }
-    const Point3& d = evidence.direction;
-    const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-    const Point3 e{d.x / largest, d.y / largest, d.z / largest};
-    const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
-    const Point3 unit{e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
+    const Point3 unit = rounded_direction(evidence);
     if (answer_.undecided()) {
       return {"evidence",
               {{"direction_about", to_json(unit)}},
               fmt::format("they touch, or nearly, across the direction of about {}", about(unit))};
     }
-    const double gap = gap_about(placed_a_, placed_b_, evidence);
+    const double gap = rounded_gap(evidence, placed_a_, placed_b_).width;
     return {"evidence",
             {{"direction_about", to_json(unit)}, {"gap_about", gap}},
             fmt::format("an empty slab about {} wide across the direction of about {}", about(gap), about(unit))};

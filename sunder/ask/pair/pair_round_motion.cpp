@@ -3,7 +3,7 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/solid/round/round_claims.h>
 #include <sunder/solid/round/round_round_sweep.h>
 
@@ -107,12 +107,12 @@ class RoundMotionPair : public PairQuestion {
     const auto gap = [&](bool at_end) {
       const PlacedRound a(round_a_.body, at_end ? of_a_.end() : of_a_.begin());
       const PlacedRound b(round_b_.body, at_end ? of_b_.end() : of_b_.begin());
-      return gap_about(a, b, evidence);
+      return rounded_gap(evidence, a, b).width;
     };
     const auto& d = answer_.direction;
     const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
     evidence.direction = {near.x.low, near.y.low, near.z.low};
-    const Point3 direction = scene::rounded_direction(evidence);
+    const Point3 direction = rounded_direction(evidence);
     const double first = gap(false), last = gap(true);
     return {
         "evidence",

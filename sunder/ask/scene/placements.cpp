@@ -6,10 +6,10 @@
 #include <sunder/ask/scene/scene_report.h>
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/io/file.h>
 #include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
-#include <sunder/scene/rounded_evidence.h>
 #include <sunder/scene/scene_json.h>
 
 #include <fmt/format.h>
@@ -166,7 +166,7 @@ class Lines {
     add(R"(, "said_of": ")", a.is_hull || b.is_hull ? "hulls" : "bodies");
     add(R"(", "counted": )", pair.counts ? "true" : "false");
     if (pair.undecided()) {
-      const Json direction = to_json(scene::rounded_direction(*pair.round));
+      const Json direction = to_json(rounded_direction(*pair.round));
       fmt::format_to(std::back_inserter(out), R"(, "evidence": {{"direction_about": {}}}}})", direction.on_one_line());
       return;
     }

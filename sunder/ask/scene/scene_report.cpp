@@ -1,7 +1,7 @@
 #include <sunder/ask/evidence.h>
 #include <sunder/ask/scene/scene_report.h>
 
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
 
 // Of a pair that meets, rounded.
 Point3 common_point(const Placed& placed, const PartPair& pair) {
-  return scene::rounded_common_point(pair, part_a(placed, pair), part_b(placed, pair));
+  return rounded_common_point(pair, part_a(placed, pair), part_b(placed, pair));
 }
 
 // What a cell of the matrix says about two bodies, from the weakest to the strongest.

@@ -21,6 +21,14 @@ ClosestPoints closest_points(const ClosestFeatures& closest) {
   return {point(0, f.count_a), point(f.count_a, std::size_t{f.count_a} + f.count_b)};
 }
 
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
+  if (contact == Contact::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
+  const Interiors found = interiors(pair.a, pair.pose_a, pair.b, pair.pose_b);
+  if (found.meet) return pairs.add_overlapping(pair.index_a, pair.index_b, found.point);
+  pairs.add_touching(pair.index_a, pair.index_b, pairs.common_point(pair.index_a, pair.index_b, certificate),
+                     found.direction);
+}
+
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance) {
   if (!distance.closest) return;
   const auto [of_a, of_b] = closest_points(*distance.closest);

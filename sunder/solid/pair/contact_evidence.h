@@ -7,26 +7,13 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <array>
 #include <cstdint>
 
 namespace sunder::solid {
-
-// Have the relative interiors of A and B a common point?
-struct Interiors {
-  bool meet = false;
-  // Where they do: one, with how it is made of vertices of each, all weights positive, which span all that the body
-  // spans.
-  CommonPoint point;
-  // Where they do not: along this direction no point of A is further than any of B, and not all of both are as far.
-  std::array<Dyadic, 3> direction{};
-};
-
-// Exact. Cost: that of the exact linear program which tells touching from overlapping (exact_simplex.h). Throws
-// nothing, but for want of memory.
-Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b);
 
 // Two points that are nearest to each other, with positive denominators. Throws nothing, but for want of memory.
 struct ClosestPoints {

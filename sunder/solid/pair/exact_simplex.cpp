@@ -1,6 +1,5 @@
 #include <sunder/number/integer_internal.h>
 #include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/integer_basis_internal.h>
 #include <sunder/solid/pair/spanning_vertices.h>
@@ -249,14 +248,6 @@ Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
   ExactSimplex simplex(placed_a, placed_b, cost, tally);
   if (simplex.interiors_meet(span_a, span_b)) return {true, simplex.inner_point(span_a, span_b), {}};
   return {false, {}, simplex.parting()};
-}
-
-void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
-  if (contact == Contact::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
-  const Interiors found = interiors(pair.a, pair.pose_a, pair.b, pair.pose_b);
-  if (found.meet) return pairs.add_overlapping(pair.index_a, pair.index_b, found.point);
-  pairs.add_touching(pair.index_a, pair.index_b, pairs.common_point(pair.index_a, pair.index_b, certificate),
-                     found.direction);
 }
 
 }  // namespace sunder::solid

@@ -19,7 +19,10 @@
 // 1955), so the method ends whatever the degeneracy.
 #pragma once
 
+#include <sunder/certificate/common_point.h>
 #include <sunder/certificate/pair.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/pair/extreme_vertex.h>
 
@@ -36,5 +39,18 @@ PairCertificate decide_by_exact_simplex(const Placed& a, const Placed& b, const 
 // Do the relative interiors of two bodies that meet have a common point? Allocates.
 bool interiors_meet(const ConvexPolyhedron& body_a, const Placed& a, const ConvexPolyhedron& body_b, const Placed& b,
                     StageTally& tally);
+
+// Have the relative interiors of A and B a common point?
+struct Interiors {
+  bool meet = false;
+  // Where they do: one, with how it is made of vertices of each, all weights positive, which span all that the body
+  // spans.
+  CommonPoint point;
+  // Where they do not: along this direction no point of A is further than any of B, and not all of both are as far.
+  std::array<Dyadic, 3> direction{};
+};
+
+// Exact, by the second program. Throws only std::bad_alloc.
+Interiors interiors(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b);
 
 }  // namespace sunder::solid

@@ -53,27 +53,6 @@ Point3 relative_path(const Translation& of_a, const Translation& of_b) {
 
 }  // namespace
 
-bool is_translation(const Pose& begin, const Pose& end) { return begin.affine().linear == end.affine().linear; }
-
-Translation::Translation(const Pose& begin, const Pose& end) : begin_(begin), end_(end) {
-  if (!is_translation(begin, end)) {
-    throw Error(
-        ErrorCode::bad_pose,
-        "the two poses have different linear parts, so the body turns on its way; give the second the rotation of "
-        "the first, number by number",
-        "pose at the end");
-  }
-}
-
-Interval SweepContact::about() const {
-  const double nearest = nearest_ratio(time, denominator);
-  const Sign rest = (Dyadic(nearest) * denominator - time).sign();
-  if (rest == Sign::zero) return {nearest, nearest};
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return rest == Sign::positive ? Interval{std::nextafter(nearest, -infinity), nearest}
-                                : Interval{nearest, std::nextafter(nearest, infinity)};
-}
-
 SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Translation& of_a,  //
                                         const ConvexPolyhedron& b, const Translation& of_b) {
   SweepAnswer answer;

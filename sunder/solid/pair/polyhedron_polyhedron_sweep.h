@@ -18,43 +18,14 @@
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/object/pose.h>
+#include <sunder/solid/object/translation.h>
+#include <sunder/solid/pair/sweep_contact.h>
 
 #include <array>
 #include <memory>
 #include <optional>
 
 namespace sunder::solid {
-
-// Straight from pose to pose, without a turn.
-class Translation {
- public:
-  // Throws Error bad_pose where the linear parts differ in any number: then the body turns, or changes its size.
-  Translation(const Pose& begin, const Pose& end);
-  // At rest.
-  explicit Translation(const Pose& at) : begin_(at), end_(at) {}
-
-  const Pose& begin() const { return begin_; }
-  const Pose& end() const { return end_; }
-  bool rests() const { return begin_.affine() == end_.affine(); }
-
- private:
-  Pose begin_, end_;
-};
-
-// Do the poses have one linear part, number by number?
-bool is_translation(const Pose& begin, const Pose& end);
-
-// A time at which bodies have a common point, and that point: all exact.
-struct SweepContact {
-  Dyadic time, denominator{1.0};  // time / denominator is from 0 to 1
-  CommonPoint point;              // weights of the bodies' vertices, where the bodies are at that time
-  // Of the first such time, where it is not 0: along it A ends before B begins, at all times before, and where B begins
-  // at this one. Else zero.
-  std::array<Dyadic, 3> direction{};
-
-  Interval about() const;  // of neighbouring doubles, around the time
-};
 
 struct [[nodiscard]] SweepAnswer {
   enum class Found : std::uint8_t {

@@ -17,10 +17,11 @@
 // D parts the bodies before t, and not at t.
 #pragma once
 
-#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
-
 #include <sunder/base/cost.h>
 #include <sunder/predicate/posed.h>
+#include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/translation.h>
+#include <sunder/solid/pair/sweep_contact.h>
 
 #include <array>
 #include <cstdint>

@@ -427,7 +427,16 @@ Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundE
   return {point.x + 0.0, point.y + 0.0, point.z + 0.0};
 }
 
-double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+Point3 rounded_direction(const RoundEvidence& evidence) {
+  SUNDER_REQUIRE(evidence.verdict != Verdict::meet);
+  const Point3& d = evidence.direction;
+  const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+  const Point3 e{d.x / largest, d.y / largest, d.z / largest};
+  const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
+  return {e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
+}
+
+RoundedGap rounded_gap(const RoundEvidence& evidence, const PlacedRound& a, const PlacedRound& b) {
   RoundSearch<DoubleDouble> search(a, b);
   const std::array<Dyadic, 3> d = direction_of(evidence);
   const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
@@ -436,7 +445,7 @@ double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence
   search.direction = {about.x / length, about.y / length, about.z / length};
   Cost cost;
   const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.support.reach;
-  return std::max(nearest(gap) / search.simplex.scale, 0.0);
+  return {rounded_direction(evidence), std::max(nearest(gap) / search.simplex.scale, 0.0)};
 }
 
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {

@@ -17,6 +17,7 @@
 #include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/solid/round/round_body.h>
 
 #include <array>
@@ -82,9 +83,11 @@ RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b);
 std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence);
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 
-// For people: where the common point is, rounded; how wide the empty slab across the direction is, about.
+// For people: where the common point is, rounded; the direction, of length one up to rounding, of bodies that do not
+// meet; with it, how wide the empty slab across it is, about. Require the verdict: meet; apart or undecided; apart.
 Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
-double gap_about(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+Point3 rounded_direction(const RoundEvidence& evidence);
+RoundedGap rounded_gap(const RoundEvidence& evidence, const PlacedRound& a, const PlacedRound& b);
 
 // The point that divides the way from p to q as the radii are; of two radii of 0: p.
 CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q);

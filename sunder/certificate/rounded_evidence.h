@@ -3,17 +3,12 @@
 
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair.h>
-#include <sunder/scene/scene.h>
-#include <sunder/solid/round/round_round.h>
 
-namespace sunder::scene {
+namespace sunder {
 
 // The common point of a `meet`, each coordinate within a few units in the last place (infinite beyond doubles).
 // Requires a true certificate of that verdict.
 Point3 rounded_common_point(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
-
-// Of a pair of parts that meets, whatever their shapes.
-Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b);
 
 // What an `apart` shows.
 struct RoundedGap {
@@ -25,10 +20,4 @@ struct RoundedGap {
 // Requires a true certificate of that verdict.
 RoundedGap rounded_gap(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
 
-// Of bodies with a radius that are apart or undecided: the direction, of length one up to rounding.
-Point3 rounded_direction(const solid::RoundEvidence& evidence);
-
-// Of bodies with a radius. Requires true evidence of that verdict.
-RoundedGap rounded_gap(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
-
-}  // namespace sunder::scene
+}  // namespace sunder

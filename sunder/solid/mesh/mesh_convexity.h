@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 // Polygons as cycles of vertex numbers: polygon p is polygon_vertices[polygon_begin[p] .. polygon_begin[p + 1]).
 // Equal points count as one vertex. Polygons may be turned either way and repeat corners.
@@ -53,6 +53,6 @@ struct MeshDefect {
 // encloses by the even-odd rule is then exactly the hull.
 // Vertices within facets and edges of the hull are allowed; so are facets cut into any polygons, convex or not.
 // Cost: n log n in floating point, plus the number of facets for each polygon without a corner that is extreme.
-MeshDefect find_mesh_defect(const MeshView& mesh, const solid::ConvexPolyhedron& hull);
+MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull);
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,7 +1,7 @@
 // By known depths and volumes, and against a brute force in another form.
 #include <sunder/base/random.h>
-#include <sunder/scene/face_mesh_test.h>
-#include <sunder/scene/mesh_departure.h>
+#include <sunder/solid/mesh/face_mesh_test.h>
+#include <sunder/solid/mesh/mesh_departure.h>
 
 #include <gtest/gtest.h>
 #include <tests/support/scale.h>
@@ -12,10 +12,8 @@
 #include <string>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 namespace {
-
-using solid::ConvexPolyhedron;
 
 MeshDeparture departure_of(const FaceMesh& mesh) { return asked_of(mesh, mesh_departure); }
 
@@ -161,4 +159,4 @@ TEST(MeshDeparture, AsBruteForce) {
 }
 
 }  // namespace
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -2,12 +2,12 @@
 // Also called: concavity, convexity defect.
 #pragma once
 
-#include <sunder/scene/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <optional>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 // For people: rounded to about five digits.
 struct MeshDeparture {
@@ -30,6 +30,6 @@ struct MeshDeparture {
 // these are found by cutting planes. Edges that cannot be deeper than the deepest so far are seen so by a few planes.
 // Cost: in practice the edges, and the facets a few hundred times; where it would be more than 2^28 planes, it is given
 // up. Coordinates whose differences overflow give infinity.
-MeshDeparture mesh_departure(const MeshView& mesh, const solid::ConvexPolyhedron& hull);
+MeshDeparture mesh_departure(const MeshView& mesh, const ConvexPolyhedron& hull);
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -2,8 +2,8 @@
 #include <sunder/number/dyadic.h>
 #include <sunder/predicate/orient.h>
 #include <sunder/predicate/stages.h>
-#include <sunder/scene/mesh_departure.h>
-#include <sunder/scene/mesh_sides.h>
+#include <sunder/solid/mesh/mesh_departure.h>
+#include <sunder/solid/mesh/mesh_sides.h>
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 namespace {
-
-using solid::ConvexPolyhedron;
 
 constexpr double slack = 1 + 0x1p-20;      // what is deeper by less is not looked for
 constexpr double noise = 0x1p-46;          // of a height in doubles, in proportion to the differences it is made of
@@ -313,4 +311,4 @@ MeshDeparture mesh_departure(const MeshView& mesh, const ConvexPolyhedron& hull)
   return departure;
 }
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,17 +1,15 @@
 #include <sunder/predicate/orient.h>
-#include <sunder/scene/mesh_convexity.h>
-#include <sunder/scene/mesh_sides.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_sides.h>
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 namespace {
-
-using solid::ConvexPolyhedron;
 
 constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
 
@@ -220,4 +218,4 @@ class Convexity {
 
 MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull) { return Convexity(mesh, hull).find(); }
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,10 +1,10 @@
-#include <sunder/scene/mesh_sides.h>
+#include <sunder/solid/mesh/mesh_sides.h>
 
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points) {
   std::vector<std::uint32_t> order(points.size()), lowest(points.size());
@@ -36,4 +36,4 @@ MeshSides::MeshSides(const MeshView& mesh) : lowest(lowest_of_equals(mesh.vertic
             [](const Side& s, const Side& t) { return std::pair(s.ends(), s.face) < std::pair(t.ends(), t.face); });
 }
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

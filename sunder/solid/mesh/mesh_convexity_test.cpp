@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
-#include <sunder/scene/face_mesh_test.h>
-#include <sunder/scene/mesh_convexity.h>
+#include <sunder/solid/mesh/face_mesh_test.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
 
 #include <tests/support/shapes.h>
 
@@ -11,10 +11,9 @@
 #include <set>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 namespace {
 
-using solid::ConvexPolyhedron;
 using DefectKind = MeshDefect::Kind;
 
 MeshDefect defect_of(const FaceMesh& mesh) { return asked_of(mesh, find_mesh_defect); }
@@ -244,4 +243,4 @@ TEST(MeshConvexity, RandomHulls) {
 }
 
 }  // namespace
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,7 +1,7 @@
 // The sides of a mesh's polygons, where equal points count as one vertex: for questions about the mesh as a surface.
 #pragma once
 
-#include <sunder/scene/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 // For each point the lowest number of an equal one. Cost: n log n; sorted rather than hashed, so no input is slow.
 std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points);
@@ -36,4 +36,4 @@ struct MeshSides {
   std::vector<Side> sides;                // of different ends, sorted by their ends, then by face
 };
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/scene/rounded_evidence.h>
+#include <sunder/certificate/rounded_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <tests/support/shapes.h>
@@ -9,18 +9,15 @@
 #include <cmath>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 namespace {
 
 using tests::shift;
 
-using solid::ConvexPolyhedron;
-using solid::Pose;
-
 struct Pair {
   ConvexPolyhedron a, b;
   Pose pose_a, pose_b;
-  solid::PairAnswer answer = intersect(a, pose_a, b, pose_b);
+  PairAnswer answer = intersect(a, pose_a, b, pose_b);
 
   PlacedVertices in_a() const { return {a.vertices(), pose_a.affine(), false}; }
   PlacedVertices in_b() const { return {b.vertices(), pose_b.affine(), false}; }
@@ -85,4 +82,4 @@ TEST(RoundedEvidence, CommonPointOfCorners) {
 }
 
 }  // namespace
-}  // namespace sunder::scene
+}  // namespace sunder::solid
