@@ -1,22 +1,15 @@
 // The rules about convex bodies, how deep they are in each other, and how they move: docs/claims.md, "Rules".
-#include <verifier/cpp/reader.h>
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace sunder_verifier {
 namespace {
-
-// -1, 0, +1 as m * 2^e is less than, equal to, greater than n * 2^f.
-int compare(const Integer& m, std::int64_t e, const Integer& n, std::int64_t f) {
-  return shifted(m, std::max<std::int64_t>(e - f, 0)).compare(shifted(n, std::max<std::int64_t>(f - e, 0)));
-}
 
 // n * 2^e + sqrt(spread), which is not negative.
 struct Furthest {
@@ -28,7 +21,8 @@ struct Furthest {
 // How far a body reaches along a direction: as far as the furthest of these.
 struct Reach {
   std::vector<Furthest> furthest;
-  bool is_flat = true;  // all of the body is as far
+  bool is_flat = true;   // all of the body is as far
+  bool goes_on = false;  // along a way, for ever
 };
 
 // How far along the direction a body goes beyond its core, squared.
@@ -50,14 +44,13 @@ Number spread_of(const HullBody& body, const Integers& direction) {
   return spread;
 }
 
-// Requires by that rule that no way goes on along the direction.
-Reach reach(const char* rule, const HullBody& body, const Integers& direction) {
+Reach reach(const HullBody& body, const Integers& direction) {
   const auto [all, e] = products(body, direction);
   Reach result;
   Integer greatest = all[0];
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (body.is_way(k)) {
-      require(all[k] <= 0, rule, "a way of " + body.quoted + " goes on along the direction");
+      result.goes_on = result.goes_on || all[k] > 0;
       result.is_flat = result.is_flat && all[k] == 0;
     } else {
       result.is_flat = result.is_flat && all[k] == all[0];
@@ -74,127 +67,46 @@ Reach reach(const char* rule, const HullBody& body, const Integers& direction) {
   return result;
 }
 
-Integers opposite(Integers direction) {
-  for (Integer& n : direction) n = -n;
-  return direction;
+// Requires by that rule that no way goes on along the direction.
+Reach end_of(const char* rule, const HullBody& body, const Integers& direction) {
+  Reach result = reach(body, direction);
+  require(!result.goes_on, rule, "a way of " + body.quoted + " goes on along the direction");
+  return result;
 }
 
-// From one point x, .., w to another, times a positive number.
-Integers way_between(const Integers& p, const Integers& q) {
-  Integers way;
-  for (std::size_t axis = 0; axis + 1 < p.size(); ++axis) way.push_back(q[axis] * p.back() - p[axis] * q.back());
-  return way;
-}
-
-// The sign of m - sqrt(u) - sqrt(v), where u is positive, and v not negative.
-int sign_less_roots(const Integer& m, const Integer& u, const Integer& v) {
-  if (m <= 0) return -1;
-  // sqrt(s) - sqrt(u) >= 0, as is sqrt(v): they compare as their squares do.
-  const Integer s = m * m, rest = s + u - v;
-  if (s < u || rest < 0) return -1;
-  return v == 0 ? s.compare(u) : Integer(rest * rest).compare(4 * s * u);
-}
-
-// The sign of n * 2^e less the roots of some numbers, three at most, none of which is negative.
-int sign_less_roots(const Integer& n, std::int64_t e, const Numbers& roots) {
-  const auto is_some = [](const Number& root) { return root.n != 0; };
-  if (std::none_of(roots.begin(), roots.end(), is_some)) return n.sign();
-  if (n <= 0) return -1;
-  Numbers values{{n * n, 1, 2 * e}};
-  std::copy_if(roots.begin(), roots.end(), std::back_inserter(values), is_some);
-  Integers squares = common(values).integers;
-  squares.resize(4);
-  const Integer &s = squares[0], &u = squares[1], &v = squares[2], &w = squares[3];
-  if (v == 0) return s.compare(u);
-  // sqrt(s) - sqrt(u) against sqrt(v) + sqrt(w): if neither is negative, as their squares do.
-  return s < u ? -1 : sign_less_roots(s + u - v - w, 4 * s * u, 4 * v * w);
-}
-
-// Is m - sqrt(u) - sqrt(v) not negative? No number under a root is.
-bool covers(const Integer& m, const Integer& u, const Integer& v) {
-  const Integer rest = m * m - u - v;
-  return m >= 0 && rest >= 0 && rest * rest >= 4 * u * v;
-}
-
-// Is m + sqrt(u) - sqrt(v) not negative?
-bool covers_with(const Integer& m, const Integer& u, const Integer& v) {
-  if (m < 0) {  // sqrt(u) against sqrt(m m) + sqrt(v)
-    const Integer rest = u - m * m - v;
-    return rest >= 0 && rest * rest >= 4 * m * m * v;
-  }
-  const Integer rest = v - m * m - u;  // sqrt(v) against sqrt(m m) + sqrt(u)
-  return rest <= 0 || 4 * m * m * u >= rest * rest;
-}
-
-// Is n * 2^e + sqrt(most) - sqrt(u) - sqrt(v) not negative?
-bool covers_with(const Integer& n, std::int64_t e, const Number& most, const Number& u, const Number& v) {
-  const Integers all = common({{n * n, 1, 2 * e}, most, u, v}).integers;
-  const Integer &s = all[0], &w = all[1], &x = all[2], &y = all[3];
-  // sqrt(s) + sqrt(w), or sqrt(w) - sqrt(s), against sqrt(x) + sqrt(y): if none is negative, as their squares do.
-  if (n < 0) return w >= s && covers(s + w - x - y, 4 * s * w, 4 * x * y);
-  return covers_with(s + w - x - y, 4 * s * w, 4 * x * y);
-}
-
-// The sign of how much further B begins along the direction than A ends, less a length, which is in units of that of
-// the direction; and whether both are flat.
+// The sign of how much further B begins along the direction than A ends, with a length added or (sign -1) taken away,
+// which is in units of that of the direction; and whether both are flat.
 struct Parting {
   int gap = 1;
   bool is_flat;
 };
 
-Parting parting(const char* rule, const Integers& direction, const HullBody& a, const HullBody& b,
-                const Number& least = {}) {
-  const Reach of_a = reach(rule, a, direction), of_b = reach(rule, b, opposite(direction));
-  Number wanted;
-  if (least.n != 0) wanted = {least.n * least.n * dot(direction, direction), 1, 2 * least.e};
+Parting parting(const char* rule, const Integers& direction, const HullBody& a, const HullBody& b, int sign = 0,
+                const Number& added = {}) {
+  const Reach of_a = end_of(rule, a, direction), of_b = end_of(rule, b, opposite(direction));
+  const Number square{added.n * added.n * dot(direction, direction), 1, 2 * added.e};
   Parting result{1, of_a.is_flat && of_b.is_flat};
   for (const Furthest& last : of_a.furthest) {
     for (const Furthest& first : of_b.furthest) {
-      const std::size_t size = bits(direction) + a.size() + b.size() + length({least});
-      if (a.is_round() || b.is_round()) take_steps(16, size, size);
+      const std::size_t size = bits(direction) + a.size() + b.size() + length({added});
+      if (a.is_round() || b.is_round() || sign > 0) take_steps(16, size, size);
       const std::int64_t e = std::min(last.e, first.e);
       const Integer gap = -shifted(first.n, first.e - e) - shifted(last.n, last.e - e);
-      result.gap = std::min(result.gap, sign_less_roots(gap, e, {last.spread, first.spread, wanted}));
+      result.gap =
+          std::min(result.gap, sign_with_roots(gap, e, {{-1, last.spread}, {-1, first.spread}, {sign, square}}));
     }
   }
   return result;
 }
 
-// Requires that no part of the body is further along the direction than the point x, .., w.
-void require_behind(const HullBody& body, const Integers& direction, const Integers& place) {
-  const auto [all, e] = products(body, direction);
-  const Integer limit = dot(direction, place);  // of one number more, which does not count
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const bool is_behind = body.is_way(k) ? all[k] <= 0 : compare(all[k] * place.back(), e, limit, 0) <= 0;
-    require(is_behind, "slab", body.quoted + " extends beyond its point along the direction");
-  }
-}
-
-// The rank of vectors, one by one.
-class Span {
- public:
-  // Is it in the span of those before? If not, it is taken in.
-  bool holds(Integers row) {
-    for (const auto& [other, lead] : basis_) {
-      const Integer scale = other[lead], shift = row[lead];
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] = row[k] * scale - other[k] * shift;
-    }
-    const auto first = std::find_if(row.begin(), row.end(), [](const Integer& n) { return n != 0; });
-    if (first == row.end()) return true;
-    const auto lead = static_cast<std::size_t>(first - row.begin());
-    basis_.emplace_back(std::move(row), lead);
-    return false;
-  }
-  std::size_t rank() const { return basis_.size(); }
-
- private:
-  std::vector<std::pair<Integers, std::size_t>> basis_;
-};
-
-Integer sum_of(const Numbers& values) {
-  Integer sum = 0;
-  for (const Integer& n : common(values).integers) sum += n;
-  return sum;
+// Of all of a body, is none further along the direction than the point x, .., w?
+bool is_behind(const Reach& ends, const Integers& direction, const Integers& place) {
+  const Integer limit = dot(direction, place), &w = place.back();  // of one number more, which does not count
+  return !ends.goes_on && std::all_of(ends.furthest.begin(), ends.furthest.end(), [&](const Furthest& last) {
+    const std::int64_t e = std::min<std::int64_t>(last.e, 0);
+    const Integer gap = shifted(limit, -e) - shifted(last.n * w, last.e - e);
+    return sign_with_roots(gap, e, {{-1, {last.spread.n * w * w, last.spread.d, last.spread.e}}}) >= 0;
+  });
 }
 
 // Requires that the point is the image of the one that the claim says.
@@ -205,7 +117,7 @@ void require_image(const Numbers& given, const HullBody& body, const Numbers& po
     const Number& p = point[axis];
     Numbers values{{v[axis], from.d, from.e + body.linear.e}, {-p.n, p.d, p.e}};
     if (body.is_image()) values.push_back({body.translation.rows[0][axis], 1, body.translation.e});
-    require(sum_of(values) == 0, "holds", "the point of " + body.quoted + " comes from elsewhere");
+    require(sum(values).n == 0, "holds", "the point of " + body.quoted + " comes from elsewhere");
   }
 }
 
@@ -240,42 +152,27 @@ bool reaches(const WeightList& list, const Numbers& from, const HullBody& body, 
   return order < 0;
 }
 
+// The mean of points of a body, as they are placed, but of an ellipsoid, and what ways add to it. Refuses by that rule.
+Combination mean_of(const char* rule, const WeightList& list, const HullBody& body) {
+  const bool is_unplaced = body.around == Around::ellipsoid;
+  const Combination mean = combined(
+      {rule, false, "a weight of " + body.quoted + " is negative"}, list, body.dimension(),
+      [&](std::size_t k) { return is_unplaced ? std::pair(body.rows()[k], body.given->e) : image(body, k); },
+      body.count);
+  require(are_equal(mean.total, {1, 1, 0}), rule, "the weights of " + body.quoted + " do not sum to 1");
+  return mean;
+}
+
 // Requires that the body holds the point. Is it, if the body has a radius, nearer to the core than that?
 bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point) {
-  const Common weights = common_weights(list.values);
-  Integer total = 0;
-  for (std::size_t k = 0; k < list.named.size(); ++k) {
-    require(weights.integers[k] >= 0, "holds", "a weight of " + body.quoted + " is negative");
-    if (!body.is_way(list.named[k])) total += weights.integers[k];
-  }
-  require(compare(total, weights.e, weights.d, 0) == 0, "holds", "the weights of " + body.quoted + " do not sum to 1");
-  Integers mean(body.dimension());
-  std::int64_t e = 0;
-  for (std::size_t k = 0; k < list.named.size(); ++k) {
-    const bool is_unplaced = body.around == Around::ellipsoid;
-    const auto [place, f] =
-        is_unplaced ? std::pair(body.rows()[list.named[k]], body.given->e) : image(body, list.named[k]);
-    e = f;
-    for (std::size_t r = 0; r < mean.size(); ++r) mean[r] += weights.integers[k] * place[r];
-  }
-  if (body.is_round()) return reaches(list, from, body, mean, weights.d, weights.e + e, point);
-  for (std::size_t r = 0; r < mean.size(); ++r) {
-    require(compare(mean[r] * point[r].d, weights.e + e, point[r].n * weights.d, point[r].e) == 0, "holds",
+  const Combination mean = mean_of("holds", list, body);
+  if (body.is_round()) return reaches(list, from, body, mean.row, mean.d, mean.e, point);
+  for (std::size_t r = 0; r < point.size(); ++r) {
+    require(are_equal({mean.row[r], mean.d, mean.e}, point[r]), "holds",
             "the weighted sum of the points of " + body.quoted + " differs from the stated point in coordinate " +
                 std::to_string(r));
   }
   return false;
-}
-
-bool is_behind(const char* rule, const HullBody& body, const Integers& direction, const Integers& place) {
-  const Integer limit = dot(direction, place);  // of one number more, which does not count
-  const Reach ends = reach(rule, body, direction);
-  return std::all_of(ends.furthest.begin(), ends.furthest.end(), [&](const Furthest& last) {
-    const std::int64_t e = std::min<std::int64_t>(last.e, 0);
-    const Integer gap = shifted(limit, -e) - shifted(last.n * place.back(), last.e - e);
-    const Integer& w = place.back();
-    return sign_less_roots(gap, e, {{last.spread.n * w * w, last.spread.d, last.spread.e}}) >= 0;
-  });
 }
 
 void check_parted(const Numbers& direction, const HullBody& a, const HullBody& b) {
@@ -296,17 +193,19 @@ void check_holds(const WeightList& weights, const Numbers& from, const HullBody&
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b) {
   const Integers p = projective(from_a), q = projective(to_b);
   const Integers way = way_between(p, q);
-  require(std::any_of(way.begin(), way.end(), [](const Integer& n) { return n != 0; }), "slab",
-          "the two points are the same");
+  require(!all_zero(way), "slab", "the two points are the same");
+  const auto require_behind = [](const HullBody& body, const Integers& direction, const Integers& place) {
+    require(is_behind(reach(body, direction), direction, place), "slab",
+            body.quoted + " extends beyond its point along the direction");
+  };
   require_behind(a, way, p);
   require_behind(b, opposite(way), q);
 }
 
 void check_clear(const Numbers& given, const HullBody& a, const HullBody& b, const Number& least) {
   const Integers direction = common(given).integers;  // a positive multiple of it
-  const Parting found = parting("clear", direction, a, b, least);
-  const bool is_some = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
-  require(is_some && found.gap >= 0, "clear", "along the direction they are less far apart than stated");
+  const Parting found = parting("clear", direction, a, b, -1, least);
+  require(!all_zero(direction) && found.gap >= 0, "clear", "along the direction they are less far apart than stated");
 }
 
 void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& least) {
@@ -320,19 +219,9 @@ void check_nearer(const Numbers& from_a, const Numbers& to_b, const Number& leas
 
 void check_leaves(const Numbers& given, const HullBody& a, const HullBody& b, const Number& most) {
   const Integers direction = common(given).integers;
-  const Reach of_a = reach("leaves", a, direction), of_b = reach("leaves", b, opposite(direction));
-  const Number length_of{most.n * most.n * dot(direction, direction), 1, 2 * most.e};
-  bool leaves = std::any_of(direction.begin(), direction.end(), [](const Integer& n) { return n != 0; });
-  for (const Furthest& last : of_a.furthest) {
-    for (const Furthest& first : of_b.furthest) {
-      const std::size_t size = bits(direction) + a.size() + b.size() + length({most});
-      take_steps(16, size, size);
-      const std::int64_t e = std::min(last.e, first.e);
-      const Integer gap = -shifted(first.n, first.e - e) - shifted(last.n, last.e - e);
-      leaves = leaves && covers_with(gap, e, length_of, last.spread, first.spread);
-    }
-  }
-  require(leaves, "leaves", "along the direction they overlap by more than the stated depth");
+  const Parting found = parting("leaves", direction, a, b, 1, most);
+  require(!all_zero(direction) && found.gap >= 0, "leaves",
+          "along the direction they overlap by more than the stated depth");
 }
 
 void check_inside(const WeightList& weights, const Numbers& from, const HullBody& body, const Numbers& point) {
@@ -354,10 +243,11 @@ void check_inside(const WeightList& weights, const Numbers& from, const HullBody
     for (std::size_t axis = 0; axis < row.size() && !body.is_way(k); ++axis) row[axis] -= rows[origin][axis];
     return row;
   };
-  Span span;
-  for (const std::size_t k : named) span.holds(vector_to(k));
+  Elimination span(body.dimension());
+  for (const std::size_t k : named) span.take(vector_to(k));
   for (std::size_t k = 0; k < rows.size() && span.rank() < body.dimension(); ++k) {
-    require(span.holds(vector_to(k)), "inside", "the points with a positive weight do not span " + body.quoted);
+    require(all_zero(span.rest(vector_to(k))), "inside",
+            "the points with a positive weight do not span " + body.quoted);
   }
 }
 
@@ -373,10 +263,7 @@ Numbers moved_back(const Numbers& point, const Number& time, const HullBody& beg
       const Scaled& moved = place->translation;
       parts.push_back({sign * time.n * moved.rows[0][axis], time.d, time.e + moved.e});
     }
-    const Common all = common(parts);
-    Number sum{0, all.d, all.e};
-    for (const Integer& n : all.integers) sum.n += n;
-    result.push_back(std::move(sum));
+    result.push_back(sum(parts));
   }
   return result;
 }
@@ -395,21 +282,16 @@ void check_holds_at(const WeightList& weights, const Numbers& from, const HullBo
 void check_not_before(const Numbers& given, const HullBody& a, const HullBody& b, const HullBody& to_a,
                       const HullBody& to_b, const Number& time, const Numbers& point) {
   const Integers direction = common(given).integers;  // along a positive multiple
-  Integers back = direction;
-  for (Integer& n : back) n = -n;
   const Integers of_a = projective(moved_back(point, time, a, to_a)),
                  of_b = projective(moved_back(point, time, b, to_b));
   const auto require_behind = [](const HullBody& body, const Integers& way, const Integers& place) {
-    require(is_behind("not_before", body, way, place), "not_before", body.quoted + " extends beyond the point");
+    const Reach end = end_of("not_before", body, way);
+    require(is_behind(end, way, place), "not_before", body.quoted + " extends beyond the point");
   };
   require_behind(a, direction, of_a);
-  require_behind(b, back, of_b);
-  // The direction times both, the way from the first to the second.
-  Integer nearer = 0;
-  for (std::size_t axis = 0; axis < direction.size(); ++axis) {
-    nearer += direction[axis] * (of_b[axis] * of_a.back() - of_a[axis] * of_b.back());
-  }
-  require(nearer > 0, "not_before", "along the direction " + a.quoted + " and " + b.quoted + " do not come nearer");
+  require_behind(b, opposite(direction), of_b);
+  require(dot(direction, way_between(of_a, of_b)) > 0, "not_before",
+          "along the direction " + a.quoted + " and " + b.quoted + " do not come nearer");
 }
 
 // The point of the core that the weights of a hull make; of others the point, which the body holds.
@@ -418,29 +300,9 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
     check_holds(end.weights, end.from, body, end.point);
     return end.point;
   }
-  const Common weights = common_weights(end.weights.values);
-  Integer total = 0;
-  for (const Integer& weight : weights.integers) {
-    require(weight >= 0, "surrounds", "a weight of " + body.quoted + " is negative");
-    total += weight;
-  }
-  Integer one = weights.d;
-  if (weights.e < 0) {
-    one = shifted(one, -weights.e);
-  } else {
-    total = shifted(total, weights.e);
-  }
-  require(total == one, "surrounds", "the weights of " + body.quoted + " do not sum to 1");
-  Numbers place(3);
-  for (std::size_t k = 0; k < end.weights.named.size(); ++k) {
-    const auto [at, e] = image(body, end.weights.named[k]);  // of each point in the same unit
-    const std::int64_t up = std::max<std::int64_t>(e, 0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      place[axis].n += weights.integers[k] * shifted(at[axis], up);
-      place[axis].d = weights.d;
-      place[axis].e = weights.e + e - up;
-    }
-  }
+  const Combination mean = mean_of("surrounds", end.weights, body);
+  Numbers place;
+  for (const Integer& n : mean.row) place.push_back({n, mean.d, mean.e});
   return place;
 }
 
@@ -450,8 +312,7 @@ Integers difference_of(const SurfaceCorner& corner, const HullBody& a, const Hul
   take_steps(16, a.size() + b.size() + length(p) + length(q), a.size() + b.size() + length(p) + length(q));
   Numbers way;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Common both = common({p[axis], q[axis]});
-    way.push_back({both.integers[0] - both.integers[1], both.d, both.e});
+    way.push_back(sum({p[axis], {-q[axis].n, q[axis].d, q[axis].e}}));
   }
   return projective(way);
 }
@@ -464,9 +325,9 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
   // What is left of `least` beyond the radii, in units of 2^e.
   const Common lengths = common({least, r, s});
   const Integer rest = lengths.integers[0] - lengths.integers[1] - lengths.integers[2];
-  const auto squared = [&](const Integer& n, const Integer& whole) {  // n^2, and (rest whole 2^e)^2, in one unit
-    const Common both = common({{n * n, 1, 0}, {rest * rest * whole, lengths.d * lengths.d, 2 * lengths.e}});
-    return std::pair(both.integers[0], both.integers[1]);
+  const Number square{rest * rest, lengths.d * lengths.d, 2 * lengths.e};
+  const auto compared = [&](const Integer& n, const Integer& whole) {  // n against square whole
+    return sum({{n, 1, 0}, {-square.n * whole, square.d, square.e}}).n.sign();
   };
   std::vector<Integers> at;
   std::size_t size = length({least, r, s});
@@ -478,12 +339,11 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
     require(at.size() == 1, "surrounds", "there is no surface, and more than one point");
     const Integers& p = at[0];
     take_steps(8, size, size);
-    const Common both = common({{p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 1, 0},
-                                {rest * rest * p[3] * p[3], lengths.d * lengths.d, 2 * lengths.e}});
-    require(rest <= 0 && both.integers[0] <= both.integers[1], "surrounds", "the point is too far from the origin");
+    const bool is_near = rest <= 0 && compared(p[0] * p[0] + p[1] * p[1] + p[2] * p[2], p[3] * p[3]) <= 0;
+    require(is_near, "surrounds", "the point is too far from the origin");
     return;
   }
-  std::set<std::pair<std::size_t, std::size_t>> edges;
+  Ridges<bool> edges;
   for (const Indices& triangle : triangles) {
     const std::size_t i = triangle[0], j = triangle[1], k = triangle[2];
     take_steps(24, size, size);
@@ -495,15 +355,17 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
       normal.push_back(at[k][3] * ij[axis] + at[i][3] * jk[axis] + at[j][3] * ki[axis]);
     }
     if (rest > 0) {
-      const auto [far, wanted] = squared(volume, dot(normal, normal));
-      require(far >= wanted, "surrounds", "a triangle is too near to the origin");
+      require(compared(volume * volume, dot(normal, normal)) >= 0, "surrounds", "a triangle is too near to the origin");
     }
-    for (const auto& edge : {std::pair(i, j), {j, k}, {k, i}}) {
-      require(edges.insert(edge).second, "surrounds", "an edge occurs twice in the same direction");
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const bool is_new = edges.take(ridge_of(triangle, corner), true);
+      require(is_new, "surrounds", "an edge occurs twice in the same direction");
     }
   }
-  for (const auto& [from, to] : edges) {
-    require(edges.count({to, from}) == 1, "surrounds", "the surface is not closed");
+  for (const Indices& triangle : triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      require(edges.beyond(ridge_of(triangle, corner)) != nullptr, "surrounds", "the surface is not closed");
+    }
   }
 }
 

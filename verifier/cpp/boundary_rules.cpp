@@ -1,4 +1,5 @@
 // The rule about convex hulls of points of R^d, as facets: docs/claims.md, "Boundaries".
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
@@ -12,42 +13,12 @@
 namespace sunder_verifier {
 namespace {
 
-// Does it take an odd number of exchanges to sort different numbers?
-bool is_odd(const Indices& order) {
-  bool result = false;
-  for (std::size_t j = 1; j < order.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i) result ^= order[i] > order[j];
+// Nothing of rows that are not independent, as the first columns tell.
+std::optional<Elimination> eliminated(const std::vector<Integers>& rows, std::size_t columns) {
+  Elimination result(columns);
+  for (const Integers& row : rows) {
+    if (!result.take(row)) return std::nullopt;
   }
-  return result;
-}
-
-// Of independent rows: for each a column, and combinations of them that have in their columns `unit`, and in those of
-// the others 0 (Bareiss, Jordan).
-struct Eliminated {
-  Indices pivots;
-  std::vector<Integers> rows;
-  Integer unit = 1;
-};
-
-// Nothing of rows that are not independent. Only the first columns are chosen from.
-std::optional<Eliminated> eliminated(std::vector<Integers> rows, std::size_t columns) {
-  Eliminated result;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    std::size_t column = 0;
-    while (column < columns && rows[r][column] == 0) ++column;
-    if (column == columns) return std::nullopt;
-    const Integer pivot = rows[r][column];
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (i == r) continue;
-      const Integer by = rows[i][column];
-      for (std::size_t c = 0; c < rows[i].size(); ++c) {
-        rows[i][c] = Integer(pivot * rows[i][c] - by * rows[r][c]) / result.unit;  // exact
-      }
-    }
-    result.unit = pivot;
-    result.pivots.push_back(column);
-  }
-  result.rows = std::move(rows);
   return result;
 }
 
@@ -104,14 +75,14 @@ class Boundary {
     const std::size_t d = points_[0].size();
     const auto found = eliminated(corners_of(simplices_[0]), d);
     require(found.has_value(), "boundary", "the corners of the first simplex and the mean of all are in a flat");
-    Indices columns = found->pivots;
+    Indices columns = found->columns();
     std::sort(columns.begin(), columns.end());
     for (std::size_t q = 0; q < points_.size(); ++q) {
       for (std::size_t c = 0; c < d; ++c) {
         if (std::binary_search(columns.begin(), columns.end(), c)) continue;
-        Integer sum = -found->unit * points_[q][c];
-        for (std::size_t r = 0; r < k_; ++r) sum += points_[q][found->pivots[r]] * found->rows[r][c];
-        require(sum == 0, "boundary", "point " + std::to_string(q) + " is not in the flat of the first simplex");
+        Integer rest = found->unit() * points_[q][c];
+        for (std::size_t r = 0; r < k_; ++r) rest -= points_[q][found->columns()[r]] * found->row(r)[c];
+        require(rest == 0, "boundary", "point " + std::to_string(q) + " is not in the flat of the first simplex");
       }
     }
     for (Integers& point : points_) {
@@ -124,12 +95,12 @@ class Boundary {
   std::optional<Plane> plane_of(const Indices& simplex) const {
     std::vector<Integers> rows = corners_of(simplex);
     for (Integers& row : rows) row.emplace_back(1);
-    const auto found = eliminated(std::move(rows), k_);
+    const auto found = eliminated(rows, k_);
     if (!found) return std::nullopt;
-    const bool is_positive = found->unit > 0;
-    Plane plane{Integers(k_), is_positive ? found->unit : Integer(-found->unit), is_odd(found->pivots) == is_positive};
+    const bool is_positive = found->unit() > 0;
+    Plane plane{Integers(k_), abs(found->unit()), is_odd(found->columns()) == is_positive};
     for (std::size_t r = 0; r < k_; ++r) {
-      plane.normal[found->pivots[r]] = is_positive ? found->rows[r][k_] : Integer(-found->rows[r][k_]);
+      plane.normal[found->columns()[r]] = is_positive ? found->row(r)[k_] : Integer(-found->row(r)[k_]);
     }
     return plane;
   }
@@ -147,11 +118,7 @@ class Boundary {
       }
     }
     for (std::size_t i = 0; i < k_; ++i) {
-      Indices ridge = simplices_[s];
-      ridge.erase(ridge.begin() + static_cast<std::ptrdiff_t>(i));
-      const bool side = is_odd(ridge) == (i % 2 == 0);
-      std::sort(ridge.begin(), ridge.end());
-      const bool is_new = ridges_.try_emplace({std::move(ridge), side}, s, simplices_[s][i]).second;
+      const bool is_new = ridges_.take(ridge_of(simplices_[s], i), {s, simplices_[s][i]});
       require(is_new, "boundary", "two simplices are on one side of a ridge of simplex " + std::to_string(s));
     }
   }
@@ -159,13 +126,9 @@ class Boundary {
   void look_at_ridges() const {
     for (std::size_t s = 0; s < simplices_.size(); ++s) {
       for (std::size_t i = 0; i < k_; ++i) {
-        Indices ridge = simplices_[s];
-        ridge.erase(ridge.begin() + static_cast<std::ptrdiff_t>(i));
-        const bool side = is_odd(ridge) == (i % 2 == 0);
-        std::sort(ridge.begin(), ridge.end());
-        const auto twin = ridges_.find({std::move(ridge), !side});
-        require(twin != ridges_.end(), "boundary", "only one simplex contains a ridge of simplex " + std::to_string(s));
-        const auto [t, w] = twin->second;
+        const auto* const twin = ridges_.beyond(ridge_of(simplices_[s], i));
+        require(twin != nullptr, "boundary", "only one simplex contains a ridge of simplex " + std::to_string(s));
+        const auto [t, w] = *twin;
         require(facet_of_[s] == facet_of_[t] || dot(planes_[s].normal, points_[w]) < planes_[s].height, "boundary",
                 "facets " + std::to_string(facet_of_[s]) + " and " + std::to_string(facet_of_[t]) +
                     " are not convex at a ridge");
@@ -180,9 +143,10 @@ class Boundary {
       for (const std::size_t v : simplex) rows[c].push_back(points_[v][c]);
       rows[c].push_back(point[c]);
     }
-    const auto found = eliminated(std::move(rows), k_);
-    return found && std::all_of(found->rows.begin(), found->rows.end(),
-                                [&](const Integers& row) { return row[k_] * found->unit >= 0; });
+    const auto found = eliminated(rows, k_);
+    bool is_in = found.has_value();
+    for (std::size_t r = 0; is_in && r < k_; ++r) is_in = found->row(r)[k_] * found->unit() >= 0;
+    return is_in;
   }
 
   // No other simplex is met on the way through the middle of the first.
@@ -251,8 +215,7 @@ class Boundary {
   std::size_t k_ = 0;
   std::vector<Integers> points_;  // seen from the mean
   std::vector<Plane> planes_;     // of simplices
-  // Of a ridge and a side of it: a simplex, and its corner that is not of the ridge.
-  std::map<std::pair<Indices, bool>, std::pair<std::size_t, std::size_t>> ridges_;
+  Ridges<IndexPair> ridges_;      // their owners: a simplex, and its corner that is not of the ridge
 };
 
 void check_boundary(const Indices& simplices, const HullBody& body, const std::vector<IndexLists>& facets) {

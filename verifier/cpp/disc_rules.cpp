@@ -1,8 +1,10 @@
 // The rules about what discs have in common: docs/claims.md, "in_discs", "powers" and "Arcs".
 #include <verifier/cpp/contacts.h>
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -21,33 +23,18 @@ void check_in_discs(const Circles& circles, const Numbers& point, const std::str
 }
 
 void check_powers(const WeightList& list, const Circles& circles, const std::string& verdict) {
-  const Integers weights = positive_weights(list, [](std::size_t) { return 0; });
-  Integer total = 0, x = 0, y = 0, rest = 0;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const PlanarDisc& disc = circles[list.named[k]];
-    total += weights[k];
-    x += weights[k] * disc.x;
-    y += weights[k] * disc.y;
-    rest += weights[k] * (square(disc.x) + square(disc.y) - square(disc.r));
-  }
-  const Integer least = total * rest - square(x) - square(y);  // of the mean of the powers, times the total squared
+  const auto [sums, d, e, total] = combined({"weights", true, "a weight is not positive"}, list, 3, [&](std::size_t k) {
+    const PlanarDisc& disc = circles[k];
+    return std::pair(Integers{disc.x, disc.y, square(disc.x) + square(disc.y) - square(disc.r)}, std::int64_t{0});
+  });
+  const Integer least =
+      total.n * sums[2] - square(sums[0]) - square(sums[1]);  // of the mean of the powers, times the total squared
   require(least > 0 || (verdict == "point" && least == 0), "powers", "the mean of the powers is not as it must be");
 }
 
 // Of p + q sqrt(r).
 int sign_of_root(const Integer& p, const Integer& q, const Integer& r) {
-  const int a = p.sign(), b = r.is_zero() ? 0 : q.sign();
-  if (a * b >= 0) return a != 0 ? a : b;
-  return a * square(p).compare(square(q) * r);
-}
-
-// Of p + q sqrt(r) + (s + u sqrt(r)) sqrt(t).
-int sign_of_roots(const Integer& p, const Integer& q, const Integer& r, const Integer& s, const Integer& u,
-                  const Integer& t) {
-  const int a = sign_of_root(p, q, r), b = t.is_zero() ? 0 : sign_of_root(s, u, r);
-  if (a * b >= 0) return a != 0 ? a : b;
-  const Integer even = square(p) + square(q) * r - t * (square(s) + square(u) * r), odd = 2 * (p * q - t * s * u);
-  return a * sign_of_root(even, odd, r);
+  return sign_of_roots(std::array{p, q}, std::array{r});
 }
 
 struct ArcArrow {
@@ -69,8 +56,9 @@ struct Way {
 };
 
 int turn(const Way& p, const Way& q) {
-  return sign_of_roots(determinant(p.even, q.even), determinant(p.odd, q.even), p.root, determinant(p.even, q.odd),
-                       determinant(p.odd, q.odd), q.root);
+  const std::array coefficients{determinant(p.even, q.even), determinant(p.odd, q.even), determinant(p.even, q.odd),
+                                determinant(p.odd, q.odd)};
+  return sign_of_roots(coefficients, std::array{p.root, q.root});
 }
 
 // Does p come before q, going round from the bearing 0?

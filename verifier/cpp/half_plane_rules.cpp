@@ -1,4 +1,5 @@
 // The rules about half-planes: docs/claims.md, "Rules".
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/reader.h>
 #include <verifier/cpp/rules.h>
 
@@ -20,17 +21,12 @@ void look_at_all(const Constraints& given, const Integers& vector) {
   take_steps(2 * given.size(), bits(vector), given.bits);
 }
 
-// Of the named constraints, times a positive number.
+// The weighted sum of constraints, times a positive number.
 LinearConstraint weighted_sum(const WeightList& list, const Constraints& given) {
-  const Integers weights = positive_weights(list, [&](std::size_t k) { return given[k].e; });
-  LinearConstraint sum;
-  for (std::size_t k = 0; k < weights.size(); ++k) {
-    const LinearConstraint& h = given[list.named[k]];
-    sum.a += weights[k] * h.a;
-    sum.b += weights[k] * h.b;
-    sum.c += weights[k] * h.c;
-  }
-  return sum;
+  Integers row = combined({"weights", true, "a weight is not positive"}, list, 3, [&](std::size_t k) {
+                   return std::pair(Integers{given[k].a, given[k].b, given[k].c}, given[k].e);
+                 }).row;
+  return {row[0], row[1], row[2]};
 }
 
 void check_feasible(const Constraints& given, const Numbers& point) {
@@ -61,7 +57,7 @@ void check_bounds_only(const WeightList& list, const Constraints& given, const N
 }
 
 void check_no_objective(const Numbers& objective) {
-  for (const Number& x : objective) require(x.n == 0, "no_objective", "there is an objective");
+  require(all_zero(common(objective).integers), "no_objective", "there is an objective");
 }
 
 void check_contradict(const WeightList& list, const Constraints& given) {

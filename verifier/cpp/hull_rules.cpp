@@ -1,8 +1,8 @@
 // The rules about convex hulls of points in space: docs/claims.md, "Hulls".
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -73,10 +73,6 @@ class Surface {
   }
 
  private:
-  struct Side {
-    std::size_t face, next;  // next: the corner after the edge
-  };
-
   void take_face(std::size_t f) {
     const Indices& face = faces_[f];
     std::vector<const Vector*> ring;
@@ -91,7 +87,7 @@ class Surface {
     planes_.push_back(std::move(plane));
     for (std::size_t c = 0; c < face.size(); ++c) {
       const std::size_t d = after(c, face.size());
-      const bool is_new = sides_.try_emplace({face[c], face[d]}, Side{f, face[after(d, face.size())]}).second;
+      const bool is_new = edges_.take(edge_of(face[c], face[d]), face[after(d, face.size())]);
       require(is_new, "surface",
               "two faces have the edge from " + std::to_string(face[c]) + " to " + std::to_string(face[d]));
     }
@@ -101,11 +97,10 @@ class Surface {
     for (std::size_t f = 0; f < faces_.size(); ++f) {
       for (std::size_t c = 0; c < faces_[f].size(); ++c) {
         const std::size_t i = faces_[f][c], j = faces_[f][after(c, faces_[f].size())];
-        const auto twin = sides_.find({j, i});
+        const std::size_t* const beyond = edges_.beyond(edge_of(i, j));
         const std::string edge = " the edge from " + std::to_string(i) + " to " + std::to_string(j);
-        require(twin != sides_.end(), "surface", "only one face contains" + edge);
-        require(dot(planes_[f].normal, at_[twin->second.next]) < planes_[f].height, "surface",
-                edge.substr(1) + " is not convex");
+        require(beyond != nullptr, "surface", "only one face contains" + edge);
+        require(dot(planes_[f].normal, at_[*beyond]) < planes_[f].height, "surface", edge.substr(1) + " is not convex");
       }
     }
   }
@@ -146,7 +141,7 @@ class Surface {
   std::set<std::size_t> vertices_;
   std::vector<Vector> at_;
   std::vector<FacePlane> planes_;
-  std::map<std::pair<std::size_t, std::size_t>, Side> sides_;  // of each edge, as a face goes along it
+  Ridges<std::size_t> edges_;  // their owners: the corner after the edge, of the face that goes along it
 };
 
 void check_surface(const std::vector<FaceHome>& homes, const HullBody& body, const IndexLists& faces) {

@@ -52,12 +52,6 @@ std::size_t length(const Numbers& values) {
   return sum;
 }
 
-Common common_weights(const Numbers& values) {
-  const std::size_t whole = length(values);
-  take_steps(values.size() / 4 + 1, whole, whole);
-  return common(values);
-}
-
 Common common(const Numbers& values) {
   Common result;
   bool first = true;

@@ -60,7 +60,6 @@ struct Common {
 };
 
 Common common(const Numbers& values);
-Common common_weights(const Numbers& values);  // the same of weights; takes the steps
 
 std::size_t bits(const Integer& n);
 std::size_t bits(std::span<const Integer> integers);  // of the longest

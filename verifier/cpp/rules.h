@@ -28,17 +28,4 @@ bool is_between(const Integers& first, const Integers& last, const Integers& poi
 // Is it a kind of contact of the entries of that table?
 bool is_kind_of(const Value& table, const std::string& kind);
 
-// Of the named entries; takes the steps. Requires that they are positive: refuses by "weights".
-// exponent_of: of what they are weights of; these are then in one unit.
-template <class ExponentOf>
-Integers positive_weights(const WeightList& list, const ExponentOf& exponent_of) {
-  const std::size_t whole = length(list.values);
-  take_steps(list.values.size() / 4 + 1, whole, whole);
-  Numbers values = list.values;
-  for (std::size_t k = 0; k < values.size(); ++k) values[k].e += exponent_of(list.named[k]);
-  Integers weights = common(values).integers;
-  for (const Integer& weight : weights) require(weight > 0, "weights", "a weight is not positive");
-  return weights;
-}
-
 }  // namespace sunder_verifier
