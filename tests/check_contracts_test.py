@@ -83,7 +83,7 @@ class CheckContracts(unittest.TestCase):
                  "sunder/planar/set/discs_any.h": "// Any.\nint discs_any(\n    int);\n",
                  "sunder/scene/follower.h": "// Which of many\n// meet?\nclass Follower;\n"}
         others = {"sunder/solid/pair/line_search.h": "// Where?\nclass LineSearch;\n",
-                  "sunder/solid/pair/settle.h": "int settle(int);\n",
+                  "sunder/solid/pair/tilt_direction.h": "int settle(int);\n",
                   "sunder/solid/hull/polygon.h": "int polygon(int);\n",
                   "sunder/scene/chains.h": "// Work in chains.\nint run(int);  // or not?\n"}
         findings, _ = findings_of({**TREE, **doors, **others})

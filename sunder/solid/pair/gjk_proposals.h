@@ -3,8 +3,8 @@
 #pragma once
 
 #include <sunder/solid/pair/graph_support.h>
-#include <sunder/solid/pair/settle.h>
 #include <sunder/solid/pair/simplex_proposals.h>
+#include <sunder/solid/pair/tilt_direction.h>
 
 #include <type_traits>
 
@@ -18,7 +18,7 @@ bool propose_apart(const Gjk<Real, Support>& search, const DifferenceVertexOf<Re
   if constexpr (std::is_same_v<Real, double>) {
     DifferenceVertex furthest = w;
     Point3 direction = search.direction;
-    return settle(search.simplex, direction, furthest) && holds(apart_along(direction, furthest.a, furthest.b));
+    return tilt_direction(search.simplex, direction, furthest) && holds(apart_along(direction, furthest.a, furthest.b));
   } else {
     return propose_apart_along_perpendicular(search.simplex, w.a, w.b, holds);
   }

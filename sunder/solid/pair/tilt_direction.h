@@ -16,7 +16,7 @@ namespace sunder::solid {
 // little towards one of them, at the cost of at most a quarter of the gap, and floating point can tell the extreme
 // vertices. `w` is what the direction found; it becomes the vertex that is now furthest. Returns false for a direction
 // that is zero or not finite.
-inline bool settle(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
+inline bool tilt_direction(const DifferenceSimplex& simplex, Point3& d, DifferenceVertex& w) {
   if (!make_tame(d)) return false;
   const std::size_t n = static_cast<std::size_t>(simplex.count);
   if (n < 2) return true;
