@@ -25,7 +25,7 @@ struct PolarRound {
 using PolarRounds = std::vector<PolarRound>;
 
 // The rounds of polyhedron_polyhedron_by_polar in doubles, in order, and the levels of both hierarchies; of needles, as
-// if it did not stretch them (stretched.h). Empty where it uses another method (both bodies are flat). R is the longer
+// if it did not scale their axes (axis_scaled.h). Empty where it uses another method (both bodies are flat). R is the longer
 // body, in the world, or where one is flat, the other; of equal lengths it is `b`.
 struct PolarRun {
   PolarRounds rounds;

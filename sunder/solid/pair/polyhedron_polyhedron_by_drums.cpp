@@ -12,12 +12,12 @@
 //       the upper one. A corner of the lower slice that is e's own gives no plane: its upper corner does in its place,
 //       in the same order.
 #include <sunder/base/contract.h>
+#include <sunder/solid/pair/axis_scaled.h>
 #include <sunder/solid/pair/drum_polygons.h>
 #include <sunder/solid/pair/matrix_game.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/section_against.h>
-#include <sunder/solid/pair/stretched.h>
 
 #include <algorithm>
 #include <array>
@@ -692,7 +692,7 @@ PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const 
       }
       return PolyhedraByDrums<double>(p, q, cost).propose(of) || PolyhedraByDrums<DoubleDouble>(p, q, cost).propose(of);
     };
-    return propose_stretched_where_wanted(a, b, holds, propose_of);
+    return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
 }
 

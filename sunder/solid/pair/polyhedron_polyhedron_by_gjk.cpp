@@ -1,8 +1,8 @@
 // The search that proposes. See docs/design/solid-pair.md.
+#include <sunder/solid/pair/axis_scaled.h>
 #include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/pair/stretched.h>
 
 namespace sunder::solid {
 
@@ -13,7 +13,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Po
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
       return propose_by_gjk(p, q, of, cost);
     };
-    return propose_stretched_where_wanted(a, b, holds, propose_of);
+    return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
 }
 

@@ -7,10 +7,10 @@
 //
 // Departures: DK90 looks at all neighbours of the extreme vertex, whose degree nothing bounds; the walks here are by
 // sectors of its normal cone (hierarchy_walk.h). Above the bottom the points are nearly the closest: one step a level.
+#include <sunder/solid/pair/axis_scaled.h>
 #include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/pair/stretched.h>
 #include <sunder/solid/pair/support.h>
 
 #include <algorithm>
@@ -159,7 +159,7 @@ PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& body_a, co
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   return answer_by(a, b, [&](const auto& holds, Cost& cost) {
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) { return propose(p, q, of, cost); };
-    return propose_stretched_where_wanted(a, b, holds, propose_of);
+    return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
 }
 

@@ -1,9 +1,9 @@
 // What the walk between two spaces (polar_walk.h) ends with, as proposals.
 #include <sunder/predicate/along.h>
+#include <sunder/solid/pair/axis_scaled.h>
 #include <sunder/solid/pair/polar_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/pair/stretched.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +81,7 @@ PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& body_a, const 
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
       return propose_in<double>(p, q, of, cost) || propose_in<DoubleDouble>(p, q, of, cost);
     };
-    return propose_stretched_where_wanted(a, b, holds, propose_of);
+    return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
 }
 

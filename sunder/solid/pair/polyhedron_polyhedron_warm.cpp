@@ -1,8 +1,8 @@
 #include <sunder/certificate/direction.h>
+#include <sunder/solid/pair/axis_scaled.h>
 #include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
-#include <sunder/solid/pair/stretched.h>
 #include <sunder/solid/pair/support.h>
 
 #include <algorithm>
@@ -131,7 +131,7 @@ PairAnswer polyhedron_polyhedron_warm(const ConvexPolyhedron& body_a, const Pose
     const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
       return propose_by_gjk(p, q, of, cost);
     };
-    return propose_stretched_where_wanted(a, b, holds, propose_of);
+    return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
   if (!is_kept) {
     keep(answer.evidence, a, b, last);

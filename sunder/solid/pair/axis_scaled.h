@@ -12,11 +12,11 @@
 
 namespace sunder::solid {
 
-// The axes of the world stretched, each by a power of two, so that two bodies have about the same size along all.
+// The axes of the world scaled, each by a power of two, so that two bodies have about the same size along all.
 // Needles are searched so; whatever is lost, the exact checks are about the bodies as they are.
-class Stretched {
+class AxisScaled {
  public:
-  Stretched(const Placed& a, const Placed& b) {
+  AxisScaled(const Placed& a, const Placed& b) {
     const Point3 p = lengths(a), q = lengths(b);
     size_ = {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)};
     least_ = std::min(size_[0], std::min(size_[1], size_[2]));
@@ -36,17 +36,17 @@ class Stretched {
   // Would floating point not see along one axis what there is, for what there is along another?
   bool is_wanted() const { return greatest_ > least_ * 0x1p40; }
 
-  // propose(a, b, holds): of the stretched bodies.
+  // propose(a, b, holds): of the bodies so scaled.
   template <class Holds, class Propose>
   bool propose(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) const {
     std::array<double, 3> by;
     for (std::size_t i = 0; i < 3; ++i) by[i] = std::ldexp(1.0, std::clamp(-std::ilogb(size_[i]), -1020, 1020));
-    const auto stretched = [&](Affine3 pose) {
+    const auto scaled = [&](Affine3 pose) {
       for (std::size_t i = 0; i < 9; ++i) pose.linear[i] *= by[i / 3];
       for (std::size_t i = 0; i < 3; ++i) pose.translation[i] *= by[i];
       return pose;
     };
-    const Affine3 pose_a = stretched(a.pose), pose_b = stretched(b.pose);
+    const Affine3 pose_a = scaled(a.pose), pose_b = scaled(b.pose);
     // A direction is a linear form: d . (S x) is (S d) . x. Beside a form n of the world it only tells a sense.
     const auto of_world = [&](Proposal p) {
       using enum Proposal::Claim;
@@ -77,11 +77,11 @@ class Stretched {
   double least_, greatest_;
 };
 
-// What propose(a, b, holds) proposes, of the bodies stretched where that is wanted. True where a proposal held.
+// What propose(a, b, holds) proposes, of the bodies with scaled axes where that is wanted. True where a proposal held.
 template <class Holds, class Propose>
-bool propose_stretched_where_wanted(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) {
-  const Stretched stretched(a, b);
-  return stretched.is_wanted() ? stretched.propose(a, b, holds, propose) : propose(a, b, holds);
+bool propose_axis_scaled_where_wanted(const Placed& a, const Placed& b, const Holds& holds, const Propose& propose) {
+  const AxisScaled scaled(a, b);
+  return scaled.is_wanted() ? scaled.propose(a, b, holds, propose) : propose(a, b, holds);
 }
 
 }  // namespace sunder::solid
