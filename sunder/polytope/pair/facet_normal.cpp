@@ -1,6 +1,6 @@
-#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/facet_normal.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 #include <sunder/polytope/pair/support.h>
 
 #include <algorithm>
@@ -126,7 +126,7 @@ class FacetSearch {
   const Placed &a_, &b_;
   std::size_t d_;
   Cost& cost_;
-  Complement complement_;
+  OrthogonalComplement complement_;
   std::array<DifferencePoint, most_dimension> flat_{};
   std::array<Vector, most_dimension> others_{};  // that the plane has the directions of
   std::size_t count_ = 0, missing_ = 0;          // of the flat; of the others, which complete it

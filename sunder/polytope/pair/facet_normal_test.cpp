@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
-#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/facet_normal.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <tests/support/scale.h>
 
@@ -104,7 +104,7 @@ TEST(FacetNormal, ComplementsOfVectorsThatNearlyOverflow) {
   int refused = 0, taken = 0;
   for (int round = 0; round < 40000; ++round) {
     const std::size_t n = 2 + random.below(6);
-    Complement complement(n);
+    OrthogonalComplement complement(n);
     ColumnNumbers first{}, last{};
     double square = 0;
     for (std::size_t c = 0; c < n; ++c) {

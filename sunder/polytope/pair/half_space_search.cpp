@@ -1,9 +1,9 @@
 #include <sunder/polytope/pair/boundary_point.h>
-#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 #include <sunder/polytope/pair/rounded_half_spaces.h>
 #include <sunder/polytope/pair/rounded_simplex.h>
 
@@ -196,7 +196,7 @@ class HalfSpaceSearch {
   std::optional<ExactDecision> decide_at_origin() {
     ++cost_.proposals;
     Related of;
-    Complement complement(d_ + 1);
+    OrthogonalComplement complement(d_ + 1);
     for (std::size_t k = 0; k < simplex_.size(); ++k) {
       if (simplex_[k].a == height || !(simplex_.weight(k) > matters)) continue;
       if (of.count == most_vectors || of.count == d_ + 1) return std::nullopt;
@@ -209,7 +209,7 @@ class HalfSpaceSearch {
   }
 
   // The search for a direction in the complement of these rows: all of them have product zero there.
-  std::optional<ExactDecision> search_on_boundaries(const Related& of, const Complement& complement) {
+  std::optional<ExactDecision> search_on_boundaries(const Related& of, const OrthogonalComplement& complement) {
     const auto is_related = [&](Kind kind, std::uint32_t index) {
       return std::any_of(of.rows.begin(), of.rows.begin() + static_cast<std::ptrdiff_t>(of.count),
                          [&](const Row& row) { return row.kind == kind && row.index == index; });

@@ -1,8 +1,8 @@
 #include <sunder/base/random.h>
 #include <sunder/polytope/pair/boundary_point.h>
-#include <sunder/polytope/pair/complement.h>
 #include <sunder/polytope/pair/half_space_search.h>
 #include <sunder/polytope/pair/matrix_game.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/rounded_half_spaces.h>
@@ -305,7 +305,7 @@ TEST(HalfSpaceSearch, PointsOnBoundaries) {
   for (int round = 0; round < tests::scaled_count(200, 40); ++round) {
     const std::size_t d = 2 + random.below(5), count = 1 + random.below(d);
     std::vector<ExactVector> rows;
-    for (Complement complement(d); rows.size() < count;) {
+    for (OrthogonalComplement complement(d); rows.size() < count;) {
       ColumnNumbers normal{};
       for (std::size_t c = 0; c < d; ++c) normal[c] = static_cast<double>(random.between(-50, 50));
       if (!complement.take_out(normal)) continue;

@@ -9,9 +9,9 @@
 
 namespace sunder::polytope {
 
-class Complement {
+class OrthogonalComplement {
  public:
-  explicit Complement(std::size_t n);  // of no vectors: all of R^n
+  explicit OrthogonalComplement(std::size_t n);  // of no vectors: all of R^n
 
   std::size_t dimension() const { return dimension_; }
   const ColumnNumbers& base(std::size_t k) const { return base_[k]; }  // of length 1, orthogonal to one another

@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/polytope/pair/complement.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@ constexpr double nothing = 0x1p-40;  // of the length of a vector
 
 }  // namespace
 
-Complement::Complement(std::size_t n) : n_(n), dimension_(n) {
+OrthogonalComplement::OrthogonalComplement(std::size_t n) : n_(n), dimension_(n) {
   SUNDER_REQUIRE(n <= most_columns);
   for (std::size_t k = 0; k < n; ++k) base_[k][k] = 1;
 }
 
-ColumnNumbers Complement::coordinates(const ColumnNumbers& vector) const {
+ColumnNumbers OrthogonalComplement::coordinates(const ColumnNumbers& vector) const {
   ColumnNumbers result{};
   for (std::size_t k = 0; k < dimension_; ++k) {
     for (std::size_t c = 0; c < n_; ++c) result[k] += base_[k][c] * vector[c];
@@ -26,7 +26,7 @@ ColumnNumbers Complement::coordinates(const ColumnNumbers& vector) const {
   return result;
 }
 
-ColumnNumbers Complement::vector(const ColumnNumbers& coordinates) const {
+ColumnNumbers OrthogonalComplement::vector(const ColumnNumbers& coordinates) const {
   ColumnNumbers result{};
   for (std::size_t k = 0; k < dimension_; ++k) {
     for (std::size_t c = 0; c < n_; ++c) result[c] += coordinates[k] * base_[k][c];
@@ -36,7 +36,7 @@ ColumnNumbers Complement::vector(const ColumnNumbers& coordinates) const {
 
 // With u the coordinates, j the greatest of them, and h = u + s |u| e_j, s the sign of u_j: the reflection that turns h
 // round takes e_j to -s u / |u|, so it takes the other base vectors to a base of what is orthogonal to u.
-bool Complement::take_out(const ColumnNumbers& vector) {
+bool OrthogonalComplement::take_out(const ColumnNumbers& vector) {
   ColumnNumbers h = coordinates(vector);
   double square = 0, whole = 0;
   std::size_t greatest = 0;

@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/polytope/pair/complement.h>
+#include <sunder/polytope/pair/orthogonal_complement.h>
 
 #include <gtest/gtest.h>
 
@@ -15,11 +15,11 @@ double product(const ColumnNumbers& u, const ColumnNumbers& v) {
   return sum;
 }
 
-TEST(Complement, IsOrthogonalToWhatWasTakenOut) {
+TEST(OrthogonalComplement, IsOrthogonalToWhatWasTakenOut) {
   Random random(20261127);
   for (int round = 0; round < 200; ++round) {
     const std::size_t n = 2 + random.below(6);
-    Complement complement(n);
+    OrthogonalComplement complement(n);
     std::array<ColumnNumbers, most_columns> taken{};
     for (std::size_t k = 0; k < n; ++k) {
       for (std::size_t c = 0; c < n; ++c) taken[k][c] = static_cast<double>(random.between(-3, 3));
@@ -41,8 +41,8 @@ TEST(Complement, IsOrthogonalToWhatWasTakenOut) {
   }
 }
 
-TEST(Complement, OfDependentVectorsIsThatOfSome) {
-  Complement complement(3);
+TEST(OrthogonalComplement, OfDependentVectorsIsThatOfSome) {
+  OrthogonalComplement complement(3);
   EXPECT_TRUE(complement.take_out({1, 2, 3}));
   EXPECT_FALSE(complement.take_out({2, 4, 6}));
   EXPECT_FALSE(complement.take_out({}));
