@@ -8,14 +8,14 @@
 // boundaries of these: the search goes on in their orthogonal complement, and determinants make a point of those
 // boundaries of what it finds.
 //
-// Half-spaces and points: by a game (half_space_game.h).
+// Half-spaces and points: by a game (half_space_point_game.h).
 //
 // Both stop as soon as the proposal is strictly right, so weights need not be solutions of anything: any doubles that
 // are near enough do. Only those of a contradiction of half-spaces, and points on boundaries that touch, are
 // solutions, by determinants.
 #pragma once
 
-#include <sunder/polytope/pair/half_space_game.h>
+#include <sunder/polytope/pair/half_space_point_game.h>
 
 namespace sunder::polytope {
 

@@ -1,4 +1,4 @@
-#include <sunder/polytope/pair/half_space_game.h>
+#include <sunder/polytope/pair/half_space_point_game.h>
 #include <sunder/polytope/pair/half_space_weights.h>
 #include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
