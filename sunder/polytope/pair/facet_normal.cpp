@@ -62,19 +62,19 @@ class FacetSearch {
     const DifferencePoint inner = difference(a_.body().size() / 2, b_.body().size() / 2);
     if (!towards_origin(complement_.coordinates(inner.at), m, y)) y[0] = 1;
     NearestSimplex simplex(m);
-    LooksAtBoth looks(a_.body(), b_.body());
+    CandidateRowsOfBoth candidates(a_.body(), b_.body());
     double largest = 0;  // of differences
     for (int step = 0; step < most_normal_steps; ++step) {
       along = complement_.vector(y);
-      const FurthestPoint of_a = likely_support(looks.a, a_.pose(), along, 1, cost_),
-                          of_b = likely_support(looks.b, b_.pose(), along, -1, cost_);
+      const FurthestPoint of_a = likely_support(candidates.a, a_.pose(), along, 1, cost_),
+                          of_b = likely_support(candidates.b, b_.pose(), along, -1, cost_);
       ++cost_.iterations;
       DifferencePoint next = difference(of_a.index, of_b.index);
       double size = 0, product = 0;
       for (std::size_t c = 0; c < d_; ++c) size = std::max(size, std::fabs(next.at[c] - flat_[0].at[c]));
       for (std::size_t c = 0; c < d_; ++c) product += along[c] * (next.at[c] - flat_[0].at[c]);
       const bool supports = !(product > about * size), is_known = simplex.has(next.a, next.b);
-      if ((supports || is_known) && looks.widen()) continue;
+      if ((supports || is_known) && candidates.widen()) continue;
       if (supports) return fill_up(along);
       if (is_known) return false;
       next.at = complement_.coordinates(next.at);
@@ -85,7 +85,7 @@ class FacetSearch {
         return complement_.dimension() < m;
       }
       if (!towards_origin(simplex.nearest(), m, y)) return false;
-      looks.narrow();
+      candidates.narrow();
     }
     return false;
   }

@@ -1,6 +1,6 @@
+#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/half_space_point_game.h>
 #include <sunder/polytope/pair/half_space_weights.h>
-#include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/matrix_game.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/rounded_half_spaces.h>
@@ -76,8 +76,8 @@ class GameSearch {
 
   std::optional<ExactDecision> search() {
     add_column(0);
-    LooksAtBoth looks(half_spaces_.body(), points_.body());
-    add_row(rounded_.most_broken(columns_[0].at, 1, looks.a, cost_).index);
+    CandidateRowsOfBoth candidates(half_spaces_.body(), points_.body());
+    add_row(rounded_.most_broken(columns_[0].at, 1, candidates.a, cost_).index);
     std::optional<std::uint32_t> tried;  // half-space that alone had weight
     while (game_.rows() < MatrixGame::most && game_.columns() < MatrixGame::most) {
       if (!game_.solve()) return std::nullopt;
@@ -90,12 +90,12 @@ class GameSearch {
         for (std::size_t c = 0; c < d_; ++c) direction[c] += game_.row_weight(i) * rows_[i].at[c];
         offset += game_.row_weight(i) * rows_[i].at[d_];
       }
-      const FurthestPoint broken = rounded_.most_broken(x, 1, looks.a, cost_);
-      const FurthestPoint least = likely_support(looks.b, points_.pose(), direction, -1, cost_);
+      const FurthestPoint broken = rounded_.most_broken(x, 1, candidates.a, cost_);
+      const FurthestPoint least = likely_support(candidates.b, points_.pose(), direction, -1, cost_);
       ++cost_.iterations;
       const std::optional<std::uint32_t> only = half_space_reached(least.product - offset);
       const bool may_touch = only && only != tried;
-      if ((broken.product < 0 || least.product > offset || may_touch) && looks.widen()) continue;
+      if ((broken.product < 0 || least.product > offset || may_touch) && candidates.widen()) continue;
       if (broken.product < 0) {
         if (auto held = inside(weights_of_points(0))) return held;
       }
@@ -107,13 +107,13 @@ class GameSearch {
       }
       const bool new_row = !has(rows_, broken.index), new_column = !has(columns_, least.index);
       if (!new_row && !new_column) {
-        if (looks.widen()) continue;
+        if (candidates.widen()) continue;
         game_.solve_anew();
         return std::nullopt;
       }
       if (new_row) add_row(broken.index);
       if (new_column) add_column(least.index);
-      looks.narrow();
+      candidates.narrow();
     }
     return std::nullopt;
   }
@@ -221,7 +221,7 @@ class GameSearch {
       game.add_column([](std::size_t) { return 0.0; });
       result.push_back({column.index, 1.0});
     }
-    Looks looks(half_spaces_.body());
+    CandidateRows candidates(half_spaces_.body());
     while (game.rows() < MatrixGame::most) {
       ColumnNumbers x{};
       double total = 0;
@@ -231,18 +231,18 @@ class GameSearch {
         total += weight;
         for (std::size_t c = 0; c < d_; ++c) x[c] += weight * columns[j].at[c];
       }
-      const std::uint32_t broken = rounded_.most_broken(x, total, looks, cost_).index;
+      const std::uint32_t broken = rounded_.most_broken(x, total, candidates, cost_).index;
       const bool is_boundary =
           std::any_of(half_spaces.begin(), half_spaces.end(), [&](const Weighted& of) { return of.index == broken; });
       if (is_boundary || has(rows, broken)) {
-        if (looks.are_all()) break;
-        looks.widen();
+        if (candidates.are_all()) break;
+        candidates.widen();
         continue;
       }
       rows.push_back({broken, rounded_.row(broken)});
       game.add_row([&](std::size_t j) { return payoff(rows.back(), columns[j]); });
       if (!game.solve()) break;
-      if (looks.are_all()) looks.narrow();
+      if (candidates.are_all()) candidates.narrow();
     }
     return result;
   }

@@ -1,6 +1,6 @@
 #include <sunder/polytope/pair/boundary_point.h>
+#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/half_space_search.h>
-#include <sunder/polytope/pair/looks.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/orthogonal_complement.h>
@@ -62,18 +62,18 @@ class HalfSpaceSearch {
 
   std::optional<ExactDecision> search() {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
-    LooksAtBoth looks(a_.body(), b_.body());
+    CandidateRowsOfBoth candidates(a_.body(), b_.body());
     for (int step = 0; step < most_directions; ++step) {
       ColumnNumbers y{};
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return decide_at_origin();
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
-      const FurthestPoint from_a = rounded_a_.most_broken(x, w, looks.a, cost_),
-                          from_b = rounded_b_.most_broken(x, w, looks.b, cost_);
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w, candidates.a, cost_),
+                          from_b = rounded_b_.most_broken(x, w, candidates.b, cost_);
       ++cost_.iterations;
       if (w > 0 && from_a.product < 0 && from_b.product < 0) {
-        if (looks.widen()) continue;
+        if (candidates.widen()) continue;
         if (auto held = inside(x, w, from_a.product, from_b.product)) return held;
       }
       const bool is_of_a = from_a.product >= from_b.product;
@@ -82,12 +82,12 @@ class HalfSpaceSearch {
                                    : is_of_a                     ? point(of_a, furthest.index)
                                                                  : point(of_b, furthest.index);
       if (simplex_.has(next.a, next.b)) {
-        if (looks.widen()) continue;
+        if (candidates.widen()) continue;
         return std::nullopt;
       }
       if (!simplex_.add(next)) return std::nullopt;
       if (simplex_.is_full()) return contradiction();
-      looks.narrow();
+      candidates.narrow();
     }
     return std::nullopt;
   }
@@ -222,7 +222,7 @@ class HalfSpaceSearch {
     if (complement.dimension() == 0) return std::nullopt;
     NearestSimplex simplex(complement.dimension());
     if (!simplex.add(projected(height, 0))) return std::nullopt;
-    LooksAtBoth looks(a_.body(), b_.body());
+    CandidateRowsOfBoth candidates(a_.body(), b_.body());
     for (int step = 0; step < most_directions; ++step) {
       ColumnNumbers y{}, x{};
       if (simplex.is_full() || simplex.is_at_origin(1)) return std::nullopt;
@@ -230,14 +230,14 @@ class HalfSpaceSearch {
       y = complement.vector(y);
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
-      const FurthestPoint from_a = rounded_a_.most_broken(x, w, looks.a, cost_),
-                          from_b = rounded_b_.most_broken(x, w, looks.b, cost_);
+      const FurthestPoint from_a = rounded_a_.most_broken(x, w, candidates.a, cost_),
+                          from_b = rounded_b_.most_broken(x, w, candidates.b, cost_);
       ++cost_.iterations;
       const bool keeps_a = from_a.product < 0 || is_related(of_a, from_a.index),
                  keeps_b = from_b.product < 0 || is_related(of_b, from_b.index);
       if (w > 0 && keeps_a && keeps_b) {
         if (auto held = inside_on_boundaries(of, x, w)) return held;
-        if (looks.widen()) continue;
+        if (candidates.widen()) continue;
         return std::nullopt;
       }
       const bool is_of_a = !keeps_a && (keeps_b || from_a.product >= from_b.product);
@@ -245,11 +245,11 @@ class HalfSpaceSearch {
                                    : is_of_a          ? projected(of_a, from_a.index)
                                                       : projected(of_b, from_b.index);
       if (simplex.has(next.a, next.b)) {
-        if (looks.widen()) continue;
+        if (candidates.widen()) continue;
         return std::nullopt;
       }
       if (!simplex.add(next)) return std::nullopt;
-      looks.narrow();
+      candidates.narrow();
     }
     return std::nullopt;
   }

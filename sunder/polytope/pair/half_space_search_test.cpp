@@ -288,10 +288,10 @@ TEST(HalfSpaceSearch, WhatFloatingPointCannotTellIsNotKept) {
   const Polytope body = Polytope::from_half_spaces(2, {1, 2, 1, -1, -1, 4});
   const Pose here(2), moved = Pose::from_matrix(2, here.linear(), std::vector<double>{0, 1});
   const RoundedHalfSpaces rounded(body, here);
-  Looks looks(body);
+  CandidateRows candidates(body);
   Cost cost;
   const double third = 1.0 / 3;
-  const FurthestPoint furthest = rounded.most_broken({third, third}, 1, looks, cost);
+  const FurthestPoint furthest = rounded.most_broken({third, third}, 1, candidates, cost);
   EXPECT_EQ(furthest.index, 0u);
   EXPECT_FALSE(rounded.keeps({third, third}, 1, furthest.product));
   EXPECT_FALSE(rounded.keeps({third, third}, 1, -0x1p-53));

@@ -35,19 +35,19 @@ class Search {
   bool search() {
     Vector direction{};
     if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
-    LooksAtBoth looks(a_, b_);
+    CandidateRowsOfBoth candidates(a_, b_);
     for (int step = 0; step < most_steps; ++step) {
-      const FurthestPoint of_a = likely_support(looks.a, pose_a_, direction, 1, answer_.cost),
-                          of_b = likely_support(looks.b, pose_b_, direction, -1, answer_.cost);
+      const FurthestPoint of_a = likely_support(candidates.a, pose_a_, direction, 1, answer_.cost),
+                          of_b = likely_support(candidates.b, pose_b_, direction, -1, answer_.cost);
       ++answer_.cost.iterations;
       const bool is_apart = of_a.product < of_b.product, is_known = simplex_.has(of_a.index, of_b.index);
-      if (looks.are_all() && is_apart && parts(direction, of_a.product, of_b.product)) return true;
-      if ((is_apart || is_known) && looks.widen()) continue;
+      if (candidates.are_all() && is_apart && parts(direction, of_a.product, of_b.product)) return true;
+      if ((is_apart || is_known) && candidates.widen()) continue;
       if (is_known) return false;
       if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
       if (simplex_.is_full()) return holds_origin();
       if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_, direction)) return false;
-      looks.narrow();
+      candidates.narrow();
     }
     return false;
   }

@@ -30,7 +30,8 @@ ColumnNumbers RoundedHalfSpaces::row(std::uint32_t k) const {
   return result;
 }
 
-FurthestPoint RoundedHalfSpaces::most_broken(const ColumnNumbers& x, double w, Looks& looks, Cost& cost) const {
+FurthestPoint RoundedHalfSpaces::most_broken(const ColumnNumbers& x, double w, CandidateRows& candidates,
+                                             Cost& cost) const {
   ColumnNumbers direction{};
   direction[d_] = -w;
   for (std::size_t c = 0; c < d_; ++c) {
@@ -41,7 +42,7 @@ FurthestPoint RoundedHalfSpaces::most_broken(const ColumnNumbers& x, double w, L
     const double moved = x[c] - w * pose_.translation()[c];
     for (std::size_t r = 0; r < d_; ++r) direction[r] += moved * inverse_[c * d_ + r];
   }
-  return looks.furthest(direction, cost);
+  return candidates.furthest(direction, cost);
 }
 
 bool RoundedHalfSpaces::keeps(const ColumnNumbers& x, double w, double greatest) const {

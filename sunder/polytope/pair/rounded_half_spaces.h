@@ -5,7 +5,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
-#include <sunder/polytope/pair/looks.h>
+#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/predicate/along_columns.h>
 
 #include <array>
@@ -25,7 +25,7 @@ class RoundedHalfSpaces {
   ColumnNumbers row(std::uint32_t k) const;
 
   // The row, of those looked at, whose a . x - w b is greatest, and that number.
-  FurthestPoint most_broken(const ColumnNumbers& x, double w, Looks& looks, Cost& cost) const;
+  FurthestPoint most_broken(const ColumnNumbers& x, double w, CandidateRows& candidates, Cost& cost) const;
 
   // Does no row break the point x / w, surely, where this was the greatest number of all rows? False where the body is
   // moved.

@@ -45,9 +45,9 @@ TEST(RoundedHalfSpaces, AreAboutTheExactOnes) {
       }
       greatest = std::max(greatest, product);
     }
-    Looks looks(body);
+    CandidateRows candidates(body);
     Cost cost;
-    ASSERT_NEAR(rounded.most_broken(x, w, looks, cost).product, greatest, 0x1p-40) << i;
+    ASSERT_NEAR(rounded.most_broken(x, w, candidates, cost).product, greatest, 0x1p-40) << i;
   }
 }
 
@@ -98,9 +98,9 @@ TEST(RoundedHalfSpaces, KeepNothingThatIsNotInside) {
     const Polytope body = Polytope::from_half_spaces(d, rows);
     const Pose here(d);
     const RoundedHalfSpaces rounded(body, here);
-    Looks looks(body);
+    CandidateRows candidates(body);
     Cost cost;
-    const bool keeps = rounded.keeps(x, w, rounded.most_broken(x, w, looks, cost).product);
+    const bool keeps = rounded.keeps(x, w, rounded.most_broken(x, w, candidates, cost).product);
     bool is_inside = true;
     for (std::uint32_t k = 0; k < n; ++k) {
       Dyadic product = -(Dyadic(w) * Dyadic(body.row(k)[d]));

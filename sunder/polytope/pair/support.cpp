@@ -53,8 +53,9 @@ double support_error(const Polytope& body, const Pose& pose, const Vector& direc
          ((static_cast<double>(d) + 8) * 0x1p-53 * size + 0x1p-1060);
 }
 
-FurthestPoint likely_support(Looks& looks, const Pose& pose, const Vector& direction, double side, Cost& cost) {
-  FurthestPoint result = looks.furthest(pulled_back(pose, direction, side), cost);
+FurthestPoint likely_support(CandidateRows& candidates, const Pose& pose, const Vector& direction, double side,
+                             Cost& cost) {
+  FurthestPoint result = candidates.furthest(pulled_back(pose, direction, side), cost);
   result.product = moved(pose, direction, side, result.product);
   return result;
 }

@@ -5,7 +5,7 @@
 #include <sunder/number/interval.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
-#include <sunder/polytope/pair/looks.h>
+#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/predicate/along_columns.h>
 
@@ -26,7 +26,8 @@ struct Support {
 Support support(const Polytope& body, const Pose& pose, const Vector& direction, double side);
 
 // The same of those points that are looked at, and without a bound.
-FurthestPoint likely_support(Looks& looks, const Pose& pose, const Vector& direction, double side, Cost& cost);
+FurthestPoint likely_support(CandidateRows& candidates, const Pose& pose, const Vector& direction, double side,
+                             Cost& cost);
 
 // A bound on the error of the products of support points.
 double support_error(const Polytope& body, const Pose& pose, const Vector& direction);

@@ -12,9 +12,9 @@ namespace sunder::polytope {
 
 // First a sample, of every 4^k-th block, 64 to 256 rows; then, each time that this does not do, all; and after those
 // the shortlist of the last direction. Of bodies of few rows, all at once. Keeps a reference to the body.
-class Looks {
+class CandidateRows {
  public:
-  explicit Looks(const Polytope& body);
+  explicit CandidateRows(const Polytope& body);
 
   // The furthest row of those along the direction, which is one of the body's frame. Probes are rows looked at.
   FurthestPoint furthest(const ColumnNumbers& direction, Cost& cost);
@@ -35,10 +35,10 @@ class Looks {
 };
 
 // Those of two bodies, which go on together.
-struct LooksAtBoth {
-  Looks a, b;
+struct CandidateRowsOfBoth {
+  CandidateRows a, b;
 
-  LooksAtBoth(const Polytope& of_a, const Polytope& of_b) : a(of_a), b(of_b) {}
+  CandidateRowsOfBoth(const Polytope& of_a, const Polytope& of_b) : a(of_a), b(of_b) {}
 
   bool are_all() const { return a.are_all() && b.are_all(); }
   // False where they are all already.

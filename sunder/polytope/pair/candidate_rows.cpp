@@ -1,4 +1,4 @@
-#include <sunder/polytope/pair/looks.h>
+#include <sunder/polytope/pair/candidate_rows.h>
 
 namespace sunder::polytope {
 
@@ -14,10 +14,10 @@ std::size_t first_sample(const Polytope& body) {
 
 }  // namespace
 
-Looks::Looks(const Polytope& body)
+CandidateRows::CandidateRows(const Polytope& body)
     : body_(body), every_(first_sample(body)), kind_(every_ > 1 ? Kind::sample : Kind::all), has_list_(every_ > 1) {}
 
-FurthestPoint Looks::furthest(const ColumnNumbers& direction, Cost& cost) {
+FurthestPoint CandidateRows::furthest(const ColumnNumbers& direction, Cost& cost) {
   const PointColumns& columns = body_.columns();
   if (kind_ == Kind::shortlist) {
     cost.probes += list_.count();
@@ -32,18 +32,18 @@ FurthestPoint Looks::furthest(const ColumnNumbers& direction, Cost& cost) {
   return has_list_ ? furthest_along(columns, direction, list_) : furthest_along(columns, direction);
 }
 
-void Looks::narrow() {
+void CandidateRows::narrow() {
   if (has_list_) kind_ = Kind::shortlist;
 }
 
-bool LooksAtBoth::widen() {
+bool CandidateRowsOfBoth::widen() {
   if (are_all()) return false;
   a.widen();
   b.widen();
   return true;
 }
 
-void LooksAtBoth::narrow() {
+void CandidateRowsOfBoth::narrow() {
   if (!are_all()) return;
   a.narrow();
   b.narrow();
