@@ -97,30 +97,38 @@ TEST(Gjk, EndsAfterSoManySteps) {
   EXPECT_EQ(cost.iterations, 2U);
 }
 
-// A support that takes a vertex for further than it is makes the search go in circles.
-struct LyingSupport : PointSupport {
-  using PointSupport::PointSupport;
-  mutable std::uint32_t asked = 0;
-  DifferenceVertex furthest(const Point3& d, const DifferenceSimplex&, Cost&) const {
-    const double away = 1 + 0.25 * (asked % 2);
-    ++asked;
-    return {{-d.x * away, -d.y * away, -d.z * away}, asked, asked};
+// Its points are as far from the origin as a list says, whatever is asked.
+struct ScriptedSupport : PointSupport {
+  ScriptedSupport(const std::vector<Point3>& of, const std::vector<double>& distances)
+      : PointSupport(of, of.size()), script(distances) {}
+
+  std::vector<double> script;
+  std::uint32_t asked = 0;
+
+  DifferenceVertex furthest(const Point3&, const DifferenceSimplex&, Cost&) {
+    const double x = script.at(asked);
+    return {{x, 0, 0}, asked, asked++};
   }
   static double noise(const Point3&, const DifferenceVertex&) { return -1e300; }
 };
 
 TEST(Gjk, EndsWhereItComesNoNearer) {
-  for (const int in_vain : {1, 4}) {
-    Gjk<double, LyingSupport> search(octahedron, std::size_t{100});
+  const std::vector<double> script{5, 6, 7, 4, 6, 4, 4, 3, 8, 8, 8, 8, 8};
+  const std::size_t ends[] = {2, 3, 7, 12};  // after so many steps that come no nearer: 6; 6, 7; 6, 4, 4; the 8
+  for (int in_vain = 1; in_vain <= 4; ++in_vain) {
+    Gjk<double, ScriptedSupport> search(octahedron, script);
     Cost cost;
     search.begin({});
-    int since = 0;
-    const auto count = [&](bool is_nearer) {
-      since = is_nearer ? 0 : since + 1;
+    double nearest = 100;
+    const auto looks = [&](bool is_nearer) {
+      const double x = script[search.support.asked - 1];
+      EXPECT_EQ(is_nearer, x < nearest);
+      nearest = std::min(nearest, x);
+      search.simplex.count = 0;  // each point alone
       return false;
     };
-    EXPECT_EQ(search.run({.in_vain = in_vain}, cost, GjkNever(), count), GjkEnd::circling);
-    EXPECT_EQ(since, in_vain);
+    EXPECT_EQ(search.run({.in_vain = in_vain}, cost, GjkNever(), looks), GjkEnd::circling);
+    EXPECT_EQ(search.support.asked, ends[in_vain - 1]) << in_vain;
   }
 }
 
@@ -140,13 +148,38 @@ TEST(Gjk, LooksCloselyBeforeItEnds) {
     EXPECT_TRUE(is_whole) << top;
     EXPECT_NEAR(search.distance2, 25.0 / 3, 1e-12) << top;
   }
-  // A gap between the first points is none between all.
-  const std::vector<Point3> around{{-1, 0, 0}, {-2, 1, 0}, {3, 0, 1}, {3, -1, -1}, {3, 1, -1}};
-  PointSearch search = search_of(around, 2);
+  // What parts the first points is looked at again among all, before the simplex has any.
+  PointSearch search = search_of(moved(octahedron, {-2, -2, -2}), 2);
   Cost cost;
   search.begin({});
-  const auto parts = [&](const DifferenceVertex& w) { return search.gap_at(w) > 0; };
-  EXPECT_NE(search.run({}, cost, parts), GjkEnd::stopped);
+  const auto first = [](const DifferenceVertex&) { return true; };
+  EXPECT_EQ(search.run({}, cost, first), GjkEnd::stopped);
+  EXPECT_EQ(search.simplex.count, 0);
+  EXPECT_EQ(cost.iterations, 2U);
+  // What does not is a step.
+  PointSearch other = search_of(moved(octahedron, {2, 0, 0}), 2);
+  other.begin({});
+  EXPECT_EQ(other.run({}, cost, first), GjkEnd::stopped);
+  EXPECT_EQ(other.simplex.count, 1);
+}
+
+struct NoisySupport : PointSupport {
+  using PointSupport::PointSupport;
+  static double noise(const Point3&, const DifferenceVertex&) { return 0.5; }
+};
+
+TEST(Gjk, GainsByMoreThanNoiseAndByNewVertices) {
+  Gjk<double, NoisySupport> search(octahedron, octahedron.size());
+  search.begin({});
+  EXPECT_TRUE(search.gains_by({{-9, 0, 0}, 0, 0}));  // than by none
+  search.simplex.vertex[0] = {{1, 0, 0}, 0, 0};
+  search.simplex.count = 1;
+  EXPECT_FALSE(search.gains_by({{1.4, 0, 0}, 1, 1}));
+  EXPECT_TRUE(search.gains_by({{1.6, 0, 0}, 1, 1}));
+  EXPECT_FALSE(search.gains_by({{1.6, 0, 0}, 0, 0}));
+  search.begin({0, 1, 0});
+  EXPECT_EQ(search.simplex.count, 0);
+  EXPECT_EQ(search.direction, (Point3{0, 1, 0}));
 }
 
 TEST(Gjk, FreeSlotsAreNotOfTheSimplex) {
@@ -163,6 +196,15 @@ TEST(Gjk, NothingMakesNoMean) {
   EXPECT_FALSE(mean_nearest(simplex).has_value());
   simplex.count = 1;
   EXPECT_TRUE(mean_nearest(simplex).has_value());
+  // A vertex of negative weight is none of the mean.
+  simplex.vertex[0] = {{1, 0, 0}, 0, 0};
+  simplex.vertex[1] = {{2, 0, 0}, 1, 1};
+  simplex.count = 2;
+  const auto mean = mean_nearest(simplex);
+  ASSERT_TRUE(mean.has_value());
+  ASSERT_EQ(mean->count, 1U);
+  EXPECT_EQ(mean->parts[0].a, 0U);
+  EXPECT_EQ(mean->total, mean->parts[0].weight);
 }
 
 }  // namespace
