@@ -23,7 +23,7 @@ bool deepened(Placed& a, Placed& b) {
 // ---- Points and points.
 
 struct NamedColumn {
-  Variable variable;
+  BasicVariable variable;
   ExactVector numbers;
 };
 

@@ -25,7 +25,7 @@ class WideGame {
   }
   template <class Payoff>
   void add_column(const Payoff& payoff) {
-    columns_.emplace_back();
+    columns_.push_back({1.0});
     for (std::size_t i = 0; i < rows_; ++i) columns_.back().push_back(to_.rounded(payoff(i)));
   }
 
@@ -40,11 +40,9 @@ class WideGame {
   const std::vector<std::size_t>& tight() const { return tight_; }
 
  private:
-  struct Table;
-
   LongFloats to_;
   std::size_t rows_ = 0;
-  std::vector<std::vector<Dyadic>> columns_;
+  std::vector<std::vector<Dyadic>> columns_;  // of each a 1, for the sum of weights, then its entries
   std::uint64_t products_ = 0;
   bool columns_win_ = false;
   std::vector<Dyadic> weights_;

@@ -5,12 +5,13 @@
 // all numbers. So there is always a basis, d rows whose normals make c with weights that are not negative: to begin
 // with the box. Its vertex is x = p + M q. A row that x breaks enters; the one leaves that keeps the weights
 // non-negative; where none does, the row contradicts those of the basis. c is c_j +- e^(j+1), e less than all numbers,
-// so all weights are positive, the value falls at each step, and the method ends (Dantzig, Orden, Wolfe 1955).
-// Arithmetic is fraction-free: the inverse of the basis times its determinant (Edmonds 1967, Bareiss 1968).
+// so all weights are positive, the value falls at each step, and the method ends. It is the simplex method for weights
+// of rows (number/exact/basis_internal.h), the sides of the box its artificial variables.
 #pragma once
 
 #include <sunder/base/cost.h>
-#include <sunder/number/integer_internal.h>
+#include <sunder/number/exact/basis_internal.h>
+#include <sunder/number/exact/scaled_integers_internal.h>
 #include <sunder/polytope/pair/evidence.h>
 #include <sunder/polytope/pair/placed.h>
 
@@ -46,7 +47,7 @@ class DualSimplex {
   // its weights; whether c . q > 0.
   const ExactEvidence::Place& point() const { return point_; }
   const ExactVector& way() const { return way_; }
-  bool is_unbounded() const;
+  bool is_unbounded() const { return !basis_.is_solved(); }
   bool is_at_box() const;
   // Of basis rows, those of weight zero, too.
   struct BasisRow {
@@ -54,7 +55,7 @@ class DualSimplex {
     Dyadic weight;
   };
   std::vector<BasisRow> basis() const;
-  Dyadic denominator() const { return dyadic_of(determinant_, 0); }  // of the weights
+  Dyadic denominator() const { return dyadic_of(basis_.denominator(), 0); }  // of the weights
 
   // Where there is none: multipliers of at most d + 1 rows.
   const RowWeights& contradiction() const { return contradiction_; }
@@ -62,34 +63,22 @@ class DualSimplex {
   std::uint32_t pivots() const { return pivots_; }  // since begin_at()
 
  private:
-  using Column = std::vector<Integer>;
-  struct RowIntegers {
-    Column normal;
-    std::int64_t unit = 0;  // 2^unit is one of them
-  };
-  void begin_at_box();
-  RowIntegers integers_of(std::uint32_t row) const;
-  Column in_terms_of_basis(const Column& normal) const;  // times determinant_
-  bool is_side(std::size_t i) const { return basis_[i] >= first_box_side; }
-  Integer weight(std::size_t i) const;
-  bool is_positive(std::size_t i) const;  // of the perturbed weight
-  bool leaves_before(std::size_t i, std::size_t j, const Column& t) const;
-  void replace(std::size_t r, std::uint32_t row, const RowIntegers& by, const Column& t);
-  bool enter(std::uint32_t row);
+  // A row of the half-spaces as a variable, or a side of the box. In the basis coordinates have the signs that make the
+  // objective's not negative.
+  ScaledIntegers integers_of(std::uint32_t row) const;
+  IntegerBasis of_box() const { return IntegerBasis(objective_.integers); }
+  std::uint32_t row_of(std::size_t i) const;
   void find_vertex();
+  bool enter(std::uint32_t row);
   ExactFurthest most_broken(const ExactVector& p, const Dyadic& w, Cost& cost) const;
   bool go_on(Cost& cost, std::uint32_t& entering);
 
   const Polytope& body_;
   std::size_t d_;
-  Column objective_;
-  std::int64_t objective_unit_ = 0;
-  std::array<int, most_dimension> signs_{};  // of the perturbation, and the sides of the box
-  std::array<std::uint32_t, most_dimension> basis_{};
-  std::array<std::int64_t, most_dimension> units_{};
-  Integer determinant_ = 1;
-  std::vector<Integer> inverse_;  // of the basis, times determinant_: row j, column i is [j * d + i]
-  ExactVector vertex_, way_;      // over determinant_
+  std::array<bool, most_dimension> is_flipped_{};  // of coordinates
+  ScaledIntegers objective_;
+  IntegerBasis basis_;
+  ExactVector vertex_, way_;  // over the denominator
   ExactEvidence::Place point_;
   RowWeights contradiction_;
   std::uint32_t pivots_ = 0;

@@ -1,29 +1,19 @@
-#include <sunder/number/integer_internal.h>
+#include <sunder/number/exact/basis_internal.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/exact_simplex.h>
-#include <sunder/solid/pair/integer_basis_internal.h>
 #include <sunder/solid/pair/spanning_vertices.h>
 #include <sunder/solid/represent/hierarchy.h>
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace sunder::solid {
 
 namespace {
-
-constexpr std::size_t most_rows = 5;
-using Basis = IntegerBasis<most_rows>;
-using Column = Basis::Column;
-
-// A variable: the weight of a vertex, or an artificial one.
-struct Variable {
-  enum class Kind : std::uint8_t { artificial, of_a, of_b };
-  Kind kind = Kind::artificial;
-  std::uint32_t vertex = 0;
-};
 
 constexpr int most_steps_at_once = 24;  // before levels are gone down
 
@@ -37,50 +27,50 @@ class ExactSimplex {
   }
 
   PairCertificate common_point(const DifferenceSimplex& hint) {
-    basis_.rows = 5;
-    basis_.start({0, 0, 0, 1, 1});
+    basis_ = IntegerBasis(Column{0, 0, 0, 1, 1});
     minimize(hint);
+    tally_.exact += basis_.comparisons();
     return certificate();
   }
 
   bool interiors_meet(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) {
-    basis_.rows = 4;
     // whole_weight (mean of A's - mean of B's).
     Column c{};
-    for (const std::uint32_t v : span_a) add_multiple(c, {Variable::Kind::of_a, v}, whole_weight / span_a.size());
-    for (const std::uint32_t v : span_b) add_multiple(c, {Variable::Kind::of_b, v}, whole_weight / span_b.size());
-    basis_.start({-c[0], -c[1], -c[2], 0, 0});
+    for (const std::uint32_t v : span_a) add_multiple(c, {of_a, v}, whole_weight / span_a.size());
+    for (const std::uint32_t v : span_b) add_multiple(c, {of_b, v}, whole_weight / span_b.size());
+    basis_ = IntegerBasis(std::array<Integer, 4>{-c[0], -c[1], -c[2], 0});
     minimize({});
-    for (std::size_t i = 0; i < basis_.rows; ++i) {
-      if (variables_[i].kind == Variable::Kind::artificial && !basis_.solution[i].is_zero()) return false;
-    }
-    return true;
+    tally_.exact += basis_.comparisons();
+    return basis_.is_solved();
   }
 
   // After interiors_meet said so: the point sum l_i a_i + whole_weight (mean of A's), over the sum of these weights.
   CommonPoint inner_point(const std::vector<std::uint32_t>& span_a, const std::vector<std::uint32_t>& span_b) const {
     CommonPoint point;
-    point.of_a = inner_weights(Variable::Kind::of_a, span_a);
-    point.of_b = inner_weights(Variable::Kind::of_b, span_b);
+    point.of_a = inner_weights(of_a, span_a);
+    point.of_b = inner_weights(of_b, span_b);
     const auto vertex = [&](std::uint32_t v) { return lift<ExactStage>(a_[v]); };
     point.at = exact_point(numerators_of(point.of_a, vertex), point.of_a.denominator);
     return point;
   }
 
   // After interiors_meet denied it: along it no vertex of A is further than any of B, and A's mean is less far.
-  std::array<Dyadic, 3> parting() const { return dyadics(multipliers()); }
+  std::array<Dyadic, 3> parting() const { return direction(); }
 
  private:
-  // The weights of the vertices of one body, all times basis_.determinant: of the basis, and of those that span it.
-  Combination inner_weights(Variable::Kind kind, const std::vector<std::uint32_t>& span) const {
+  enum Kind : std::uint32_t { of_a, of_b };  // of variables: weights of vertices
+  using Column = std::array<Integer, 5>;
+
+  // The weights of the vertices of one body, all times basis_.denominator(): of the basis, and of those that span it.
+  Combination inner_weights(Kind kind, const std::vector<std::uint32_t>& span) const {
     std::vector<std::pair<std::uint32_t, Integer>> weights;
-    for (const std::uint32_t v : span) weights.push_back({v, basis_.determinant * (whole_weight / span.size())});
-    for (std::size_t i = 0; i < basis_.rows; ++i) {
-      if (variables_[i].kind != kind || basis_.solution[i].is_zero()) continue;
-      auto of_vertex =
-          std::find_if(weights.begin(), weights.end(), [&](const auto& w) { return w.first == variables_[i].vertex; });
-      if (of_vertex == weights.end()) of_vertex = weights.insert(of_vertex, {variables_[i].vertex, 0});
-      of_vertex->second += basis_.solution[i];
+    for (const std::uint32_t v : span) weights.push_back({v, basis_.denominator() * (whole_weight / span.size())});
+    for (std::size_t i = 0; i < basis_.rows(); ++i) {
+      const std::uint32_t v = basis_.variable(i).index;
+      if (basis_.variable(i).kind != kind || basis_.value(i).is_zero()) continue;
+      auto of_vertex = std::find_if(weights.begin(), weights.end(), [&](const auto& w) { return w.first == v; });
+      if (of_vertex == weights.end()) of_vertex = weights.insert(of_vertex, {v, 0});
+      of_vertex->second += basis_.value(i);
     }
     Combination combination;
     Integer sum = 0;
@@ -92,19 +82,21 @@ class ExactSimplex {
     return combination;
   }
 
-  static std::array<Dyadic, 3> dyadics(const Column& c) {
-    return {dyadic_of(c[0], 0), dyadic_of(c[1], 0), dyadic_of(c[2], 0)};
+  // Of the multipliers, the first three.
+  std::array<Dyadic, 3> direction() const {
+    const std::vector<Integer>& y = basis_.multipliers();
+    return {dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)};
   }
 
-  void add_multiple(Column& sum, const Variable& v, std::size_t factor) const {
+  void add_multiple(Column& sum, const BasicVariable& v, std::size_t factor) const {
     const Column c = column(v);
     for (std::size_t k = 0; k < 3; ++k) sum[k] += c[k] * factor;
   }
 
   void minimize(const DifferenceSimplex& hint) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(hint.count); ++i) {
-      enter_if_it_pays({Variable::Kind::of_a, hint.vertex[i].a});
-      enter_if_it_pays({Variable::Kind::of_b, hint.vertex[i].b});
+      enter_if_it_pays({of_a, hint.vertex[i].a});
+      enter_if_it_pays({of_b, hint.vertex[i].b});
     }
     if (hint.count > 0) {
       at_a_ = hint.vertex[0].a;
@@ -123,13 +115,14 @@ class ExactSimplex {
 
   // A step: true if a vertex came in. Of the levels of this number from the top, or of the whole bodies.
   bool improve(std::optional<std::size_t> level = std::nullopt) {
-    const Column y = multipliers();
-    if (y[0] != 0 || y[1] != 0 || y[2] != 0) {  // else all of one body have one price
-      const WorldDirection direction(Vector3<Dyadic>{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
-      at_a_ = extreme(a_, direction, End::greatest, at_a_, level);
-      at_b_ = extreme(b_, direction, End::least, at_b_, level);
+    const auto [x, y, z] = direction();
+    const Vector3<Dyadic> along{x, y, z};
+    if (!is_zero(along)) {  // else all of one body have one price
+      const WorldDirection world(along);
+      at_a_ = extreme(a_, world, End::greatest, at_a_, level);
+      at_b_ = extreme(b_, world, End::least, at_b_, level);
     }
-    return enter_if_it_pays({Variable::Kind::of_a, at_a_}) || enter_if_it_pays({Variable::Kind::of_b, at_b_});
+    return enter_if_it_pays({of_a, at_a_}) || enter_if_it_pays({of_b, at_b_});
   }
 
   // A point and a segment have one level, which is the body.
@@ -161,57 +154,36 @@ class ExactSimplex {
     return mantissa_of(x) << static_cast<unsigned long>(x.exponent() - exponent_);
   }
 
-  Column column(const Variable& v) const {
-    const bool of_a = v.kind == Variable::Kind::of_a;
-    const Vector3<Dyadic> p = lift<ExactStage>(of_a ? a_[v.vertex] : b_[v.vertex]);
+  Column column(const BasicVariable& v) const {
+    const Vector3<Dyadic> p = lift<ExactStage>(v.kind == of_a ? a_[v.index] : b_[v.index]);
     const Vector3<Integer> q{scaled(p.x), scaled(p.y), scaled(p.z)};
-    if (of_a) return {q.x, q.y, q.z, 1, 0};
-    return {-q.x, -q.y, -q.z, basis_.rows == 4 ? -1 : 0, 1};
+    if (v.kind == of_a) return {q.x, q.y, q.z, 1, 0};
+    return {-q.x, -q.y, -q.z, basis_.rows() == 4 ? -1 : 0, 1};
   }
 
-  // The multipliers times basis_.determinant: costs of one on the artificial variables in the basis.
-  Column multipliers() const {
-    Column y{};
-    for (std::size_t i = 0; i < basis_.rows; ++i) {
-      if (variables_[i].kind != Variable::Kind::artificial) continue;
-      for (std::size_t k = 0; k < basis_.rows; ++k) y[k] += basis_.inverse[i][k];
-    }
-    return y;
-  }
-
-  bool enter_if_it_pays(const Variable& v) {
-    const Column c = column(v);
-    const Column y = multipliers();
-    Integer price = 0;
-    for (std::size_t k = 0; k < basis_.rows; ++k) price += y[k] * c[k];
+  bool enter_if_it_pays(const BasicVariable& v) {
     ++tally_.exact;
-    if (price <= 0) return false;
-    const Column t = basis_.in_terms(c);
-    const std::size_t row =
-        basis_.leaving_row(t, tally_);  // there is one: the price is the sum of t over artificial rows
-    basis_.pivot(row, t);
-    variables_[row] = v;
-    return true;
+    const Column c = column(v);
+    return basis_.enter_if_it_pays(v, std::span(c).first(basis_.rows()));
   }
 
   PairCertificate certificate() const {
     PairCertificate c;
-    const Column y = multipliers();
-    if (y[3] + y[4] > 0) {  // the sum of the artificial variables
+    if (!basis_.is_solved()) {
       c.verdict = Verdict::apart;
       c.direction.kind = Direction::Kind::exact;
-      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(dyadics(y));
+      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(direction());
       c.extreme_a = at_a_;
       c.extreme_b = at_b_;
       return c;
     }
     c.verdict = Verdict::meet;
     std::size_t n = 0;
-    for (const Variable::Kind kind : {Variable::Kind::of_a, Variable::Kind::of_b}) {
-      for (std::size_t i = 0; i < basis_.rows; ++i) {
-        if (variables_[i].kind != kind || basis_.solution[i].is_zero()) continue;
-        c.vertices[n++] = variables_[i].vertex;
-        ++(kind == Variable::Kind::of_a ? c.count_a : c.count_b);
+    for (const Kind kind : {of_a, of_b}) {
+      for (std::size_t i = 0; i < basis_.rows(); ++i) {
+        if (basis_.variable(i).kind != kind || basis_.value(i).is_zero()) continue;
+        c.vertices[n++] = basis_.variable(i).index;
+        ++(kind == of_a ? c.count_a : c.count_b);
       }
     }
     return c;
@@ -223,8 +195,7 @@ class ExactSimplex {
   StageTally& tally_;
   std::int64_t exponent_;              // images are multiples of 2^exponent_, and counted in it
   std::uint32_t at_a_ = 0, at_b_ = 0;  // the extreme vertices along the last direction
-  Basis basis_;
-  std::array<Variable, most_rows> variables_{};  // of each row of the basis
+  IntegerBasis basis_;
 };
 
 }  // namespace

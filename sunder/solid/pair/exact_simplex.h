@@ -14,9 +14,8 @@
 // theorem 6.3 and corollary 6.6.2), that is, iff -c is in the cone of A - B:
 //   sum l_i a_i - sum m_j b_j = -c,  sum l_i - sum m_j = 0.
 //
-// Arithmetic is on integers (images scaled by one power of two), fraction-free: the inverse of the basis times its
-// determinant (Edmonds 1967, Bareiss 1968). The leaving variable is chosen lexicographically (Dantzig, Orden, Wolfe
-// 1955), so the method ends whatever the degeneracy.
+// Arithmetic is on integers, images scaled by one power of two (number/exact/basis_internal.h); the method ends whatever
+// the degeneracy.
 #pragma once
 
 #include <sunder/certificate/common_point.h>

@@ -1,29 +1,18 @@
-#include <sunder/number/integer_internal.h>
+#include <sunder/number/exact/basis_internal.h>
 #include <sunder/predicate/stages.h>
 #include <sunder/solid/pair/extreme_vertex.h>
-#include <sunder/solid/pair/integer_basis_internal.h>
 #include <sunder/solid/pair/placed.h>
 #include <sunder/solid/pair/sweep_simplex.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace sunder::solid {
 
 namespace {
-
-constexpr std::size_t most_rows = 6;
-using Basis = IntegerBasis<most_rows>;
-using Column = Basis::Column;
-
-// A variable: the weight of a vertex or of an end of time, or an artificial one.
-struct Variable {
-  enum class Kind : std::uint8_t { artificial, of_a, of_b, of_time };
-  Kind kind = Kind::artificial;
-  std::uint32_t entry = 0;  // a vertex; or 0 or 1, the end
-};
-using Kind = Variable::Kind;
 
 // An exponent that divides all of these numbers, and one that none reaches: less than 2^top in size.
 struct Exponents {
@@ -63,16 +52,20 @@ std::int64_t bits_of(const Integer& n) {
 
 class SweepSimplex {
  public:
-  SweepSimplex(const ConvexPolyhedron& a, const Translation& of_a, const ConvexPolyhedron& b, const Translation& of_b,
-               SweepTime wanted, Cost& cost, StageTally& tally)
-      : a_(a, of_a.begin()), b_(b, of_b.begin()), is_first_(wanted == SweepTime::first), cost_(cost), tally_(tally) {
+  SweepSimplex(const ConvexPolyhedron& a, const Translation& path_a, const ConvexPolyhedron& b,
+               const Translation& path_b, SweepTime wanted, Cost& cost, StageTally& tally)
+      : a_(a, path_a.begin()),
+        b_(b, path_b.begin()),
+        is_first_(wanted == SweepTime::first),
+        cost_(cost),
+        tally_(tally) {
     const Exponents of_x = a_.exponents(), of_y = b_.exponents();
     exponent_ = std::min(of_x.least, of_y.least);
-    for (const Pose* pose : {&of_a.begin(), &of_a.end(), &of_b.begin(), &of_b.end()}) {
+    for (const Pose* pose : {&path_a.begin(), &path_a.end(), &path_b.begin(), &path_b.end()}) {
       exponent_ = std::min(exponent_, exponents_of(pose->translation_range()).least);
     }
-    at_ = {translation(of_a.begin()), translation(of_a.end())};
-    const std::array<Vector3<Dyadic>, 2> of_other{translation(of_b.begin()), translation(of_b.end())};
+    at_ = {translation(path_a.begin()), translation(path_a.end())};
+    const std::array<Vector3<Dyadic>, 2> of_other{translation(path_b.begin()), translation(path_b.end())};
     column_bits_ = std::max<std::int64_t>({of_x.top - exponent_, of_y.top - exponent_, 1});
     for (std::size_t k = 0; k < 2; ++k) {
       const Vector3<Dyadic> v = at_[k] - of_other[k];
@@ -82,55 +75,45 @@ class SweepSimplex {
   }
 
   SweepOutcome decide(std::uint32_t near_a, std::uint32_t near_b) {
-    basis_.rows = most_rows;
-    basis_.start({0, 0, 0, 1, 1, 1});
+    basis_ = IntegerBasis(Column{0, 0, 0, 1, 1, 1});
     at_a_ = near_a, at_b_ = near_b;
     bool goes_on = true;
     while (goes_on) {
       look_along(direction());
       goes_on = false;
-      for (const Variable& v : {Variable{Kind::of_a, at_a_}, Variable{Kind::of_b, at_b_}, Variable{Kind::of_time, 0},
-                                Variable{Kind::of_time, 1}}) {
+      for (const BasicVariable& v : {BasicVariable{of_a, at_a_}, {of_b, at_b_}, {of_time, 0}, {of_time, 1}}) {
         goes_on = enter_if_it_pays(v) || goes_on;
       }
     }
+    tally_.exact += basis_.comparisons();
     return outcome();
   }
 
  private:
-  // The multipliers times the determinant: of costs of one on the artificial variables in the basis; of a cost of one
-  // on the weight of the end.
-  struct Multipliers {
-    Column artificial{}, late{};
-  };
-  Multipliers multipliers() const {
-    Multipliers y;
-    for (std::size_t i = 0; i < most_rows; ++i) {
-      const Variable& v = variables_[i];
-      if (v.kind == Kind::artificial) add(y.artificial, basis_.inverse[i]);
-      if (is_first_ && v.kind == Kind::of_time && v.entry == 1) add(y.late, basis_.inverse[i]);
+  enum Kind : std::uint32_t { of_a, of_b, of_time };  // of variables: weights of vertices, and of the ends 0 and 1
+  static constexpr std::size_t rows = 6;
+  using Column = std::array<Integer, rows>;
+
+  static bool is_late(const BasicVariable& v) { return v.kind == of_time && v.index == 1; }
+
+  // The multipliers of a cost of one on the weight of the end, times the denominator.
+  Column late_multipliers() const {
+    Column y{};
+    for (std::size_t i = 0; i < rows; ++i) {
+      if (is_first_ && is_late(basis_.variable(i))) std::copy_n(basis_.inverse(i).begin(), rows, y.begin());
     }
     return y;
-  }
-  static void add(Column& sum, const Column& row) {
-    for (std::size_t k = 0; k < most_rows; ++k) sum[k] += row[k];
-  }
-  static Integer product(const Column& y, const Column& c) {
-    Integer sum = 0;
-    for (std::size_t k = 0; k < most_rows; ++k) sum += y[k] * c[k];
-    return sum;
   }
 
   // Both in one, as prices are compared: the product of a column, or of the difference of two, with what stands first
   // is an integer, and that with the rest is less than 2^shift in size.
   Vector3<Dyadic> direction() const {
-    const Multipliers y = multipliers();
+    const std::vector<Integer>& y = basis_.multipliers();
+    const Column late = late_multipliers();
     std::int64_t bits = 0;
-    for (const Integer& n : y.late) bits = std::max(bits, bits_of(n));
-    const std::int64_t shift = bits == 0 ? 0 : std::max(bits, bits_of(basis_.determinant)) + column_bits_ + 5;
-    const auto sum = [&](std::size_t k) {
-      return dyadic_of((y.artificial[k] << static_cast<unsigned long>(shift)) + y.late[k], 0);
-    };
+    for (const Integer& n : late) bits = std::max(bits, bits_of(n));
+    const std::int64_t shift = bits == 0 ? 0 : std::max(bits, bits_of(basis_.denominator())) + column_bits_ + 5;
+    const auto sum = [&](std::size_t k) { return dyadic_of((y[k] << static_cast<unsigned long>(shift)) + late[k], 0); };
     return {sum(0), sum(1), sum(2)};
   }
 
@@ -142,41 +125,37 @@ class SweepSimplex {
     at_b_ = extreme_vertex_from(b_.placed, along_b, End::least, at_b_, cost_, tally_);
   }
 
-  bool enter_if_it_pays(const Variable& v) {
-    const Column c = column(v);
-    const Multipliers y = multipliers();
+  bool enter_if_it_pays(const BasicVariable& v) {
     ++tally_.exact;
-    const Integer price = product(y.artificial, c);
-    if (price < 0) return false;
-    if (price == 0) {
-      if (!is_first_) return false;
-      const bool is_late = v.kind == Kind::of_time && v.entry == 1;
-      if (product(y.late, c) <= (is_late ? basis_.determinant : Integer(0))) return false;
-    }
-    const Column t = basis_.in_terms(c);
-    const std::size_t row = basis_.leaving_row(t, tally_);  // there is one: all variables are bounded
-    basis_.pivot(row, t);
-    variables_[row] = v;
+    const Column c = column(v);
+    const Integer price = basis_.price(c);
+    if (price < 0 || (price == 0 && !(is_first_ && is_earlier(v, c)))) return false;
+    const std::vector<Integer>& t = basis_.in_terms(c);
+    basis_.pivot(basis_.leaving_row(t), v, t);  // there is a row: all variables are bounded
     return true;
+  }
+  // Does the column pay by the weight of the end?
+  bool is_earlier(const BasicVariable& v, const Column& c) const {
+    const Column y = late_multipliers();
+    return std::inner_product(y.begin(), y.end(), c.begin(), Integer(0)) > (is_late(v) ? basis_.denominator() : 0);
   }
 
   Integer scaled(const Dyadic& x) const {
     if (mantissa_of(x).is_zero()) return 0;
     return mantissa_of(x) << static_cast<unsigned long>(x.exponent() - exponent_);
   }
-  Column column(const Variable& v) const {
-    if (v.kind == Kind::of_time) return ends_[v.entry];
-    const bool of_a = v.kind == Kind::of_a;
-    const Vector3<Dyadic> p = of_a ? a_[v.entry] : b_[v.entry];
-    if (of_a) return {scaled(p.x), scaled(p.y), scaled(p.z), 1, 0, 0};
+  Column column(const BasicVariable& v) const {
+    if (v.kind == of_time) return ends_[v.index];
+    const Vector3<Dyadic> p = v.kind == of_a ? a_[v.index] : b_[v.index];
+    if (v.kind == of_a) return {scaled(p.x), scaled(p.y), scaled(p.z), 1, 0, 0};
     return {-scaled(p.x), -scaled(p.y), -scaled(p.z), 0, 1, 0};
   }
 
   SweepOutcome outcome() const {
     SweepOutcome result;
     const Vector3<Dyadic> d = direction();
-    const Column y = multipliers().artificial;
-    if (y[3] + y[4] + y[5] > 0) {  // the sum of the artificial variables
+    if (!basis_.is_solved()) {
+      const std::vector<Integer>& y = basis_.multipliers();
       // What parts them is the first part alone.
       result.direction = {dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)};
       result.extreme_a = at_a_, result.extreme_b = at_b_;
@@ -187,19 +166,19 @@ class SweepSimplex {
     const auto include = [&](const Vector3<Dyadic>& p, const Dyadic& weight) {
       sum = {sum.x + p.x * weight, sum.y + p.y * weight, sum.z + p.z * weight};
     };
-    for (std::size_t i = 0; i < most_rows; ++i) {
-      const auto& [kind, entry] = variables_[i];
-      if (kind == Kind::artificial || basis_.solution[i].is_zero()) continue;
-      const Dyadic weight = dyadic_of(basis_.solution[i], 0);
-      if (kind == Kind::of_b) {
-        contact.point.of_b.parts.push_back({entry, weight});
+    for (std::size_t i = 0; i < rows; ++i) {
+      const BasicVariable& v = basis_.variable(i);
+      if (basis_.is_artificial(i) || basis_.value(i).is_zero()) continue;
+      const Dyadic weight = dyadic_of(basis_.value(i), 0);
+      if (v.kind == of_b) {
+        contact.point.of_b.parts.push_back({v.index, weight});
         continue;
       }
-      include(kind == Kind::of_a ? a_[entry] : at_[entry], weight);
-      if (kind == Kind::of_a) contact.point.of_a.parts.push_back({entry, weight});
-      if (kind == Kind::of_time && entry == 1) contact.time = weight;
+      include(v.kind == of_a ? a_[v.index] : at_[v.index], weight);
+      if (v.kind == of_a) contact.point.of_a.parts.push_back({v.index, weight});
+      if (is_late(v)) contact.time = weight;
     }
-    const Dyadic whole = dyadic_of(basis_.determinant, 0);
+    const Dyadic whole = dyadic_of(basis_.denominator(), 0);
     contact.denominator = contact.point.of_a.denominator = contact.point.of_b.denominator = whole;
     contact.point.at = exact_point(sum, whole);
     if (is_first_ && contact.time.sign() != Sign::zero) contact.direction = {d.x, d.y, d.z};
@@ -216,8 +195,7 @@ class SweepSimplex {
   std::array<Vector3<Dyadic>, 2> at_;  // the translation of A at both ends
   std::array<Column, 2> ends_;
   std::uint32_t at_a_ = 0, at_b_ = 0;  // the extreme vertices along the last direction
-  Basis basis_;
-  std::array<Variable, most_rows> variables_{};  // of each row of the basis
+  IntegerBasis basis_;
 };
 
 }  // namespace
