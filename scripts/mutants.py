@@ -46,7 +46,7 @@ MUTANTS = [
     ("sunder/ask/scene/verb_scene.cpp", "report.none_meet() && report.is_kept() ?", "report.none_meet() ?", "scene_clearance:Tells"),
     ("sunder/ask/scene/verb_scene.cpp", "  draw(call, report);", "  if (false) draw(call, report);", "scene:The arm"),
     (SCENE, 'json["said_of"] = meet_as_hulls(report, pair) ? "hulls"', 'json["said_of"] = meet_as_hulls(report, pair) ? "bodies"', "unread:A bend"),
-    (SCENE, 'if (!report.input.unit().empty()) json["unit"]', 'if (report.input.unit().empty()) json["unit"]', "scene:Scene files"),
+    (SCENE, 'if (!report.cell.unit().empty()) json["unit"]', 'if (report.input.unit().empty()) json["unit"]', "scene:Scene files"),
     (SCENE, "if (pair.counts) ++meeting;", "++meeting;", "scene:Scene files"),
     (SCENE, '.push_back({bodies[a].name, bodies[b].name})', '.push_back({bodies[b].name, bodies[a].name})', "scene:Scene files"),
     ("sunder/ask/scene/placements.cpp", "if (beyond == 0) return;", "if (beyond < 5) return;", "placements:Say"),
