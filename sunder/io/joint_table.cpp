@@ -3,12 +3,14 @@
 #include <sunder/io/file.h>
 #include <sunder/io/joint_table.h>
 #include <sunder/io/npy.h>
+#include <sunder/io/robot_motion.h>
 #include <sunder/io/text.h>
 
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
@@ -151,6 +153,26 @@ JointTable of_csv(std::string_view text, std::string_view place, std::size_t thr
   return table;
 }
 
+// "t", "time", "Time [s]", "time_from_start", "stamp.sec"
+bool is_time(const std::string& name) {
+  const std::string word = in_small_letters(name.substr(0, name.find_first_of("_ [(.-/")));
+  constexpr std::array<std::string_view, 7> words{"t", "time", "timestamp", "stamp", "sec", "secs", "seconds"};
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// "elbow" of "elbow_deg", "elbow [deg]", "elbow (degrees)"; empty of what does not end like that.
+std::string joint_in_degrees(const std::string& name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const std::size_t last = name.find_last_not_of("])");
+  if (last == std::string::npos) return "";
+  std::size_t first = last + 1;
+  while (first > 0 && is_letter(name[first - 1])) --first;
+  const std::string unit = in_small_letters(name.substr(first, last + 1 - first));
+  if (unit != "deg" && unit != "degree" && unit != "degrees") return "";
+  const std::size_t end = name.substr(0, first).find_last_not_of("_ [(.-/");
+  return first == 0 || end == std::string::npos || end + 1 == first ? "" : name.substr(0, end + 1);
+}
+
 JointTable of_npy(std::string_view bytes, std::string_view place) {
   NpyArray array = parse_npy(bytes, place);
   JointTable table;
@@ -164,6 +186,56 @@ JointTable of_npy(std::string_view bytes, std::string_view place) {
 
 std::string JointTable::place(std::size_t row) const {
   return lines.empty() ? fmt::format("{}: row {}", file, row) : fmt::format("{}:{}", file, lines[row]);
+}
+
+void fit_joint_table(const Robot& robot, JointTable& table, std::vector<std::string>& remarks) {
+  const std::vector<std::string> known = movable_joints(robot);
+  const auto is_known = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) != known.end();
+  };
+  std::vector<std::size_t> kept, in_degrees;  // columns
+  for (std::size_t k = 0; k < table.joints.size(); ++k) {
+    std::string& name = table.joints[k];
+    if (!is_known(name) && is_time(name)) {
+      remarks.push_back(fmt::format("{}: column {} has times, and is left out", table.file, quote(name)));
+      continue;
+    }
+    kept.push_back(k);
+    if (is_known(name)) continue;
+    const std::string joint = joint_in_degrees(name);
+    if (!is_known(joint)) continue;
+    const Joint& found =
+        *std::find_if(robot.joints.begin(), robot.joints.end(), [&](const Joint& of) { return of.name == joint; });
+    if (found.type == JointType::prismatic) {
+      throw Error(ErrorCode::bad_call, "slides, so it takes metres, not degrees", "joint " + quote(joint));
+    }
+    remarks.push_back(
+        fmt::format("{}: column {} is in degrees; its values are rounded to radians", table.file, quote(name)));
+    name = joint;
+    in_degrees.push_back(k);
+  }
+  for (auto name = table.joints.begin(); name != table.joints.end(); ++name) {
+    if (std::find(table.joints.begin(), name, *name) != name)
+      fail_file(table.file, "joint " + quote(*name) + " has two columns; keep one of them");
+  }
+  if (kept.empty() && !table.joints.empty()) fail_file(table.file, "there is no column of a joint; give one");
+  constexpr double radian = 3.14159265358979323846 / 180;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    for (const std::size_t k : in_degrees) table.values[row * table.columns + k] *= radian;
+  }
+  if (kept.size() == table.columns) return;
+  const std::size_t rows = table.rows();
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      table.values[row * kept.size() + k] = table.values[row * table.columns + kept[k]];
+    }
+  }
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (kept[k] != k) table.joints[k] = std::move(table.joints[kept[k]]);
+  }
+  table.joints.resize(kept.size());
+  table.columns = kept.size();
+  table.values.resize(rows * kept.size());
 }
 
 JointTable parse_joint_table(std::string_view bytes, std::string_view place, std::size_t threads) {

@@ -3,6 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
+#include <sunder/io/urdf.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -35,5 +36,11 @@ JointTable read_joint_table(const std::string& file, InputFiles* inputs = nullpt
 
 // The same, from memory.
 JointTable parse_joint_table(std::string_view bytes, std::string_view place, std::size_t threads = 1);
+
+// Fits the columns to the robot, with a remark for each that changes: a column of times ("t", "time", "time [s]",
+// "stamp" and the like), where the robot has no joint of that name, is dropped; one named JOINT_deg, "JOINT [deg]" or the like becomes
+// the joint's, its values turned into radians, which rounds them. Other names stay as they are. Throws Error bad_call
+// where degrees are given for a joint that slides, or a joint has two columns. Cost: linear, where something changes.
+void fit_joint_table(const Robot& robot, JointTable& table, std::vector<std::string>& remarks);
 
 }  // namespace sunder::io

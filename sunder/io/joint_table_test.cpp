@@ -177,5 +177,54 @@ TEST(JointTable, SameOnAnyNumberOfThreads) {
   EXPECT_TRUE(error_on(3).find("1 field") != std::string::npos) << error_on(3);
 }
 
+// Times are dropped, degrees become radians; what is neither stays, for RobotMotion to refuse.
+TEST(JointTable, FitsARobot) {
+  const Robot robot = parse_urdf(R"(<robot name="r"><link name="a"/><link name="b"/><link name="c"/><link name="d"/>
+    <joint name="turn" type="continuous"><parent link="a"/><child link="b"/></joint>
+    <joint name="slide" type="prismatic"><parent link="b"/><child link="c"/><limit lower="0" upper="1"/></joint>
+    <joint name="t" type="continuous"><parent link="c"/><child link="d"/></joint></robot>)",
+                                 "r.urdf");
+  std::vector<std::string> remarks;
+  const auto fit = [&](const std::string& text) {
+    remarks.clear();
+    JointTable table = parse_joint_table(text, "t.csv");
+    try {
+      fit_joint_table(robot, table, remarks);
+    } catch (const Error& error) {
+      remarks = {error.what()};
+    }
+    return table;
+  };
+  const JointTable plain = fit("slide,turn\n1,2\n");
+  EXPECT_EQ(plain.values, (std::vector<double>{1, 2}));
+  EXPECT_TRUE(remarks.empty());
+
+  const JointTable fitted = fit("Time [s],slide,turn (deg),t,stamp.sec\n0,1,180,3,9\n1,2,-90,4,9\n");
+  EXPECT_EQ(fitted.joints, (std::vector<std::string>{"slide", "turn", "t"}));
+  EXPECT_EQ(fitted.columns, 3u);
+  ASSERT_EQ(fitted.rows(), 2u);
+  const double half_turn = std::acos(-1.0);
+  EXPECT_EQ(std::vector<double>(fitted.row(0).begin(), fitted.row(0).end()), (std::vector<double>{1, half_turn, 3}));
+  EXPECT_EQ(std::vector<double>(fitted.row(1).begin(), fitted.row(1).end()),
+            (std::vector<double>{2, -half_turn / 2, 4}));
+  EXPECT_EQ(remarks, (std::vector<std::string>{"t.csv: column 'Time [s]' has times, and is left out",
+                                               "t.csv: column 'turn (deg)' is in degrees; its values are rounded to "
+                                               "radians",
+                                               "t.csv: column 'stamp.sec' has times, and is left out"}));
+  for (const char* name : {"turn_deg", "turn.degrees", "turn [deg]", "turn deg"}) {
+    EXPECT_EQ(fit(std::string(name) + "\n1\n").joints, std::vector<std::string>{"turn"}) << name;
+  }
+  for (const char* name : {"turndeg", "deg", "_deg", "turn_rad", "timer", "knee_deg", "sim_time", "]"}) {
+    EXPECT_EQ(fit(std::string(name) + "\n1\n").joints, std::vector<std::string>{name});
+    EXPECT_TRUE(remarks.empty()) << name;
+  }
+  fit("slide_deg\n1\n");
+  EXPECT_EQ(remarks, std::vector<std::string>{"joint 'slide': slides, so it takes metres, not degrees"});
+  fit("turn,turn_deg\n1,1\n");
+  EXPECT_EQ(remarks, std::vector<std::string>{"t.csv: joint 'turn' has two columns; keep one of them"});
+  fit("time\n1\n");
+  EXPECT_EQ(remarks, std::vector<std::string>{"t.csv: there is no column of a joint; give one"});
+}
+
 }  // namespace
 }  // namespace sunder::io

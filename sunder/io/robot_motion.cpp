@@ -56,14 +56,14 @@ std::string no_such_joint(const Robot& robot, const std::string& name) {
   const std::string word = in_small_letters(name);
   for (const std::string_view time : {"t", "time", "timestamp", "stamp", "sec", "secs", "seconds"}) {
     if (word != time && !(time.size() > 2 && (word.starts_with(time) || word.ends_with(time)))) continue;
-    return "the robot has no joint of this name, and times are not read; leave out this column";
+    return "the robot has no joint of this name, and times are not read; leave it out";
   }
   const std::vector<std::string> known = movable_joints(robot);
   for (const std::string& joint : known) {
     if (!name.starts_with(joint) || word.find("deg", joint.size()) == std::string::npos) continue;
     return fmt::format(
-        "the robot has no joint of this name, and degrees are not read; give radians (degrees times pi / 180), and "
-        "name the column {}",
+        "the robot has no joint of this name, and degrees are read in tables only; give radians (degrees times "
+        "pi / 180) for {}",
         quote(joint));
   }
   std::string names;

@@ -150,7 +150,11 @@ class Groups {
       if (const auto found = link_named(link)) links_.insert(*found);
     }
     for (const std::string& joint : group->joints) {
-      const auto found = named(joint, robot_.joints);
+      // Of a planar or floating joint the last of its steps (urdf.h).
+      auto found = named(joint, robot_.joints);
+      for (const char* last : {"/roll", "/yaw"}) {
+        if (found == robot_.joints.end()) found = named(joint + last, robot_.joints);
+      }
       if (found == robot_.joints.end()) {
         skipped_.push_back(joint);
       } else {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace sunder::io {
 namespace {
@@ -75,9 +76,6 @@ class UrdfParser {
   void read_link(const XMLElement& element) {
     Link link;
     link.name = xml_.name_of(element);
-    if (!links_.emplace(link.name, static_cast<std::uint32_t>(robot_.links.size())).second) {
-      fail(element, fmt::format("the link {} comes twice; rename one", quote(link.name)));
-    }
     each_child(element, [&](const XMLElement& child) {
       if (is(child, "collision")) read_collision(child, link);
     });
@@ -85,6 +83,13 @@ class UrdfParser {
       each_child(element, [&](const XMLElement& child) {
         if (is(child, "visual")) robot_.left_out.push_back({std::string(visual_shape), link.name, 1});
       });
+    }
+    add_link(element, std::move(link));
+  }
+
+  void add_link(const XMLElement& element, Link link) {
+    if (!links_.emplace(link.name, static_cast<std::uint32_t>(robot_.links.size())).second) {
+      fail(element, fmt::format("the link {} comes twice; rename one", quote(link.name)));
     }
     robot_.links.push_back(std::move(link));
   }
@@ -157,31 +162,69 @@ class UrdfParser {
     if (type == "revolute") return JointType::revolute;
     if (type == "continuous") return JointType::continuous;
     if (type == "prismatic") return JointType::prismatic;
-    if (type == "planar" || type == "floating") {
-      fail(element,
-           fmt::format("this joint is {}, which takes {} numbers and is not read yet; to ask about one place of its "
-                       "child make it fixed, with that place as its <origin>",
-                       type, type == "planar" ? 3 : 6));
+    fail(element, fmt::format("the type of the joint is {}; known are fixed, revolute, continuous, prismatic, planar, "
+                              "floating",
+                              quote(type)));
+  }
+
+  void add_joint(const XMLElement& element, const XMLElement* mimic, Joint joint) {
+    if (!joints_.emplace(joint.name, static_cast<std::uint32_t>(robot_.joints.size())).second) {
+      fail(element, fmt::format("the joint {} comes twice; rename one", quote(joint.name)));
     }
-    fail(element,
-         fmt::format("the type of the joint is {}; known are fixed, revolute, continuous, prismatic", quote(type)));
+    sources_.push_back({&element, mimic});
+    robot_.joints.push_back(std::move(joint));
+  }
+
+  // A planar or floating joint: as many joints as it takes numbers, with links without shapes between them.
+  void add_steps(const XMLElement& element, const Joint& joint, bool is_planar) {
+    struct Step {
+      const char* name;
+      JointType type;
+      std::array<double, 3> axis;
+    };
+    static constexpr Step x{"x", JointType::prismatic, {1, 0, 0}}, y{"y", JointType::prismatic, {0, 1, 0}},
+        z{"z", JointType::prismatic, {0, 0, 1}}, yaw{"yaw", JointType::continuous, {0, 0, 1}},
+        pitch{"pitch", JointType::continuous, {0, 1, 0}}, roll{"roll", JointType::continuous, {1, 0, 0}};
+    static constexpr std::array planar{x, y, yaw};
+    static constexpr std::array floating{x, y, z, yaw, pitch, roll};
+    if (element.FirstChildElement("mimic") != nullptr) {
+      fail(element, "a joint that takes several numbers follows no other; leave out its <mimic>");
+    }
+    if (is_planar && element.FirstChildElement("axis") && axis(element) != std::array<double, 3>{0, 0, 1}) {
+      fail(element,
+           "programs differ about a planar joint whose axis is not 0 0 1; give that axis, and turn its <origin>");
+    }
+    std::uint32_t parent = joint.parent;
+    const std::span<const Step> steps = is_planar ? std::span<const Step>(planar) : floating;
+    for (const Step& step : steps) {
+      Joint one = joint;
+      one.name += std::string("/") + step.name;
+      one.type = step.type;
+      one.parent = parent;
+      one.axis = step.axis;
+      if (&step != &steps.front()) one.origin = {};
+      if (&step != &steps.back()) {
+        parent = one.child = static_cast<std::uint32_t>(robot_.links.size());
+        add_link(element, {one.name, {}});
+      }
+      add_joint(element, nullptr, std::move(one));
+    }
   }
 
   void read_joint(const XMLElement& element) {
     Joint joint;
     joint.name = xml_.name_of(element);
-    if (!joints_.emplace(joint.name, static_cast<std::uint32_t>(robot_.joints.size())).second) {
-      fail(element, fmt::format("the joint {} comes twice; rename one", quote(joint.name)));
-    }
-    joint.type = type_of(element);
+    const std::string_view several = xml_.attribute(element, "type");
+    const bool is_planar = several == "planar", is_floating = several == "floating";
+    if (!is_planar && !is_floating) joint.type = type_of(element);
     joint.parent = link_number(element, "parent");
     joint.child = link_number(element, "child");
     joint.origin = origin(element);
+    if (is_planar || is_floating) return add_steps(element, joint, is_planar);
     if (joint.type != JointType::fixed) joint.axis = axis(element);
     if (joint.type == JointType::revolute || joint.type == JointType::prismatic) read_limits(element, joint);
     const bool moves = joint.type != JointType::fixed;
-    sources_.push_back({&element, moves ? element.FirstChildElement("mimic") : nullptr});
-    robot_.joints.push_back(std::move(joint));
+    add_joint(element, moves ? element.FirstChildElement("mimic") : nullptr, std::move(joint));
   }
 
   std::array<double, 3> axis(const XMLElement& joint) const {

@@ -51,6 +51,10 @@ struct Link {
   std::vector<CollisionShape> shapes;  // in the order of the file
 };
 
+// A planar joint NAME is three joints here, one after the other, with links without shapes between them: shifts NAME/x
+// and NAME/y, then a turn NAME/yaw about z. A floating one is six: NAME/x, /y, /z, then turns NAME/yaw, /pitch, /roll
+// about z, y, x, which is the rpy of an <origin>. They have no limits. A link between has the
+// name of the joint that it hangs on.
 enum class JointType { fixed, revolute, continuous, prismatic };
 
 struct Mimic {
@@ -64,7 +68,8 @@ struct Joint {
   std::uint32_t parent = 0, child = 0;  // numbers of links
   UrdfOrigin origin;                    // of the child's frame within the parent's, at value 0
   std::array<double, 3> axis{1, 0, 0};  // in the child's frame, of length 1 up to rounding; meaningless when fixed
-  double lower = -std::numeric_limits<double>::infinity();  // radians or metres; finite for revolute and prismatic
+  // Radians or metres. Finite for revolute and prismatic, but for those of planar and floating joints.
+  double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
   std::optional<Mimic> mimic;
 };
@@ -93,7 +98,7 @@ inline constexpr std::string_view visual_shape = "visual shape";
 // each <visual> of a link without a <collision>.
 // Throws Error bad_file, "FILE:LINE: what is wrong; remedy", in one line: XML that is not well-formed, xacro that was
 // not expanded (anywhere in the file), two shapes in one <collision>, a missing or repeated name, a number that is
-// none, a link that does not exist, links that are no tree, a floating or planar joint, missing limits. Meshes are not
+// none, a link that does not exist, links that are no tree, missing limits. Meshes are not
 // opened. inputs: as of read_file (file.h).
 Robot read_urdf(const std::filesystem::path& path, InputFiles* inputs = nullptr);
 

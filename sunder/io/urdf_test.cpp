@@ -123,16 +123,50 @@ TEST(UrdfKinematics, DefaultsAreZeroOrTheNearestLimit) {
             (std::vector<double>{100, -3, 1.5, -2.5}));
 }
 
-// They take several numbers: the message says so, and what to do.
-TEST(Urdf, SaysWhatPlanarAndFloatingJointsAre) {
-  for (const std::string type : {"planar", "floating"}) {
-    const std::string text = R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type=")" + type +
-                             R"("><parent link="a"/><child link="b"/></joint></robot>)";
-    EXPECT_EQ(urdf_error([&] { (void)parse_urdf(text, "r.urdf"); }),
-              "r.urdf:1: this joint is " + type + ", which takes " + (type == "planar" ? "3" : "6") +
-                  " numbers and is not read yet; to ask about one place of its child make it fixed, with that place as "
-                  "its <origin>");
-  }
+std::string robot_of_several(const std::string& type, const std::string& inner = "") {
+  return R"(<robot name="r"><link name="a"/><link name="b"/><joint name="j" type=")" + type +
+         R"("><origin xyz="1 2 3" rpy="0.1 0.2 0.3"/><parent link="a"/><child link="b"/>)" + inner + "</joint></robot>";
+}
+
+// A joint of several numbers is a chain of joints of one.
+TEST(UrdfKinematics, PlacesPlanarAndFloatingJoints) {
+  const Robot planar = parse_urdf(robot_of_several("planar"), "r.urdf");
+  EXPECT_EQ(movable_joints(planar), (std::vector<std::string>{"j/x", "j/y", "j/yaw"}));
+  const Robot floating = parse_urdf(robot_of_several("floating"), "r.urdf");
+  EXPECT_EQ(movable_joints(floating), (std::vector<std::string>{"j/x", "j/y", "j/z", "j/yaw", "j/pitch", "j/roll"}));
+  const auto same = [](const Robot& robot, const std::map<std::string, double>& values, const UrdfOrigin& moved) {
+    const solid::Pose expected = compose(origin_pose({{1, 2, 3}, {0.1, 0.2, 0.3}}), origin_pose(moved));
+    const solid::Pose found = link_poses(robot, values)[link_number(robot, "b")];
+    for (const Point3& p : {Point3{0, 0, 0}, Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}}) {
+      expect_near(at(found, p), at(expected, p));
+    }
+  };
+  same(planar, {}, {});
+  same(planar, {{"j/x", 4}, {"j/y", -5}, {"j/yaw", 0.75}}, {{4, -5, 0}, {0, 0, 0.75}});
+  same(floating, {}, {});
+  same(floating, {{"j/x", 4}, {"j/y", -5}, {"j/z", 6}, {"j/roll", 0.5}, {"j/pitch", -0.25}, {"j/yaw", 0.75}},
+       {{4, -5, 6}, {0.5, -0.25, 0.75}});
+  EXPECT_TRUE(beyond_limits(planar, {{"j/x", 1e9}}).empty());
+}
+
+TEST(Urdf, RefusesPlanarAndFloatingJointsThatAreNotClear) {
+  const auto error = [](const std::string& type, const std::string& inner) {
+    return urdf_error([&] { (void)parse_urdf(robot_of_several(type, inner), "r.urdf"); });
+  };
+  EXPECT_EQ(error("planar", "<axis xyz='0 0 2'/>"), "no error");
+  EXPECT_EQ(error("planar", "<axis xyz='1 0 0'/>"),
+            "r.urdf:1: programs differ about a planar joint whose axis is not 0 0 1; give that axis, and turn its "
+            "<origin>");
+  EXPECT_EQ(error("floating", "<axis xyz='1 0 0'/>"), "no error") << "it has none";
+  EXPECT_EQ(error("floating", "<mimic joint='j'/>"),
+            "r.urdf:1: a joint that takes several numbers follows no other; leave out its <mimic>");
+  EXPECT_EQ(error("planar",
+                  "</joint><link name='j/x'/><joint name='k' type='fixed'><parent link='b'/>"
+                  "<child link='j/x'/>"),
+            "r.urdf:1: the link 'j/x' comes twice; rename one");
+  EXPECT_EQ(error("screw", ""),
+            "r.urdf:1: the type of the joint is 'screw'; known are fixed, revolute, continuous, prismatic, planar, "
+            "floating");
 }
 
 TEST(UrdfKinematics, RefusesWrongValues) {
@@ -145,9 +179,9 @@ TEST(UrdfKinematics, RefusesWrongValues) {
           .starts_with(
               "joint 'elbow': the robot has no joint of this name; those that can be given a value are panda_joint1, "))
       << error("elbow", 0);
-  EXPECT_NE(error("time", 0).find("times are not read; leave out this column"), std::string::npos);
+  EXPECT_NE(error("time", 0).find("times are not read; leave it out"), std::string::npos);
   EXPECT_TRUE(error("panda_joint2_deg", 0)
-                  .ends_with("degrees are not read; give radians (degrees times pi / 180), and name the column "
+                  .ends_with("degrees are read in tables only; give radians (degrees times pi / 180) for "
                              "'panda_joint2'"));
   EXPECT_NE(error("panda_joint8", 0).find("is fixed"), std::string::npos);
   EXPECT_NE(error("panda_finger_joint2", 0).find("follows joint 'panda_finger_joint1'"), std::string::npos);

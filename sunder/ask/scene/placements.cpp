@@ -439,6 +439,7 @@ io::JointTable read_placements(const PlacementsCall& call, const robot::Cell& ce
     if (!call.joint_names.empty()) {
       throw Error(ErrorCode::bad_call, "the file names its joints itself; leave it out", names_option);
     }
+    noting([&](auto& remarks) { io::fit_joint_table(robot, table, remarks); });
   } else {
     table.joints = call.joint_names.empty() ? io::movable_joints(robot) : split_at_commas(call.joint_names);
     if (table.joints.size() != table.columns) {
