@@ -108,6 +108,21 @@ TEST(Srdf, RefusesBrokenFiles) {
   EXPECT_NE(srdf_error("<group>").find("not well-formed XML"), std::string::npos);
 }
 
+// A planar joint is a chain of joints, of which the last one has the child.
+TEST(Groups, HaveTheChildrenOfPlanarAndFloatingJoints) {
+  for (const std::string type : {"planar", "floating"}) {
+    const Robot robot = parse_urdf("<robot><link name='a'/><link name='b'/><joint name='j' type='" + type +
+                                       "'><parent link='a'/><child link='b'/></joint></robot>",
+                                   "r.urdf");
+    const Srdf srdf = parse_srdf("<robot><group name='g'><joint name='j'/></group></robot>", "test");
+    Names remarks;
+    const auto links = group_links(srdf, robot, std::array<std::string, 1>{"g"}, "--group", remarks);
+    ASSERT_EQ(links.size(), 1u) << type;
+    EXPECT_EQ(robot.links[links[0]].name, "b");
+    EXPECT_TRUE(remarks.empty());
+  }
+}
+
 // Links by name, joint, chain and subgroup; of what is not there, what is said.
 TEST(Groups, HaveLinks) {
   const Robot robot = read_urdf(cases / "mesh" / "arm.urdf");
