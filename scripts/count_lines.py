@@ -12,8 +12,9 @@ import tokenize
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LONGEST = 120
-RULES = ("arcs.py", "hulls.py", "polygons.py", "rules.py")
 CHECKER = "verifier/python/sunder_verify/"
+RULES = tuple(CHECKER + name + ".py" for name in (
+    "arcs", "boundaries", "depths", "hulls", "polygons", "polytopes", "rules", "sections", "vertices"))
 PROGRAM = ("cli/", "sunder/ask/", "sunder/picture/")
 PARTS = {
     "the library": lambda name: name.startswith("sunder/") and not name.startswith(PROGRAM),
@@ -21,7 +22,7 @@ PARTS = {
     "the Python package": lambda name: name.startswith("python/"),
     "the checker in C++": lambda name: name.startswith("verifier/cpp/"),
     "the checker in Python": lambda name: name.startswith(CHECKER),
-    "of it, rules": lambda name: name.startswith(CHECKER) and name.endswith(RULES),
+    "of it, rules": lambda name: name in RULES,
 }
 
 
