@@ -57,7 +57,7 @@ nb::list rows_of(const std::vector<std::vector<Dyadic>>& rows) {
   return result;
 }
 
-std::optional<nb::tuple> place_of(const ExactEvidence::Place& place) {
+std::optional<nb::tuple> place_of(const ExactPointN& place) {
   if (place.numbers.empty()) return std::nullopt;
   return fractions_of(place.numbers, place.denominator);
 }
@@ -136,7 +136,7 @@ PythonProgram program_of(const SharedPolytope& given, const ArrayLike& along, co
 }
 
 std::optional<nb::object> value_of(const PythonProgram& of) {
-  const ExactEvidence::Place& point = of.answer.point;
+  const ExactPointN& point = of.answer.point;
   if (!of.answer.feasible() || of.answer.outcome == Optimum::unbounded) return std::nullopt;
   Dyadic sum;
   for (std::size_t c = 0; c < of.objective.size(); ++c) sum = sum + point.numbers[c] * of.objective[c];
@@ -190,7 +190,7 @@ void bind_hulls(nb::module_& polytope) {
           "points",
           [](const PythonRegion& of) {
             nb::list list;
-            for (const ExactEvidence::Place& point : of.region.points) {
+            for (const ExactPointN& point : of.region.points) {
               list.append(fractions_of(point.numbers, point.denominator));
             }
             return list;

@@ -14,13 +14,13 @@ namespace sunder::python {
 
 namespace {
 
+using Weights;
 using polytope::ExactEvidence;
 using polytope::HierarchicalTree;
 using polytope::HyperplaneEvidence;
 using polytope::Polytope;
 using polytope::PolytopeAnswer;
 using polytope::Pose;
-using polytope::RowWeights;
 
 using SharedPolytope = std::shared_ptr<Polytope>;
 using SharedTree = std::shared_ptr<HierarchicalTree>;
@@ -171,10 +171,10 @@ nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominato
   return nb::tuple(list);
 }
 
-nb::dict weights_of(const RowWeights& weights) {
+nb::dict weights_of(const Weights& weights) {
   nb::dict result;
-  for (const RowWeights::Part& part : weights.parts) {
-    result[nb::int_(part.row)] = fraction_of(part.numerator, weights.denominator);
+  for (const Weights::Part& part : weights.parts) {
+    result[nb::int_(part.index)] = fraction_of(part.numerator, weights.denominator);
   }
   return result;
 }

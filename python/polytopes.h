@@ -10,7 +10,7 @@
 namespace sunder::python {
 
 nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator);
-nb::dict weights_of(const polytope::RowWeights& weights);  // by rows
+nb::dict weights_of(const Weights& weights);  // by rows
 
 // Hulls, vertices, regions and linear programs, after what bind_polytopes() has.
 void bind_hulls(nb::module_& polytope);

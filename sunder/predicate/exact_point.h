@@ -1,4 +1,4 @@
-// Fractions, and points with one denominator, in exact numbers: of the plane (D = 2) and of space (D = 3).
+// Fractions, and points with one denominator, in exact numbers: of the plane (D = 2), of space (D = 3), and of R^d.
 // Also called: homogeneous coordinates.
 #pragma once
 
@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 namespace sunder {
 
@@ -35,8 +36,17 @@ struct ExactPoint<3> {
   Vector3<Dyadic> numerators() const { return {x, y, z}; }
 };
 
+// Of any dimension.
+inline constexpr std::size_t any_dimension = 0;
+template <>
+struct ExactPoint<any_dimension> {
+  std::vector<Dyadic> numbers{};
+  Dyadic denominator{1.0};
+};
+
 using ExactPoint2 = ExactPoint<2>;
 using ExactPoint3 = ExactPoint<3>;
+using ExactPointN = ExactPoint<any_dimension>;
 
 inline ExactPoint2 exactly(const Point2& p) { return {p.x, p.y, 1.0}; }
 inline ExactPoint3 exactly(const Point3& p) { return {p.x, p.y, p.z, 1.0}; }

@@ -18,7 +18,7 @@
 namespace sunder::polytope {
 namespace {
 
-bool are_equal(const ExactEvidence::Place& p, const ExactEvidence::Place& q) {
+bool are_equal(const ExactPointN& p, const ExactPointN& q) {
   bool equal = p.numbers.size() == q.numbers.size();
   for (std::size_t c = 0; equal && c < p.numbers.size(); ++c) {
     equal = p.numbers[c] * q.denominator == q.numbers[c] * p.denominator;
@@ -62,7 +62,7 @@ TEST(LinearProgramDifferential, SpoiltAnswersAreRefused) {
     LinearProgramAnswer answer = linear_program(set.half_spaces, set.objective);
     if (answer.multipliers.parts.empty()) continue;
     ++tried;
-    RowWeights::Part& part = answer.multipliers.parts.front();
+    Weights::Part& part = answer.multipliers.parts.front();
     part.numerator = part.numerator + part.numerator;
     if (answer.feasible() || answer.multipliers.parts.size() > 1) {  // one alone may be any multiple
       EXPECT_FALSE(check(set.half_spaces, set.objective, answer));

@@ -28,7 +28,6 @@ using polytope::ExactEvidence;
 using polytope::HyperplaneEvidence;
 using polytope::Polytope;
 using polytope::PolytopeAnswer;
-using polytope::RowWeights;
 
 using PolytopeMethod = PolytopeAnswer (*)(const Polytope&, const polytope::Pose&, const Polytope&,
                                           const polytope::Pose&);
@@ -127,9 +126,9 @@ std::vector<double> unit(const std::vector<Dyadic>& direction) {
   return result;
 }
 
-std::vector<std::uint32_t> rows_of(const RowWeights& weights) {
+std::vector<std::uint32_t> rows_of(const Weights& weights) {
   std::vector<std::uint32_t> rows;
-  for (const RowWeights::Part& part : weights.parts) rows.push_back(part.row);
+  for (const Weights::Part& part : weights.parts) rows.push_back(part.index);
   return rows;
 }
 

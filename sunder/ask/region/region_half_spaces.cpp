@@ -29,7 +29,6 @@ using polytope::ExactEvidence;
 using polytope::HalfSpaceRegion;
 using polytope::LinearProgramAnswer;
 using polytope::Polytope;
-using polytope::RowWeights;
 
 using ProgramMethod = LinearProgramAnswer(const Polytope&, std::span<const double>);
 constexpr std::array<Named<ProgramMethod>, 3> program_methods{{{"automatic", polytope::linear_program},
@@ -92,9 +91,9 @@ std::string numbers_text(const std::vector<double>& numbers) {
   return "(" + text + ")";
 }
 
-std::vector<std::uint32_t> rows_of(const RowWeights& weights) {
+std::vector<std::uint32_t> rows_of(const Weights& weights) {
   std::vector<std::uint32_t> rows;
-  for (const RowWeights::Part& part : weights.parts) rows.push_back(part.row);
+  for (const Weights::Part& part : weights.parts) rows.push_back(part.index);
   std::sort(rows.begin(), rows.end());
   return rows;
 }
@@ -174,16 +173,14 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
       };
       extents.push_back({number(region_.extents[c].least), number(region_.extents[c].greatest)});
     }
-    for (const ExactEvidence::Place& point : region_.points) points.push_back(point_of(point));
+    for (const ExactPointN& point : region_.points) points.push_back(point_of(point));
     json["region"] = {{"kind", name_of(region_.kind)}, {"rows", rows_}, {"points", points}, {"extents", extents}};
     if (!is_empty_) json["region"]["dimension"] = region_.dimension;
     if (!region_.direction.empty()) json["region"]["direction_about"] = direction_about(region_.direction);
   }
 
  private:
-  static std::vector<double> point_of(const ExactEvidence::Place& place) {
-    return nearest(place.numbers, place.denominator);
-  }
+  static std::vector<double> point_of(const ExactPointN& place) { return nearest(place.numbers, place.denominator); }
 
   std::string rows_text(const char* before) const {
     std::string text;

@@ -54,12 +54,12 @@ Independent independent(std::span<const ExactVector> rows, std::size_t d) {
 
 }  // namespace
 
-std::optional<BoundaryPoint> boundary_point(std::span<const ExactVector> rows, const ColumnNumbers& near, double unit) {
+std::optional<ExactPointN> boundary_point(std::span<const ExactVector> rows, const ColumnNumbers& near, double unit) {
   SUNDER_REQUIRE(!rows.empty() && rows.size() <= most_vectors && rows[0].size() <= most_dimension + 1);
   const std::size_t d = rows[0].size() - 1;
   const Independent of = independent(rows, d);
   if (of.count == 0) return std::nullopt;
-  BoundaryPoint result{.numbers = ExactVector(d)};
+  ExactPointN result{.numbers = ExactVector(d)};
   for (std::size_t c = 0; c < d; ++c) {
     const double part = std::nearbyint(near[c] / unit * 0x1p40) * 0x1p-40 * unit;
     if (!std::isfinite(part)) return std::nullopt;

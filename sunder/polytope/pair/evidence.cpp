@@ -11,15 +11,15 @@ namespace {
 bool is_negative(const Dyadic& x) { return x.sign() == Sign::negative; }
 bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }
 
-bool are_weights(const Polytope& body, const RowWeights& weights) {
+bool are_weights(const Polytope& body, const Weights& weights) {
   return is_positive(weights.denominator) &&
-         std::all_of(weights.parts.begin(), weights.parts.end(), [&](const RowWeights::Part& part) {
-           return part.row < body.size() && !is_negative(part.numerator);
+         std::all_of(weights.parts.begin(), weights.parts.end(), [&](const Weights::Part& part) {
+           return part.index < body.size() && !is_negative(part.numerator);
          });
 }
 
 // The weighted sum of rows.
-ExactVector combined(const Polytope& body, const RowWeights& weights) {
+ExactVector combined(const Polytope& body, const Weights& weights) {
   ExactVector sum(body.columns().dimension);
   for (const auto& [row, weight] : weights.parts) {
     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sum[c] + weight * Dyadic(body.row(row)[c]);
@@ -27,9 +27,9 @@ ExactVector combined(const Polytope& body, const RowWeights& weights) {
   return sum;
 }
 
-Dyadic total(const RowWeights& weights) {
+Dyadic total(const Weights& weights) {
   Dyadic sum;
-  for (const RowWeights::Part& part : weights.parts) sum = sum + part.numerator;
+  for (const Weights::Part& part : weights.parts) sum = sum + part.numerator;
   return sum;
 }
 
@@ -39,7 +39,7 @@ struct Bound {
 };
 
 std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
-                                 const RowWeights& multipliers) {
+                                 const Weights& multipliers) {
   const Dyadic moved = dot(direction, pose.translation());
   const ExactVector wanted = pulled(pose, direction);
   if (body.is_of_points()) {
@@ -60,8 +60,8 @@ std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const E
 }
 
 // Does the body hold the point, by its weights or at its place?
-bool holds(const Polytope& body, const Pose& pose, const ExactEvidence& evidence, const RowWeights& weights,
-           const ExactEvidence::Place& place) {
+bool holds(const Polytope& body, const Pose& pose, const ExactEvidence& evidence, const Weights& weights,
+           const ExactPointN& place) {
   const std::size_t d = body.dimension();
   const bool is_of_points = body.is_of_points();
   if (is_of_points ? !place.numbers.empty() : !weights.parts.empty()) return false;

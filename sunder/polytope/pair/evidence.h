@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/polytope/object/polytope.h>
@@ -14,16 +15,6 @@
 
 namespace sunder::polytope {
 
-// Some rows of a polytope, each with a number over the denominator, which is positive; no number is negative.
-struct RowWeights {
-  struct Part {
-    std::uint32_t row = 0;
-    Dyadic numerator;
-  };
-  std::vector<Part> parts{};
-  Dyadic denominator{1.0};
-};
-
 // What proves an answer about A and B, in exact numbers. `x` is `numbers` over the denominator, which is positive.
 struct ExactEvidence {
   // apart: a direction d (no denominator). No point of A is as far along it as any of B:
@@ -33,15 +24,11 @@ struct ExactEvidence {
   // meet: a common point x in the world.
   std::vector<Dyadic> numbers{};
   Dyadic denominator{1.0};
-  // meet, points: weights that sum to 1. apart, half-spaces: multipliers. Else empty. Two bodies of points name d + 2
+  // meet, points: weights of rows that sum to 1. apart, half-spaces: multipliers. Else empty. Two bodies of points name d + 2
   // points at most, in total; half-spaces with multipliers are d + 1 at most, in total, where both are of half-spaces.
-  RowWeights of_a{}, of_b{};
+  Weights of_a{}, of_b{};
   // meet, half-spaces: the point in the frame of the body, over its own denominator. Else empty.
-  struct Place {
-    std::vector<Dyadic> numbers{};
-    Dyadic denominator{1.0};
-  };
-  Place in_a{}, in_b{};
+  ExactPointN in_a{}, in_b{};
 };
 
 // Evidence as plain data, as the search leaves it. For `meet` of two bodies of points: the hulls of these points of A

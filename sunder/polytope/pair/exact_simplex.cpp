@@ -239,7 +239,7 @@ ExactDecision decide_mixed(Placed& a, Placed& b, std::span<const std::uint32_t> 
     }
     some.push_back(broken->index);
     named.clear();
-    for (const RowWeights::Part& part : common.of_b.parts) named.push_back(part.row);
+    for (const Weights::Part& part : common.of_b.parts) named.push_back(part.index);
   }
 }
 

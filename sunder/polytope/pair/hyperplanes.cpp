@@ -32,11 +32,11 @@ class Enclosure {
   bool is_of_points() const { return tree_.body().is_of_points(); }
 
   // Of points, those of the shell-simplices along the path of the direction of the world; of half-spaces, those named.
-  void add_first(const ExactVector& direction, const RowWeights& named) {
+  void add_first(const ExactVector& direction, const Weights& named) {
     if (!is_of_points()) {
-      for (const RowWeights::Part& part : named.parts) {
-        const std::span<const double> row = tree_.body().row(part.row);
-        add({row.begin(), row.end()}, part.row);
+      for (const Weights::Part& part : named.parts) {
+        const std::span<const double> row = tree_.body().row(part.index);
+        add({row.begin(), row.end()}, part.index);
       }
       return;
     }

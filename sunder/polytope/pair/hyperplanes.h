@@ -22,7 +22,7 @@ namespace sunder::polytope {
 struct HyperplaneEvidence {
   struct Around {
     std::vector<std::vector<Dyadic>> planes{};  // of points: a1, .., ad, b in the frame of the body; of others none
-    RowWeights multipliers{};                   // of planes; of half-spaces, of the body's rows
+    Weights multipliers{};                      // of planes; of half-spaces, of the body's rows
     bool are_shells = true;                     // all planes are of shell-simplices
   };
   // As in ExactEvidence of `apart`: the normals times multipliers are linear^T times this (of B: its opposite).

@@ -32,14 +32,14 @@ std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_po
   return first + 1;
 }
 
-void add_weights(ClaimsWriter& file, const char* key, const RowWeights& weights) {
+void add_weights(ClaimsWriter& file, const char* key, const Weights& weights) {
   file.begin_list(key);
   for (const auto& [row, numerator] : weights.parts) file.add_weight(row, numerator, weights.denominator);
   file.end_list();
 }
 
 // Of points the weights, of half-spaces the place in the body's frame.
-void add_keeps(ClaimsWriter& file, const RowWeights& weights, const ExactEvidence::Place& place) {
+void add_keeps(ClaimsWriter& file, const Weights& weights, const ExactPointN& place) {
   file.begin_claim("keeps");
   add_weights(file, "weights", weights);
   file.fractions("at", place.numbers, place.denominator);
@@ -52,7 +52,7 @@ void add_planes(ClaimsWriter& file, const char* key, const std::vector<std::vect
   file.numbers(key, numbers);
 }
 
-void add_holds(ClaimsWriter& file, const RowWeights& weights) {
+void add_holds(ClaimsWriter& file, const Weights& weights) {
   file.begin_claim("holds");
   add_weights(file, "weights", weights);
   file.end_claim();

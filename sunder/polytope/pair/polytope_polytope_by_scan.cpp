@@ -178,7 +178,7 @@ struct Part {
   }
 
   // Where they meet: weights, or the place; its image over the denominator.
-  ExactVector place(const Tableau& tableau, RowWeights& weights, ExactEvidence::Place& in_body) const {
+  ExactVector place(const Tableau& tableau, Weights& weights, ExactPointN& in_body) const {
     const std::size_t d = body.dimension();
     ExactVector v(d);
     if (body.is_of_points()) {
@@ -203,7 +203,7 @@ struct Part {
   }
 
   // Where they are apart: of half-spaces, whose slacks have y <= 0.
-  void multipliers(const Tableau& tableau, RowWeights& weights) const {
+  void multipliers(const Tableau& tableau, Weights& weights) const {
     if (body.is_of_points()) return;
     for (std::uint32_t k = 0; k < body.size(); ++k) {
       const Dyadic y = tableau.multiplier(first_row + k);

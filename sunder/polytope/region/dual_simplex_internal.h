@@ -45,7 +45,7 @@ class DualSimplex {
   // After that, where there is one. The vertex, or where it is not finite, a common point that is as good, or (is
   // unbounded) any; the direction q, times a positive number, which is zero where the vertex is finite; the basis with
   // its weights; whether c . q > 0.
-  const ExactEvidence::Place& point() const { return point_; }
+  const ExactPointN& point() const { return point_; }
   const ExactVector& way() const { return way_; }
   bool is_unbounded() const { return !basis_.is_solved(); }
   bool is_at_box() const;
@@ -58,7 +58,7 @@ class DualSimplex {
   Dyadic denominator() const { return dyadic_of(basis_.denominator(), 0); }  // of the weights
 
   // Where there is none: multipliers of at most d + 1 rows.
-  const RowWeights& contradiction() const { return contradiction_; }
+  const Weights& contradiction() const { return contradiction_; }
 
   std::uint32_t pivots() const { return pivots_; }  // since begin_at()
 
@@ -79,8 +79,8 @@ class DualSimplex {
   ScaledIntegers objective_;
   IntegerBasis basis_;
   ExactVector vertex_, way_;  // over the denominator
-  ExactEvidence::Place point_;
-  RowWeights contradiction_;
+  ExactPointN point_;
+  Weights contradiction_;
   std::uint32_t pivots_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace sunder::polytope {
 
 namespace {
 
-using Place = ExactEvidence::Place;
+using Place = ExactPointN;
 
 // x, .., w: in the span of others iff it is in their affine hull.
 ExactVector homogeneous(const Place& place) {
@@ -23,13 +23,10 @@ ExactVector homogeneous(const Place& place) {
 }
 
 // Of two groups whose sums are u and -u: numbers whose sum is zero.
-void add_opposite(RowWeights& to, const RowWeights& first, const RowWeights& second) {
+void add_opposite(Weights& to, const Weights& first, const Weights& second) {
   for (const auto& [group, other] : {std::pair(&first, &second), {&second, &first}}) {
     for (const auto& [row, numerator] : group->parts) {
-      const auto found =
-          std::find_if(to.parts.begin(), to.parts.end(), [&](const RowWeights::Part& part) { return part.row == row; });
-      RowWeights::Part& part = found != to.parts.end() ? *found : to.parts.emplace_back(row, Dyadic());
-      part.numerator = part.numerator + numerator * other->denominator;
+      to.add(row, numerator * other->denominator);
     }
   }
 }
@@ -84,9 +81,9 @@ class RegionSearch {
   // Some rows hold the direction u where the points are.
   void add_flat(const LinearProgramAnswer& first, const LinearProgramAnswer& second) {
     add_opposite(region_.flat, first.multipliers, second.multipliers);
-    for (const RowWeights* const group : {&first.multipliers, &second.multipliers}) {
-      for (const RowWeights::Part& part : group->parts) {
-        const std::span<const double> normal = body_.row(part.row).first(d_);
+    for (const Weights* const group : {&first.multipliers, &second.multipliers}) {
+      for (const Weights::Part& part : group->parts) {
+        const std::span<const double> normal = body_.row(part.index).first(d_);
         across_.add(ExactVector(normal.begin(), normal.end()));
       }
     }
@@ -133,8 +130,8 @@ class RegionSearch {
       }
       known.add(difference);
     }
-    for (const RowWeights::Part& part : region_.flat.parts) {
-      const std::span<const double> normal = body_.row(part.row).first(d_);
+    for (const Weights::Part& part : region_.flat.parts) {
+      const std::span<const double> normal = body_.row(part.index).first(d_);
       known.add(ExactVector(normal.begin(), normal.end()));
     }
     const std::vector<Integer> across = *known.across();

@@ -29,16 +29,16 @@ struct [[nodiscard]] HalfSpaceRegion {
   // Of the affine hull of the common points. Else 0.
   std::size_t dimension = 0;
   // Not empty: dimension + 1 common points, in no hyperplane of that hull.
-  std::vector<ExactEvidence::Place> points{};
+  std::vector<ExactPointN> points{};
   // Positive multipliers of rows (a, b) whose sum is zero in all numbers, whose normals span all that is across that
   // hull: on these rows all common points lie. Of d dimensions there are none.
-  RowWeights flat{};
+  Weights flat{};
   // bounded: positive multipliers of rows whose normals have the sum zero, and span R^d. Else none.
-  RowWeights enclosing{};
+  Weights enclosing{};
   // unbounded: a direction in which no common point ever leaves. Else empty.
   std::vector<Dyadic> direction{};
   // empty: as of a linear program that is infeasible. Else none.
-  RowWeights contradiction{};
+  Weights contradiction{};
   // The least and the greatest of each coordinate, where there are such: nearest doubles, infinite beyond their range.
   struct Extent {
     std::optional<double> least{}, greatest{};

@@ -59,9 +59,9 @@ TEST(HalfSpaceRegion, EachAnswerIsProved) {
     ASSERT_TRUE(check(set.half_spaces, region)) << tests::name_of(set.family) << ", " << k;
     ++kinds[static_cast<std::size_t>(region.kind)];
     flat += !region.empty() && region.dimension < set.half_spaces.dimension() ? 1 : 0;
-    for (RowWeights* const weights : {&region.flat, &region.enclosing, &region.contradiction}) {
+    for (Weights* const weights : {&region.flat, &region.enclosing, &region.contradiction}) {
       if (weights->parts.empty()) continue;
-      const RowWeights::Part last = weights->parts.back();
+      const Weights::Part last = weights->parts.back();
       weights->parts.pop_back();
       EXPECT_FALSE(check(set.half_spaces, region));
       weights->parts.push_back(last);

@@ -35,15 +35,15 @@ std::string_view name_of(Optimum);  // "infeasible"
 struct [[nodiscard]] LinearProgramAnswer {
   Optimum outcome = Optimum::infeasible;
   // A point that is best; of `all` and `unbounded` a common one; empty where there is none.
-  ExactEvidence::Place point{};
+  ExactPointN point{};
   // many: another one that is as good. Else empty.
-  ExactEvidence::Place other{};
+  ExactPointN other{};
   // unbounded: a direction in which one never leaves, and gets further. Else empty.
   std::vector<Dyadic> direction{};
   // Positive multipliers of rows (a, b). one, many: the sum of the a is c, and that of the b is c . point; of `one` the
   // normals span R^d. infeasible: the sum of the a is zero, and that of the b negative. Else none. `many` and
   // `infeasible` name d and d + 1 rows at most, `one` 2 d.
-  RowWeights multipliers{};
+  Weights multipliers{};
   DecidedBy decided_by = DecidedBy::evidence;  // finishing: the search's basis was not the last one
   Cost cost;  // probes: rows looked at; iterations: pivots; proposals: one; exact: signs that needed exact arithmetic
 

@@ -72,8 +72,8 @@ class Dictionary {
   Dyadic denominator() const { return dyadic_of(determinant_, 0); }
 
   // Of rows, over the denominator: of the best point, or of what contradicts.
-  std::vector<RowWeights::Part> multipliers(bool of_best) const {
-    std::vector<RowWeights::Part> result;
+  std::vector<Weights::Part> multipliers(bool of_best) const {
+    std::vector<Weights::Part> result;
     for (std::size_t j = 0; j < columns_; ++j) {
       const Integer& y = table_[size_ + (of_best ? 0 : 1)][j];
       if (others_[j] <= 2 * d_ || y.is_zero()) continue;
@@ -182,16 +182,16 @@ void decide_uniqueness(Rows rows, std::span<const double> objective, LinearProgr
   for (const double c : objective) as_good.push_back(-(Dyadic(c) * answer.point.denominator));
   as_good.push_back(-dot(answer.point.numbers, objective));
   rows.push_back(std::move(as_good));
-  RowWeights total = answer.multipliers;
+  Weights total = answer.multipliers;
   const auto add = [&](std::uint32_t row, const Dyadic& numerator) {
     const auto found = std::find_if(total.parts.begin(), total.parts.end(),
-                                    [&](const RowWeights::Part& part) { return part.row == row; });
-    RowWeights::Part& part = found != total.parts.end() ? *found : total.parts.emplace_back(row, Dyadic());
+                                    [&](const Weights::Part& part) { return part.index == row; });
+    Weights::Part& part = found != total.parts.end() ? *found : total.parts.emplace_back(row, Dyadic());
     part.numerator = part.numerator + numerator;
   };
   answer.outcome = Optimum::many;
   for (std::size_t c = 0; c < d; ++c) {
-    std::array<RowWeights, 2> sides;
+    std::array<Weights, 2> sides;
     for (const std::size_t side : {0u, 1u}) {
       ExactVector along(d);
       along[c] = side == 0 ? 1.0 : -1.0;

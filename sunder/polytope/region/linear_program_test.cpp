@@ -25,7 +25,7 @@ Polytope cube(std::size_t d) {
   return Polytope::from_half_spaces(d, std::move(rows));
 }
 
-std::vector<double> point_of(const ExactEvidence::Place& place) {
+std::vector<double> point_of(const ExactPointN& place) {
   std::vector<double> result;
   for (const Dyadic& x : place.numbers) result.push_back(nearest_ratio(x, place.denominator));
   return result;

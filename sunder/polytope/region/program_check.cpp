@@ -17,7 +17,7 @@ std::string_view name_of(Optimum optimum) {
   return "";
 }
 
-bool keeps(const Polytope& body, const ExactEvidence::Place& point) {
+bool keeps(const Polytope& body, const ExactPointN& point) {
   const std::size_t d = body.dimension();
   if (point.numbers.size() != d || point.denominator.sign() != Sign::positive) return false;
   for (std::uint32_t k = 0; k < body.size(); ++k) {
@@ -36,7 +36,7 @@ bool recedes(const Polytope& body, std::span<const Dyadic> direction) {
   return std::any_of(direction.begin(), direction.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
 }
 
-std::optional<SumOfRows> sum_of(const Polytope& body, const RowWeights& multipliers) {
+std::optional<SumOfRows> sum_of(const Polytope& body, const Weights& multipliers) {
   const std::size_t d = body.dimension();
   SumOfRows result{ExactVector(d + 1), 0};
   Elimination span(d);
@@ -51,7 +51,7 @@ std::optional<SumOfRows> sum_of(const Polytope& body, const RowWeights& multipli
   return result;
 }
 
-bool contradicts(const Polytope& body, const RowWeights& multipliers) {
+bool contradicts(const Polytope& body, const Weights& multipliers) {
   const auto sum = sum_of(body, multipliers);
   const std::size_t d = body.dimension();
   return sum && sum->row[d].sign() == Sign::negative &&

@@ -12,8 +12,7 @@ namespace {
 ExactVector doubles_of(std::span<const double> numbers) { return {numbers.begin(), numbers.end()}; }
 
 // point + way / 2^k: the first k from `from` on that leaves no half-space. Requires that some does.
-ExactEvidence::Place moved(const Polytope& body, const ExactEvidence::Place& point, const ExactVector& way,
-                           Cost& cost) {
+ExactPointN moved(const Polytope& body, const ExactPointN& point, const ExactVector& way, Cost& cost) {
   const std::size_t d = body.dimension();
   for (std::int64_t power = 0;;) {
     ExactVector direction(d + 1);

@@ -4,7 +4,7 @@ namespace sunder::polytope {
 
 namespace {
 
-using Place = ExactEvidence::Place;
+using Place = ExactPointN;
 
 void begin(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces, const char* question) {
   require_entries(half_spaces.size());
@@ -21,7 +21,7 @@ void begin(ClaimsWriter& file, const std::string& name, const Polytope& half_spa
   file.index("half_spaces", 0);
 }
 
-void add_multipliers(ClaimsWriter& file, const char* claim, const RowWeights& multipliers) {
+void add_multipliers(ClaimsWriter& file, const char* claim, const Weights& multipliers) {
   file.begin_claim(claim);
   file.begin_list("multipliers");
   for (const auto& [row, numerator] : multipliers.parts) file.add_weight(row, numerator, multipliers.denominator);

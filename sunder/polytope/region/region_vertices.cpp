@@ -16,7 +16,7 @@ namespace sunder::polytope {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
-using Place = ExactEvidence::Place;
+using Place = ExactPointN;
 
 // b w - a x: what a half-space leaves to the point x / w, times w.
 Dyadic slack(std::span<const double> row, std::span<const Dyadic> x, const Dyadic& w) {
@@ -134,9 +134,9 @@ class FlatPart {
     const std::vector<std::size_t> columns = columns_across();
     Indices rows;
     std::vector<Dyadic> points;
-    for (const RowWeights::Part& part : region_.flat.parts) {
-      rows.push_back(part.row);
-      for (const std::size_t c : columns) points.emplace_back(body_.row(part.row)[c]);
+    for (const Weights::Part& part : region_.flat.parts) {
+      rows.push_back(part.index);
+      for (const std::size_t c : columns) points.emplace_back(body_.row(part.index)[c]);
       points.emplace_back(1.0);
     }
     Indices result;
@@ -163,7 +163,7 @@ class FlatPart {
     Elimination span(region_.flat.parts.size());
     for (std::size_t c = 0; c < d_; ++c) {
       std::vector<Dyadic> column;
-      for (const RowWeights::Part& part : region_.flat.parts) column.emplace_back(body_.row(part.row)[c]);
+      for (const Weights::Part& part : region_.flat.parts) column.emplace_back(body_.row(part.index)[c]);
       if (span.add(column)) columns.push_back(c);
     }
     return columns;

@@ -11,7 +11,7 @@
 namespace sunder::polytope {
 
 // Is the point in all half-spaces?
-bool keeps(const Polytope& body, const ExactEvidence::Place& point);
+bool keeps(const Polytope& body, const ExactPointN& point);
 
 // Does no half-space end along the direction, which is not zero?
 bool recedes(const Polytope& body, std::span<const Dyadic> direction);
@@ -22,9 +22,9 @@ struct SumOfRows {
   ExactVector row;
   std::size_t rank;
 };
-std::optional<SumOfRows> sum_of(const Polytope& body, const RowWeights& multipliers);
+std::optional<SumOfRows> sum_of(const Polytope& body, const Weights& multipliers);
 
 // Is the sum 0 . x <= a negative number?
-bool contradicts(const Polytope& body, const RowWeights& multipliers);
+bool contradicts(const Polytope& body, const Weights& multipliers);
 
 }  // namespace sunder::polytope
