@@ -30,11 +30,8 @@ Number spread_of(const HullBody& body, const Integers& direction) {
   if (body.radius.n == 0) return {};
   Number spread{body.radius.n * body.radius.n, 1, 2 * body.radius.e};
   Integers across = direction;
-  if (body.around == Around::ellipsoid && body.is_image()) {  // the transposed matrix times the direction
-    const Integers& m = body.linear.rows[0];
-    for (std::size_t c = 0; c < 3; ++c) {
-      across[c] = m[c] * direction[0] + m[3 + c] * direction[1] + m[6 + c] * direction[2];
-    }
+  if (body.around == Around::ellipsoid && body.is_image()) {
+    across = transposed_times(body.linear, direction);
     spread.e += 2 * body.linear.e;
   } else if (!body.axis.empty()) {  // as d d - (d a)^2 / (a a) = |d x a|^2 / (a a)
     across = cross(direction, body.axis);

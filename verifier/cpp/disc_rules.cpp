@@ -32,11 +32,6 @@ void check_powers(const WeightList& list, const Circles& circles, const std::str
   require(least > 0 || (verdict == "point" && least == 0), "powers", "the mean of the powers is not as it must be");
 }
 
-// Of p + q sqrt(r).
-int sign_of_root(const Integer& p, const Integer& q, const Integer& r) {
-  return sign_of_roots(std::array{p, q}, std::array{r});
-}
-
 struct ArcArrow {
   Integer x, y;
 };

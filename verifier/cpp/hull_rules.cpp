@@ -16,8 +16,6 @@ using Vector = Integers;
 
 Vector minus(const Vector& u, const Vector& v) { return {u[0] - v[0], u[1] - v[1], u[2] - v[2]}; }
 
-std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
-
 // All points of a body, from the mean of the named ones, as many times as far as there are of these.
 std::vector<Vector> from_mean(const HullBody& body, const std::set<std::size_t>& named, std::size_t corners) {
   const Integer count = named.size();

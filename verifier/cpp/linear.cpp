@@ -91,9 +91,14 @@ bool is_odd(const Indices& order) {
   return result;
 }
 
+int sign_of_root(const Integer& p, const Integer& q, const Integer& r) {
+  const int a = p.sign(), b = r == 0 ? 0 : q.sign();
+  return a * b >= 0 ? (a != 0 ? a : b) : a * Integer(p * p).compare(q * q * r);
+}
+
 // What has the last root as a factor, and what has not: of two signs the squares of both tell which is greater.
 int sign_of_roots(std::span<const Integer> coefficients, std::span<const Integer> roots) {
-  if (roots.empty()) return coefficients[0].sign();
+  if (roots.size() == 1) return sign_of_root(coefficients[0], coefficients[1], roots[0]);
   const std::size_t half = coefficients.size() / 2;
   const std::span<const Integer> without = coefficients.first(half), with = coefficients.last(half);
   const std::span<const Integer> others = roots.first(roots.size() - 1);

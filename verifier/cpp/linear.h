@@ -27,6 +27,9 @@ Integers opposite(Integers vector);
 // From one point x, .., w to another, times a positive number.
 Integers way_between(const Integers& p, const Integers& q);
 
+// The place after k on a ring of so many.
+inline std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
+
 // ---- Sums of rows.
 
 // What weights must be: at least so much, which is 0 or a number above it; else a rule refuses, for that reason.
@@ -107,8 +110,11 @@ bool is_odd(const Indices& order);
 
 // ---- Roots.
 
+// The sign of p + q sqrt(r), r not negative.
+int sign_of_root(const Integer& p, const Integer& q, const Integer& r);
+
 // The sign of c[0] + c[1] sqrt(r[0]) + c[2] sqrt(r[1]) + c[3] sqrt(r[0] r[1]) + ..: there are 2^n coefficients of n
-// roots, and root k is a factor where bit k is set. No number under a root is negative.
+// roots, and root k is a factor where bit k is set. n > 0, and no number under a root is negative.
 int sign_of_roots(std::span<const Integer> coefficients, std::span<const Integer> roots);
 
 // A root, added or (sign -1) taken away.

@@ -81,10 +81,7 @@ Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers&
   if (body.is_image()) {
     take_steps(d * d, bits(along), body.linear.bits);
     result.push_back({dot(along, body.translation.rows[0]), given.d, e + body.translation.e});
-    const Integers before = std::exchange(along, Integers(d));
-    for (std::size_t c = 0; c < d; ++c) {
-      for (std::size_t r = 0; r < d; ++r) along[c] += before[r] * body.linear.rows[0][r * d + c];
-    }
+    along = transposed_times(body.linear, along);
     e += body.linear.e;
   }
   if (body.is_of_points && planes == nullptr) {

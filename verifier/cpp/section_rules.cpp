@@ -1,4 +1,5 @@
 // The rules about what a plane has in common with the hull of a body's points: docs/claims.md, "Sections".
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
@@ -10,8 +11,6 @@
 
 namespace sunder_verifier {
 namespace {
-
-std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
 
 // The plane, pulled back to where the rows of the body are.
 class Pulled {
@@ -25,9 +24,7 @@ class Pulled {
       shift = dot(plane.normal, body.translation.rows[0]);
       turned += body.linear.e;
       moved = body.translation.e;
-      for (std::size_t c = 0; c < 3; ++c) {
-        normal_[c] = plane.normal[0] * m[c] + plane.normal[1] * m[3 + c] + plane.normal[2] * m[6 + c];
-      }
+      normal_ = transposed_times(body.linear, plane.normal);
       upright_ = dot({m[0], m[1], m[2]}, cross({m[3], m[4], m[5]}, {m[6], m[7], m[8]}));
     }
     const std::int64_t e = std::min({turned, moved, std::int64_t{0}});

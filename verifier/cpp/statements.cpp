@@ -341,8 +341,8 @@ Check read_claim(const Json& item, const ClaimNeeded& needed, const std::shared_
     brought->set(member.name, is_brought(member, (*said)[subject])
                                   ? read_member(item, member, *brought, of, tables, where)
                                   : Value(Numbers()));
-    check.values.push_back(brought->find(member.name));
   }
+  for (const NamedShape& member : needed.brings) check.values.push_back(brought->find(member.name));
   for (const std::string& name : needed.bound) check.values.push_back(said->find(name));
   return check;
 }

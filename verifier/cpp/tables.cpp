@@ -217,22 +217,6 @@ void read_bodies(const Json& list, Tables& tables) {
   }
 }
 
-void read_segments(const Json& list, Tables& tables) {
-  const Doubles doubles = read_lists(list, 4, "tables.segments");
-  const Unit unit = unit_of(doubles);
-  tables.segments.exponent = unit.e;
-  tables.segments.bits = unit.bits;
-  tables.segments.reserve(list.size());
-  for (auto d = doubles.begin(); d != doubles.end(); d += 4) {
-    PlanarPoint first{unit.integer(d[0]), unit.integer(d[1])}, last{unit.integer(d[2]), unit.integer(d[3])};
-    if (is_less(last, first)) {
-      refuse_form("tables.segments[" + std::to_string(tables.segments.size()) +
-                  "] does not begin with its lexicographically first end");
-    }
-    tables.segments.push_back({std::move(first), std::move(last)});
-  }
-}
-
 // Members of so many numbers each. is_one: are these one? Else the reason.
 template <class Member, std::size_t columns, class IsOne>
 MemberTable<Member> read_members(const Json& list, const std::string& name, const IsOne& is_one,
@@ -251,6 +235,12 @@ MemberTable<Member> read_members(const Json& list, const std::string& name, cons
     members.push_back(member);
   }
   return members;
+}
+
+void read_segments(const Json& list, Tables& tables) {
+  tables.segments = read_members<PlanarSegment, 4>(
+      list, "tables.segments", [](const PlanarSegment& s) { return !is_less(s.last, s.first); },
+      "does not begin with its lexicographically first end");
 }
 
 void read_circles(const Json& list, Tables& tables) {
@@ -475,6 +465,13 @@ Integers cross(const Integers& u, const Integers& v) {
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
+Integers transposed_times(const Scaled& matrix, const Integers& vector) {
+  const std::size_t d = vector.size();
+  Integers result(d);
+  for (std::size_t k = 0; k < d * d; ++k) result[k % d] += vector[k / d] * matrix.rows[0][k];
+  return result;
+}
+
 Integers turned(const HullBody& body, const Integers& vector) {
   if (!body.is_image()) return vector;
   const std::size_t d = body.dimension();
@@ -529,10 +526,7 @@ std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers&
   if (body.is_image()) {
     const std::size_t d = body.dimension();
     take_steps(d * d, bits(direction), body.linear.bits);
-    for (std::size_t c = 0; c < d; ++c) {
-      row[c] = 0;
-      for (std::size_t r = 0; r < d; ++r) row[c] += direction[r] * body.linear.rows[0][r * d + c];
-    }
+    row = transposed_times(body.linear, direction);
     turned += body.linear.e;
     e = std::min(turned, body.translation.e);
     moved = shifted(dot(direction, body.translation.rows[0]), body.translation.e - e);

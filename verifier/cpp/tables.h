@@ -55,6 +55,9 @@ struct HullBody {
 Integer dot(const Integers& u, const Integers& v);
 Integers cross(const Integers& u, const Integers& v);  // of three numbers each
 
+// The transposed matrix, which is one row, times a vector, as integers * 2^matrix.e.
+Integers transposed_times(const Scaled& matrix, const Integers& vector);
+
 // The matrix times a vector, as integers * 2^linear.e; of no image the vector.
 Integers turned(const HullBody& body, const Integers& vector);
 

@@ -147,17 +147,20 @@ const T& as(const Value& value) {
   }
 }
 
-// Names, and what they mean; and those of the scope around it. It must not be moved while it is in use.
+// Names, and what they mean; and those of the scope around it. It must not be moved while it is in use, and names must
+// outlive it.
 class Scope {
  public:
   explicit Scope(const Scope* around = nullptr) : around_(around) {}
 
-  void set(std::string_view name, Value value) { values_.insert_or_assign(std::string(name), std::move(value)); }
+  // Values that were found before are found elsewhere then.
+  void set(std::string_view name, Value value) { values_.emplace_back(name, std::move(value)); }
 
   // nullptr: nothing has that name.
   const Value* find(std::string_view name) const {
-    const auto found = values_.find(name);
-    if (found != values_.end()) return &found->second;
+    for (const auto& [known, value] : values_) {
+      if (known == name) return &value;
+    }
     return around_ != nullptr ? around_->find(name) : nullptr;
   }
 
@@ -166,7 +169,7 @@ class Scope {
 
  private:
   const Scope* around_;
-  std::map<std::string, Value, std::less<>> values_;
+  std::vector<std::pair<std::string_view, Value>> values_;
 };
 
 // A rule takes so many values, in the order of its parameters; it throws Refused where the claim does not hold.
