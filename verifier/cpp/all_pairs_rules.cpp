@@ -13,19 +13,6 @@ namespace {
 
 IndexPair in_order(std::size_t i, std::size_t j) { return {std::min(i, j), std::max(i, j)}; }
 
-ProvedPair known_of(const Proved& proved, std::size_t a, std::size_t b) {
-  ProvedPair result;
-  for (const IndexPair& pair : {IndexPair{a, b}, IndexPair{b, a}}) {
-    const auto found = proved.pairs.find(pair);
-    if (found == proved.pairs.end()) continue;
-    result.is_apart |= found->second.is_apart;
-    result.meet |= found->second.meet;
-    result.touch |= found->second.touch;
-    result.overlap |= found->second.overlap;
-  }
-  return result;
-}
-
 // Looks at each two members of different groups, but for some: holds(a, b, is_listed).
 template <class Holds>
 void look_at_each(const char* rule, const Indices& members, const Groups& groups, const StatedContacts& except,
@@ -57,18 +44,17 @@ void look_at_each(const char* rule, const Indices& members, const Groups& groups
 void check_each_pair(const Indices& members, const Groups& groups, const StatedContacts& except,
                      const AllowedContacts& allowed, const Proved& proved, const StatedContacts& contacts) {
   look_at_each("each_pair", members, groups, except, contacts, [&](std::size_t a, std::size_t b, bool is_listed) {
-    const ProvedPair known = known_of(proved, a, b);
-    const bool counts = known.overlap || (!allowed.shared_endpoint && (known.meet || known.touch));
-    const bool does_not_count = known.is_apart || (allowed.shared_endpoint && known.touch);
-    return is_listed ? counts : does_not_count;
+    const auto is = [&](const char* verdict) { return proved.holds(a, b, verdict); };
+    const bool may_touch = allowed.shared_endpoint;
+    return is_listed ? is("overlapping") || (!may_touch && (is("touching") || is("meet")))
+                     : is("apart") || (may_touch && is("touching"));
   });
 }
 
 void check_each_clearance(const Indices& members, const Groups& groups, const StatedContacts& except,
                           const Number& least, const Proved& proved, const StatedContacts& nearer) {
   look_at_each("each_clearance", members, groups, except, nearer, [&](std::size_t a, std::size_t b, bool is_listed) {
-    return proved.clearances.contains({a, b, least.n, least.e, !is_listed}) ||
-           proved.clearances.contains({b, a, least.n, least.e, !is_listed});
+    return proved.holds(a, b, is_listed ? "broken" : "kept", least);
   });
 }
 

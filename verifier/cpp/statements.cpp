@@ -442,17 +442,10 @@ void note(const Statement& statement, const Tables& tables, Proved& proved) {
     if (statement.verdict == "flat") hull.faces = {as<Indices>(said["outline"])};
     if (statement.verdict == "segment") hull.faces = {{as<std::size_t>(said["i"]), as<std::size_t>(said["j"])}};
   }
-  if (statement.question == "clearance") {
-    const auto& least = as<Number>(said["least"]);
-    proved.clearances.insert(
-        {index_of(said, "a", tables), index_of(said, "b", tables), least.n, least.e, statement.verdict == "kept"});
-  }
-  if (statement.question != "pair") return;
-  ProvedPair& pair = proved.pairs[{index_of(said, "a", tables), index_of(said, "b", tables)}];
-  if (statement.verdict == "apart") pair.is_apart = true;
-  if (statement.verdict == "meet") pair.meet = true;
-  if (statement.verdict == "touching") pair.touch = true;
-  if (statement.verdict == "overlapping") pair.overlap = true;
+  if (statement.question != "pair" && statement.question != "clearance") return;
+  const Number least = statement.question == "pair" ? Number() : as<Number>(said["least"]);
+  proved.verdicts.insert(
+      {index_of(said, "a", tables), index_of(said, "b", tables), least.n, least.e, statement.verdict});
 }
 
 }  // namespace sunder_verifier

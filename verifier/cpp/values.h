@@ -89,19 +89,9 @@ enum class ValidRule : std::uint8_t { valid, simple, with_self_touch };
 
 // ---- What statements before have proved.
 
-struct ProvedPair {
-  bool is_apart = false, meet = false, touch = false, overlap = false;
-};
-
-// Two bodies, and the number n 2^e, n odd, that a statement `clearance` says they are apart, or more; or nearer.
-struct ProvedClearance {
-  std::size_t a = 0, b = 0;
-  Integer n;
-  std::int64_t e = 0;
-  bool is_kept = false;
-  auto tied() const { return std::tie(a, b, e, n, is_kept); }
-  bool operator<(const ProvedClearance& other) const { return tied() < other.tied(); }
-};
+// The verdict about two bodies, by their indices: of a statement `pair`; or of one `clearance`, then with the number
+// n 2^e, n odd, that it says.
+using ProvedVerdict = std::tuple<std::size_t, std::size_t, Integer, std::int64_t, std::string>;
 
 // Of a flat hull the outline is the one face, of a segment its two ends are.
 struct ProvedHull {
@@ -109,11 +99,14 @@ struct ProvedHull {
   IndexLists faces;
 };
 
-// By the indices of bodies.
 struct Proved {
-  std::map<IndexPair, ProvedPair> pairs;
-  std::set<ProvedClearance> clearances;
-  std::map<std::size_t, ProvedHull> hulls;
+  // In any order of the two.
+  bool holds(std::size_t a, std::size_t b, const std::string& verdict, const Number& least = {}) const {
+    return verdicts.contains({a, b, least.n, least.e, verdict}) || verdicts.contains({b, a, least.n, least.e, verdict});
+  }
+
+  std::set<ProvedVerdict> verdicts;
+  std::map<std::size_t, ProvedHull> hulls;  // by the indices of bodies
 };
 
 // ---- Values by name.
