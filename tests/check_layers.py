@@ -4,7 +4,8 @@
     tests/check_layers.py [ROOT]
 
 L1  Includes point down: a layer sees only the layers that LAYERS gives it, a folder within a layer only those
-    before it in ORDER. The verifier sees nothing of the library.
+    before it in ORDER. The verifier sees nothing of the library. Only oracles (x_by_scan.cpp) see the layer oracle,
+    and that shares nothing with what it checks: of number not the folder exact.
 L2  Headers of the library are included as <sunder/...>, from the repository's root.
 L3  Other people's headers are included only where OUTSIDE allows them.
 L4  The core (base to scene) does not print, does not touch files, does not end the process.
@@ -24,13 +25,14 @@ import os
 import re
 import sys
 
-CORE = ["base", "number", "predicate", "certificate", "near", "planar", "solid", "polytope", "scene"]
+CORE = ["base", "number", "oracle", "predicate", "certificate", "near", "planar", "solid", "polytope", "scene"]
 UP_TO_NEAR = {"base", "number", "predicate", "certificate", "near"}
 
 # layer: the layers that it may include, besides itself
 LAYERS = {
     "base": set(),
     "number": {"base"},
+    "oracle": {"base", "number"},
     "predicate": {"base", "number"},
     "certificate": {"base", "number", "predicate"},
     "near": {"base", "number", "predicate", "certificate"},
@@ -123,6 +125,10 @@ def may_include(path, other):
     other_layer, other_folder = place_of(other)
     if layer is None or other_layer is None:
         return None
+    if other_layer == "oracle" and layer != "oracle":
+        return None if path.endswith("_by_scan.cpp") else "only oracles, x_by_scan.cpp, may include oracle"
+    if layer == "oracle" and (other_layer, other_folder) == ("number", "exact"):
+        return "oracles share nothing with number/exact"
     if layer != other_layer:
         if other_layer in LAYERS.get(layer, ()):
             return None

@@ -14,6 +14,8 @@ GOOD = {
     "sunder/solid/object/two.h": "namespace sunder::solid {\nstruct A {\n};\n}  // namespace sunder::solid\n\nnamespace sunder {\n"
                                  "struct B {\n};\n}  // namespace sunder\n\nnamespace sunder {\nstruct C {\n};\n}\n",
     "sunder/number/whole_internal.h": "#include <boost/multiprecision/cpp_int.hpp>\n",
+    "sunder/oracle/dictionary_internal.h": "#include <sunder/number/whole_internal.h>\n",
+    "sunder/solid/pair/body_body_by_scan.cpp": "#include <sunder/oracle/dictionary_internal.h>\n",
     "sunder/base/contract.cpp": "void f() { std::abort(); }\n",
     "sunder/solid/hull/convex_hull.h": "#include <sunder/number/sign.h>\n",
     "sunder/solid/object/body.h": "#include <sunder/solid/hull/convex_hull.h>\n",
@@ -51,6 +53,9 @@ BAD = {
     "Python from the program": ("cli/x.cpp", "#include <python/bind.h>\n", "L1"),
     "nanobind in the core": ("sunder/scene/x.cpp", "#include <nanobind/nanobind.h>\n", "L3"),
     "the library from the verifier": ("verifier/x.cpp", "#include <sunder/base/error.h>\n", "L1"),
+    "the oracle from a method": ("sunder/solid/pair/body_body.cpp", "#include <sunder/oracle/dictionary_internal.h>\n", "L1"),
+    "the oracle from the program": ("cli/x.cpp", "#include <sunder/oracle/dictionary_internal.h>\n", "L1"),
+    "exact linear algebra from the oracle": ("sunder/oracle/x.cpp", "#include <sunder/number/exact/basis_internal.h>\n", "L1"),
     "no layer": ("sunder/x.h", "\n", "L1"),
     "an unknown layer": ("sunder/other/x.h", "\n", "L1"),
     "an unknown layer included": ("cli/x.cpp", "#include <sunder/other/x.h>\n", "L1"),

@@ -1,8 +1,8 @@
-// The oracle: the simplex method on a full dictionary in integers, by Bland's rule. Free variables are differences of
+// The oracle: the simplex method on a full dictionary (oracle/dictionary_internal.h), by Bland's rule. Free variables are differences of
 // two that are not negative; phase one has one artificial variable. It shares nothing with the front door.
 #include <sunder/base/contract.h>
 #include <sunder/base/interruption.h>
-#include <sunder/number/integer_internal.h>
+#include <sunder/oracle/dictionary_internal.h>
 #include <sunder/polytope/pair/placed.h>
 #include <sunder/polytope/region/linear_program.h>
 
@@ -18,74 +18,73 @@ namespace {
 
 using Rows = std::vector<ExactVector>;  // a1, .., ad, b
 
-// Basic variables in terms of the others: basic_i = (T[i][n] - sum T[i][j] other_j) / D. Variables 0 to d - 1 are the
-// positive parts of coordinates, d to 2 d - 1 the negative ones, 2 d is artificial, then come the slacks of rows, each
-// times a power of two.
-class Dictionary {
+// Variables 0 to d - 1 are the positive parts of coordinates, d to 2 d - 1 the negative ones, 2 d is artificial, then
+// come the slacks of rows, each times a power of two.
+class Program {
  public:
-  Dictionary(const Rows& rows, std::span<const Dyadic> objective)
-      : d_(objective.size()), columns_(2 * d_ + 1), size_(rows.size()), units_(rows.size()) {
-    table_.assign(size_ + 2, std::vector<Integer>(columns_ + 1));
-    for (std::size_t k = 0; k < columns_; ++k) others_.push_back(k);
-    for (std::size_t i = 0; i < size_; ++i) {
-      basic_.push_back(columns_ + i);
-      units_[i] = fill(table_[i], rows[i], 1);
-      std::swap(table_[i][columns_], table_[i][2 * d_]);
-      table_[i][2 * d_] = -1;
+  Program(const Rows& rows, std::span<const Dyadic> objective)
+      : d_(objective.size()), columns_(2 * d_ + 1), units_(rows.size()) {
+    for (std::size_t k = 0; k < columns_; ++k) all_.others.push_back(static_cast<std::int64_t>(k));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      all_.basic.push_back(static_cast<std::int64_t>(columns_ + i));
+      units_[i] = fill(all_.rows.emplace_back(columns_ + 1), rows[i], 1);
+      std::swap(all_.rows[i][columns_], all_.rows[i][2 * d_]);
+      all_.rows[i][2 * d_] = -1;
     }
-    objective_unit_ = fill(table_[size_], objective, -1);
-    table_[size_ + 1][2 * d_] = 1;
+    all_.objectives.assign(2, oracle::Integers(columns_ + 1));
+    objective_unit_ = fill(all_.objectives[0], objective, -1);
+    all_.objectives[1][2 * d_] = 1;  // minus the artificial variable
   }
 
   // Is there a point?
   bool find_point(Cost& cost) {
-    std::size_t worst = size_;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (table_[i][columns_] < 0 && (worst == size_ || table_[i][columns_] < table_[worst][columns_])) worst = i;
+    std::size_t worst = 0;
+    for (std::size_t i = 1; i < all_.rows.size(); ++i) {
+      if (all_.rows[i].back() < all_.rows[worst].back()) worst = i;
     }
-    if (worst < size_) {
+    if (!all_.rows.empty() && all_.rows[worst].back() < 0) {
       pivot(worst, 2 * d_, cost);
-      climb(size_ + 1, cost);
-      if (table_[size_ + 1][columns_] < 0) return false;
+      climb(1, cost);
+      if (all_.objectives[1].back() < 0) return false;
     }
-    const auto artificial = std::find(basic_.begin(), basic_.end(), 2 * d_);
-    if (artificial != basic_.end()) {
-      const auto i = static_cast<std::size_t>(artificial - basic_.begin());
+    if (const auto row = all_.row_of(artificial())) {
       std::size_t j = 0;
-      while (table_[i][j].is_zero()) ++j;
-      pivot(i, j, cost);
+      while (all_.rows[*row][j].is_zero()) ++j;
+      pivot(*row, j, cost);
     }
     may_enter_artificial_ = false;
     return true;
   }
 
   // After that: is there a best one?
-  bool find_best(Cost& cost) { return climb(size_, cost); }
+  bool find_best(Cost& cost) { return climb(0, cost); }
 
   ExactVector point() const {
-    return coordinates([&](std::size_t i) { return table_[i][columns_]; }, columns_);
+    return coordinates([&](std::size_t i) { return all_.rows[i].back(); }, columns_);
   }
   // After find_best() denied it.
   ExactVector way() const {
-    return coordinates([&](std::size_t i) { return -table_[i][along_]; }, along_);
+    return coordinates([&](std::size_t i) { return -all_.rows[i][along_]; }, along_);
   }
-  Dyadic denominator() const { return dyadic_of(determinant_, 0); }
+  Dyadic denominator() const { return dyadic_of(all_.denominator, 0); }
 
   // Of rows, over the denominator: of the best point, or of what contradicts.
   std::vector<Weights::Part> multipliers(bool of_best) const {
     std::vector<Weights::Part> result;
     for (std::size_t j = 0; j < columns_; ++j) {
-      const Integer& y = table_[size_ + (of_best ? 0 : 1)][j];
-      if (others_[j] <= 2 * d_ || y.is_zero()) continue;
-      const std::size_t i = others_[j] - columns_;
+      const Integer& y = all_.objectives[of_best ? 0 : 1][j];
+      if (all_.others[j] <= artificial() || y.is_zero()) continue;
+      const auto i = static_cast<std::size_t>(all_.others[j]) - columns_;
       result.push_back({static_cast<std::uint32_t>(i), dyadic_of(y, (of_best ? objective_unit_ : 0) - units_[i])});
     }
     return result;
   }
 
  private:
+  std::int64_t artificial() const { return static_cast<std::int64_t>(2 * d_); }
+
   // Coefficients of coordinates times the sign; what stands behind them comes into column 2 d. Returns the unit.
-  std::int64_t fill(std::vector<Integer>& to, std::span<const Dyadic> numbers, int sign) const {
+  std::int64_t fill(oracle::Integers& to, std::span<const Dyadic> numbers, int sign) const {
     std::int64_t unit = std::numeric_limits<std::int64_t>::max();
     for (const Dyadic& x : numbers) {
       if (x.sign() != Sign::zero) unit = std::min(unit, x.exponent());
@@ -102,74 +101,41 @@ class Dictionary {
   template <class Value>
   ExactVector coordinates(const Value& value_of, std::size_t other) const {
     ExactVector x(d_);
-    const auto add = [&](std::size_t variable, const Integer& value) {
-      if (variable >= 2 * d_ || value.is_zero()) return;
-      const std::size_t c = variable % d_;
-      x[c] = variable < d_ ? x[c] + dyadic_of(value, 0) : x[c] - dyadic_of(value, 0);
+    const auto add = [&](std::int64_t variable, const Integer& value) {
+      if (variable >= artificial() || value.is_zero()) return;
+      const auto k = static_cast<std::size_t>(variable);
+      x[k % d_] = k < d_ ? x[k % d_] + dyadic_of(value, 0) : x[k % d_] - dyadic_of(value, 0);
     };
-    for (std::size_t i = 0; i < size_; ++i) add(basic_[i], value_of(i));
-    if (other < columns_) add(others_[other], determinant_);
+    for (std::size_t i = 0; i < all_.rows.size(); ++i) add(all_.basic[i], value_of(i));
+    if (other < columns_) add(all_.others[other], all_.denominator);
     return x;
   }
 
+  // Of this objective: is there a greatest value?
   bool climb(std::size_t z, Cost& cost) {
-    for (;;) {
+    const auto may_enter = [&](std::int64_t variable) { return variable != artificial() || may_enter_artificial_; };
+    while (const auto c = all_.entering(all_.objectives[z], may_enter)) {
       may_be_interrupted(1000);
-      std::size_t c = columns_;
-      for (std::size_t j = 0; j < columns_; ++j) {
-        const bool may_enter = others_[j] != 2 * d_ || may_enter_artificial_;
-        if (may_enter && table_[z][j] < 0 && (c == columns_ || others_[j] < others_[c])) c = j;
-      }
-      if (c == columns_) return true;
-      std::size_t r = size_;
-      for (std::size_t i = 0; i < size_; ++i) {
-        if (table_[i][c] <= 0) continue;
-        if (r == size_) {
-          r = i;
-          continue;
-        }
-        const int order = (table_[i][columns_] * table_[r][c]).compare(table_[r][columns_] * table_[i][c]);
-        if (order < 0 || (order == 0 && basic_[i] < basic_[r])) r = i;
-      }
-      if (r == size_) {
-        along_ = c;
+      const auto r = all_.leaving(*c);
+      if (!r) {
+        along_ = *c;
         return false;
       }
-      pivot(r, c, cost);
+      pivot(*r, *c, cost);
     }
+    return true;
   }
 
   void pivot(std::size_t r, std::size_t c, Cost& cost) {
     ++cost.iterations;
-    cost.probes += size_;
-    const Integer by = table_[r][c];
-    const bool is_negative = by < 0;
-    for (std::size_t i = 0; i < table_.size(); ++i) {
-      if (i == r) continue;
-      const Integer factor = table_[i][c];
-      for (std::size_t j = 0; j <= columns_; ++j) {
-        if (j == c) continue;
-        Integer& x = table_[i][j];
-        if (x.is_zero() && factor.is_zero()) continue;
-        x = (x * by - factor * table_[r][j]) / determinant_;  // exact
-        if (is_negative) x = -x;
-      }
-      table_[i][c] = is_negative ? factor : -factor;
-    }
-    if (is_negative) {
-      for (Integer& x : table_[r]) x = -x;
-    }
-    table_[r][c] = is_negative ? -determinant_ : determinant_;
-    determinant_ = is_negative ? -by : by;
-    std::swap(basic_[r], others_[c]);
+    cost.probes += all_.rows.size();
+    all_.pivot(r, c);
   }
 
-  std::size_t d_, columns_, size_;
+  std::size_t d_, columns_;
   std::vector<std::int64_t> units_;
   std::int64_t objective_unit_ = 0;
-  std::vector<std::vector<Integer>> table_;  // rows; then the objective; then minus the artificial variable
-  std::vector<std::size_t> basic_, others_;
-  Integer determinant_ = 1;
+  oracle::Dictionary all_;
   bool may_enter_artificial_ = true;
   std::size_t along_ = 0;
 };
@@ -195,7 +161,7 @@ void decide_uniqueness(Rows rows, std::span<const double> objective, LinearProgr
     for (const std::size_t side : {0u, 1u}) {
       ExactVector along(d);
       along[c] = side == 0 ? 1.0 : -1.0;
-      Dictionary program(rows, along);
+      Program program(rows, along);
       program.find_point(answer.cost);
       const bool is_bounded = program.find_best(answer.cost);
       answer.other = {program.point(), program.denominator()};
@@ -241,7 +207,7 @@ LinearProgramAnswer linear_program_by_scan(const Polytope& half_spaces, std::spa
   LinearProgramAnswer answer;
   answer.decided_by = DecidedBy::scan;
   answer.cost.exact = 1;
-  Dictionary program(rows, exact);
+  Program program(rows, exact);
   if (!program.find_point(answer.cost)) {
     answer.multipliers = {program.multipliers(false), program.denominator()};
     return answer;

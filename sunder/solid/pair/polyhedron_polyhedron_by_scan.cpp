@@ -1,11 +1,13 @@
 // The oracle: one exact linear program over all vertices. It shares nothing with the searches but the answer's type:
-// it has its own reading of doubles, its own integers, its own simplex method, and looks at no edge of a body.
+// it has its own reading of doubles, the oracles' simplex method (oracle/dictionary_internal.h), and looks at no edge of
+// a body.
 //
 // Weights l_i >= 0 of A's vertices, m_j >= 0 of B's, with sum l_i a_i = sum m_j b_j, sum l_i = 1, sum m_j = 1: five
-// equations. Phase one of the simplex method from five artificial variables. All prices are looked at in every step:
+// equations. Phase one of the simplex method from five artificial variables, whose columns of the dictionary tell any
+// other column, so that none but theirs is kept. All prices are looked at in every step:
 // in floating point with a generous error bound first, exactly where that does not tell. The largest enters; after
 // `patience` steps the first positive one does (Bland 1977), which cannot cycle if ties leave by least number.
-#include <sunder/number/integer_internal.h>
+#include <sunder/oracle/dictionary_internal.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <algorithm>
@@ -19,13 +21,6 @@
 namespace sunder::solid {
 
 namespace {
-
-// With 512 bits in place, so that most of them allocate nothing.
-using cpp_int =
-    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-                                      512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
-                                      std::allocator<boost::multiprecision::limb_type>>,
-                                  boost::multiprecision::et_off>;
 
 // x = mantissa 2^exponent; zero has the largest exponent, so that it never is the least.
 struct Parts {
@@ -43,18 +38,16 @@ Parts parts_of(double x) {
 }
 
 // Adds a b 2^(exponents) / 2^unit to the sum.
-void add_product(cpp_int& sum, double a, double b, int unit) {
+void add_product(Integer& sum, double a, double b, int unit) {
   const Parts p = parts_of(a), q = parts_of(b);
   if (p.mantissa == 0 || q.mantissa == 0) return;
-  cpp_int product = p.mantissa;
+  Integer product = p.mantissa;
   product *= q.mantissa;
   product <<= static_cast<unsigned>(p.exponent + q.exponent - unit);
   sum += product;
 }
 
-struct Column {
-  std::array<cpp_int, 5> entry;
-};
+using FiveIntegers = std::array<Integer, 5>;
 
 // An approximate column: |approx - exact| <= 2^-50 size for the first three entries, if all is of ordinary size.
 struct Sketch {
@@ -82,8 +75,10 @@ class Scan {
       for (const Point3& p : vertices_[body]) sketches_.push_back(sketch(body, p));
     }
     columns_.resize(sketches_.size());
-    for (std::size_t i = 0; i < 5; ++i) inverse_[i][i] = 1;
-    solution_[3] = solution_[4] = 1;
+    for (std::int64_t i = 0; i < 5; ++i) {
+      dictionary_.basic.push_back(first_artificial + i);
+      dictionary_.rows.push_back({i < 3 ? 0 : 1});
+    }
   }
 
   PairAnswer run() {
@@ -98,12 +93,12 @@ class Scan {
       enter(*entering);
     }
     answer.cost.exact = exact_prices_;
-    const auto y = multipliers();
+    const FiveIntegers y = multipliers();
     if (y[3] + y[4] > 0) {
       answer.evidence.verdict = Verdict::apart;
       answer.evidence.direction.kind = Direction::Kind::exact;
       answer.evidence.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array{dyadic_of(Integer(y[0]), 0), dyadic_of(Integer(y[1]), 0), dyadic_of(Integer(y[2]), 0)});
+          std::array{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
       answer.evidence.extreme_a = furthest(0, y);
       answer.evidence.extreme_b = furthest(1, y);
       return answer;
@@ -112,8 +107,9 @@ class Scan {
     std::size_t n = 0;
     for (std::size_t body = 0; body < 2; ++body) {
       for (std::size_t i = 0; i < 5; ++i) {
-        if (basis_[i] < 0 || solution_[i] == 0 || body_of(static_cast<std::size_t>(basis_[i])) != body) continue;
-        answer.evidence.vertices[n++] = vertex_of(static_cast<std::size_t>(basis_[i]));
+        const auto number = static_cast<std::size_t>(dictionary_.basic[i]);
+        if (dictionary_.basic[i] < 0 || dictionary_.rows[i].back().is_zero() || body_of(number) != body) continue;
+        answer.evidence.vertices[n++] = vertex_of(number);
         ++(body == 0 ? answer.evidence.count_a : answer.evidence.count_b);
       }
     }
@@ -139,8 +135,8 @@ class Scan {
     return s;
   }
 
-  const Column& column(std::size_t number) {
-    std::optional<Column>& c = columns_[number];
+  const FiveIntegers& column(std::size_t number) {
+    std::optional<FiveIntegers>& c = columns_[number];
     if (c) return *c;
     c.emplace();
     const std::size_t body = body_of(number);
@@ -148,32 +144,35 @@ class Scan {
     const Point3& p = vertices_[body][vertex_of(number)];
     for (std::size_t i = 0; i < 3; ++i) {
       const double* row = &pose.linear[3 * i];
-      cpp_int& sum = c->entry[i];
+      Integer& sum = (*c)[i];
       add_product(sum, row[0], p.x, unit_);
       add_product(sum, row[1], p.y, unit_);
       add_product(sum, row[2], p.z, unit_);
       add_product(sum, pose.translation[i], 1, unit_);
       if (body == 1) sum = -sum;
     }
-    c->entry[3] = body == 0 ? 1 : 0;
-    c->entry[4] = body == 0 ? 0 : 1;
+    (*c)[3] = body == 0 ? 1 : 0;
+    (*c)[4] = body == 0 ? 0 : 1;
     return *c;
   }
 
-  std::array<cpp_int, 5> multipliers() const {
-    std::array<cpp_int, 5> y;
+  // The sum of the rows of the inverse with artificial variables.
+  FiveIntegers multipliers() const {
+    FiveIntegers y;
     for (std::size_t i = 0; i < 5; ++i) {
-      if (basis_[i] >= 0) continue;
-      for (std::size_t k = 0; k < 5; ++k) y[k] += inverse_[i][k];
+      if (dictionary_.basic[i] >= 0) continue;
+      for (std::size_t k = 0; k < 5; ++k) {
+        y[k] += dictionary_.inverse(i, first_artificial + static_cast<std::int64_t>(k));
+      }
     }
     return y;
   }
 
-  cpp_int exact_price(const std::array<cpp_int, 5>& y, std::size_t number) {
+  Integer exact_price(const FiveIntegers& y, std::size_t number) {
     ++exact_prices_;
-    const Column& c = column(number);
-    cpp_int price;
-    for (std::size_t k = 0; k < 5; ++k) price += y[k] * c.entry[k];
+    const FiveIntegers& c = column(number);
+    Integer price;
+    for (std::size_t k = 0; k < 5; ++k) price += y[k] * c[k];
     return price;
   }
 
@@ -193,7 +192,7 @@ class Scan {
 
   // A column with a positive price: the largest as far as can be seen, or just the first; none if there is none.
   std::optional<std::size_t> price_all(bool first) {
-    const std::array<cpp_int, 5> y = multipliers();
+    const FiveIntegers y = multipliers();
     // The multipliers in units that make images ordinary: entries of columns count in units of 2^unit_.
     std::array<double, 5> q{};
     const bool sketchy = to_doubles(y, q);
@@ -214,12 +213,12 @@ class Scan {
 
   // y_k 2^(3 units of length) as doubles up to one common power of two, each with relative error at most 2^-52; the
   // last two in units of length. False where the range of doubles is too small for that.
-  bool to_doubles(const std::array<cpp_int, 5>& y, std::array<double, 5>& q) const {
+  bool to_doubles(const FiveIntegers& y, std::array<double, 5>& q) const {
     std::array<int, 5> exponent{};
     int top = std::numeric_limits<int>::min();
     for (std::size_t k = 0; k < 5; ++k) {
       if (y[k] == 0) continue;
-      const cpp_int size = abs(y[k]);
+      const Integer size = abs(y[k]);
       const int bits = static_cast<int>(msb(size)) + 1;
       const int drop = std::max(bits - 53, 0);
       const double mantissa = static_cast<double>(static_cast<std::int64_t>(size >> static_cast<unsigned>(drop)));
@@ -236,34 +235,17 @@ class Scan {
     return true;
   }
 
+  // The column comes into the dictionary in terms of the basis, and that of what leaves stays if it is artificial.
   void enter(std::size_t number) {
-    const Column& c = column(number);
-    std::array<cpp_int, 5> t;
-    for (std::size_t i = 0; i < 5; ++i) {
-      for (std::size_t k = 0; k < 5; ++k) t[i] += inverse_[i][k] * c.entry[k];
-    }
-    std::size_t r = 5;  // the least ratio; of equals the variable with the least number
-    for (std::size_t i = 0; i < 5; ++i) {
-      if (t[i] <= 0) continue;
-      if (r == 5) {
-        r = i;
-        continue;
-      }
-      const cpp_int at_i = solution_[i] * t[r], at_r = solution_[r] * t[i];
-      if (at_i < at_r || (at_i == at_r && basis_[i] < basis_[r])) r = i;
-    }
-    const cpp_int old = denominator_;
-    for (std::size_t i = 0; i < 5; ++i) {
-      if (i == r) continue;
-      solution_[i] = (solution_[i] * t[r] - solution_[r] * t[i]) / old;
-      for (std::size_t k = 0; k < 5; ++k) inverse_[i][k] = (inverse_[i][k] * t[r] - inverse_[r][k] * t[i]) / old;
-    }
-    denominator_ = t[r];
-    basis_[r] = static_cast<std::int64_t>(number);
+    const FiveIntegers& c = column(number);
+    dictionary_.add_column(static_cast<std::int64_t>(number), c, first_artificial);
+    const std::size_t last = dictionary_.others.size() - 1;
+    dictionary_.pivot(*dictionary_.leaving(last), last);
+    if (dictionary_.others.back() >= 0) dictionary_.drop_last_column();
   }
 
   // The vertex of the body with the greatest price, exactly. Most are surely not it.
-  std::uint32_t furthest(std::size_t body, const std::array<cpp_int, 5>& y) {
+  std::uint32_t furthest(std::size_t body, const FiveIntegers& y) {
     const std::size_t first = body == 0 ? 0 : vertices_[0].size();
     const std::size_t end = first + vertices_[body].size();
     std::array<double, 5> q{};
@@ -272,10 +254,10 @@ class Scan {
     double surely = -std::numeric_limits<double>::infinity();
     for (std::size_t j = first; j < end; ++j) surely = std::max(surely, sketch_of(j).price - sketch_of(j).error);
     std::optional<std::size_t> best;
-    cpp_int best_price;
+    Integer best_price;
     for (std::size_t j = first; j < end; ++j) {
       if (sketch_of(j).price + sketch_of(j).error < surely) continue;
-      const cpp_int price = exact_price(y, j);
+      const Integer price = exact_price(y, j);
       if (best && price <= best_price) continue;
       best_price = price;
       best = j;
@@ -287,13 +269,12 @@ class Scan {
   std::array<const Affine3*, 2> poses_;
   int unit_ = std::numeric_limits<int>::max();  // all coordinates of images are multiples of 2^unit_
   std::vector<Sketch> sketches_;
-  std::vector<std::optional<Column>> columns_;
+  std::vector<std::optional<FiveIntegers>> columns_;
   std::uint32_t exact_prices_ = 0;
 
-  std::array<std::int64_t, 5> basis_{-5, -4, -3, -2, -1};  // a column's number; negative: artificial
-  std::array<std::array<cpp_int, 5>, 5> inverse_;          // of the basis, times the denominator
-  std::array<cpp_int, 5> solution_;                        // of the basic variables, times the denominator
-  cpp_int denominator_ = 1;
+  // Variables: vertices of both bodies, by their number; artificial ones, which leave first.
+  static constexpr std::int64_t first_artificial = -5;
+  oracle::Dictionary dictionary_;
 };
 
 }  // namespace
