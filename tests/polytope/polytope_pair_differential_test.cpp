@@ -84,7 +84,7 @@ void expect_mutants_refused(const PolytopePair& c, const PolytopeAnswer& answer)
     numerator = -numerator;
     EXPECT_FALSE(accepted(verdict, mutant));
     mutant = exact;
-    (mutant.*weights).parts[0].row = 0xffffffffu;
+    (mutant.*weights).parts[0].index = 0xffffffffu;
     EXPECT_FALSE(accepted(verdict, mutant));
   }
   ExactEvidence mutant = exact;
