@@ -1,10 +1,10 @@
 #include <sunder/base/contract.h>
 #include <sunder/predicate/cone_weights.h>
+#include <sunder/predicate/verified_inverse.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace sunder {
 
@@ -16,50 +16,13 @@ constexpr double unit = 0x1p-53, infinite = std::numeric_limits<double>::infinit
 
 double cone_inverse(std::span<const double> generators, std::size_t d, std::span<double> inverse) {
   SUNDER_REQUIRE(d >= 2 && d <= most_columns && generators.size() == d * d && inverse.size() == d * d);
-  std::array<double, most_columns * 2 * most_columns> table{};  // C beside the identity
-  const std::size_t width = 2 * d;
+  std::array<double, most_columns * most_columns> matrix{};
+  const std::array<double, most_columns> no_width{};
   for (std::size_t r = 0; r < d; ++r) {
-    for (std::size_t i = 0; i < d; ++i) table[r * width + i] = generators[i * d + r];
-    table[r * width + d + r] = 1;
+    for (std::size_t i = 0; i < d; ++i) matrix[r * d + i] = generators[i * d + r];
   }
-  std::array<double, most_columns> size{};  // of rows: generators may have components of very different sizes
-  for (std::size_t r = 0; r < d; ++r) {
-    for (std::size_t i = 0; i < d; ++i) size[r] = std::max(size[r], std::fabs(table[r * width + i]));
-    if (!(size[r] > 0)) return infinite;
-  }
-  for (std::size_t k = 0; k < d; ++k) {
-    std::size_t p = k;
-    for (std::size_t r = k + 1; r < d; ++r) {
-      if (std::fabs(table[r * width + k]) / size[r] > std::fabs(table[p * width + k]) / size[p]) p = r;
-    }
-    if (!(std::fabs(table[p * width + k]) > 0)) return infinite;
-    for (std::size_t i = 0; i < width; ++i) std::swap(table[p * width + i], table[k * width + i]);
-    std::swap(size[p], size[k]);
-    const double by = 1 / table[k * width + k];
-    for (std::size_t i = 0; i < width; ++i) table[k * width + i] *= by;
-    for (std::size_t r = 0; r < d; ++r) {
-      const double factor = table[r * width + k];
-      if (r == k || factor == 0) continue;
-      for (std::size_t i = 0; i < width; ++i) table[r * width + i] -= factor * table[k * width + i];
-    }
-  }
-  double most = 0;
-  for (std::size_t i = 0; i < d; ++i) {
-    double row = 0;
-    for (std::size_t j = 0; j < d; ++j) {
-      double rest = i == j ? 1 : 0, sizes = rest;
-      for (std::size_t r = 0; r < d; ++r) {
-        const double product = table[i * width + d + r] * generators[j * d + r];
-        rest -= product;
-        sizes += std::fabs(product);
-      }
-      row += std::fabs(rest) + (static_cast<double>(d) + 3) * unit * sizes + 0x1p-1060;
-    }
-    most = std::max(most, row * (1 + 0x1p-40));
-    for (std::size_t r = 0; r < d; ++r) inverse[i * d + r] = table[i * width + d + r];
-    if (!std::isfinite(row)) return infinite;
-  }
-  return most < 0.25 ? most / (1 - most) * (1 + 0x1p-40) : infinite;
+  const double q = verified_inverse(std::span(matrix).first(d * d), std::span(no_width).first(d), inverse);
+  return q < 0.25 ? q / (1 - q) * (1 + 0x1p-40) : infinite;
 }
 
 ConeWeights cone_weights(std::span<const double> inverse, double slack, std::span<const double> direction,
