@@ -11,10 +11,6 @@ namespace sunder::io {
 
 namespace {
 
-[[noreturn]] void fail_call(const std::string& text, const std::string& place) {
-  throw Error(ErrorCode::bad_call, text, place);
-}
-
 // "name=value" or "name value".
 void add_joint(std::string_view text, const std::string& place, JointValues& joints) {
   const std::size_t between = text.find_first_of("= \t");

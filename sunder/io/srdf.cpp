@@ -95,10 +95,6 @@ class SrdfParser {
   std::set<std::string> groups_;
 };
 
-[[noreturn]] void fail_call(const std::string& text, const std::string& place) {
-  throw Error(ErrorCode::bad_call, text, place);
-}
-
 std::string full_name(const Srdf::State& state) {
   return state.group.empty() ? state.name : state.group + "/" + state.name;
 }

@@ -120,6 +120,8 @@ bool parse_integer(std::string_view word, std::int64_t& value) {
   return result.ec == std::errc() && result.ptr == word.data() + word.size();
 }
 
+void fail_call(const std::string& text, const std::string& place) { throw Error(ErrorCode::bad_call, text, place); }
+
 void fail_file(std::string_view file, const std::string& text) {
   throw Error(ErrorCode::bad_file, text, one_line(file));
 }

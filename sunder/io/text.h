@@ -50,6 +50,9 @@ bool is_number(std::string_view word);
 // Reads the whole word as a decimal integer, with an optional sign. False when it is none, or does not fit.
 bool parse_integer(std::string_view word, std::int64_t& value);
 
+// Throws Error bad_call.
+[[noreturn]] void fail_call(const std::string& text, const std::string& place);
+
 // Throw Error bad_file at "FILE", "FILE:LINE", "FILE: byte OFFSET".
 [[noreturn]] void fail_file(std::string_view file, const std::string& text);
 [[noreturn]] void fail_line(std::string_view file, std::size_t line, const std::string& text);

@@ -136,6 +136,10 @@ Combination of_plane(const Plane& plane, const FlatBody& body, const ExactPoint3
 
 }  // namespace
 
+Dyadic level(const Plane& plane) {
+  return dot(lift<ExactStage>(plane.normal), lift<ExactStage>(plane.point)) + Dyadic(plane.offset);
+}
+
 Dyadic height(const Plane& plane, const ExactPoint3& x) {
   return dot(lift<ExactStage>(plane.normal), way_to(x, plane.point)) - Dyadic(plane.offset) * x.denominator;
 }

@@ -40,6 +40,9 @@ std::optional<FlatBody> body_of(const Flat& flat);
 // = 1.
 std::optional<Point3> exact_point_of(const Plane& plane);
 
+// The number that normal . x is on the plane.
+Dyadic level(const Plane& plane);
+
 // normal . (x - point) - offset, times the denominator: positive above the plane.
 Dyadic height(const Plane& plane, const ExactPoint3& x);
 

@@ -37,8 +37,6 @@ ExactPoint3 middle(const Point3& p, const Point3& q) { return over(sum(lifted(p)
 
 // ---- Two planes.
 
-Dyadic level(const Plane& plane) { return dot(lifted(plane.normal), lifted(plane.point)) + Dyadic(plane.offset); }
-
 // Of those that meet in a line, x with m . x = c and n . x = d is (c (n x l) + d (l x m)) / l . l, where l = m x n; of
 // one plane, what its normal leads to.
 ExactPoint3 of_planes(const Plane& a, const Plane& b, FlatKind kind) {

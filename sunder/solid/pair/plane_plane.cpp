@@ -1,20 +1,12 @@
 #include <sunder/predicate/arrows.h>
 #include <sunder/predicate/stages.h>
+#include <sunder/solid/pair/flat_body.h>
 #include <sunder/solid/pair/plane_plane.h>
 
 #include <array>
 #include <utility>
 
 namespace sunder::solid {
-
-namespace {
-
-// The number that normal . x is on the plane.
-Dyadic level(const Plane& plane) {
-  return dot(lift<ExactStage>(plane.normal), lift<ExactStage>(plane.point)) + Dyadic(plane.offset);
-}
-
-}  // namespace
 
 FlatCommon plane_plane(const Plane& a, const Plane& b) {
   StageTally tally;

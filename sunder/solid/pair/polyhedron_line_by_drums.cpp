@@ -70,7 +70,7 @@ LineForms<Real> forms_of(const Placed& body, const DrumSearch& search, const Lin
 }
 
 template <class Real>
-LinearForm<Real> negated(const LinearForm<Real>& form) {
+LinearForm<Real> negated_form(const LinearForm<Real>& form) {
   return {{-form.normal.x, -form.normal.y, -form.normal.z}, -form.at_base};
 }
 
@@ -91,14 +91,14 @@ class LineByDrums {
       return starts_above ? !(value > Real(0)) : !(value < Real(0));
     };
     const std::uint32_t beyond =
-        search_.furthest_vertex<Real>(starts_above ? solid::negated(forms.t.normal) : forms.t.normal, is_beyond);
+        search_.furthest_vertex<Real>(starts_above ? negated(forms.t.normal) : forms.t.normal, is_beyond);
     if (!is_beyond(beyond)) {
       const Point3 normal = rounded(forms.t.normal);
-      return beside(beyond, starts_above ? solid::negated(normal) : normal, forms.along, holds);
+      return beside(beyond, starts_above ? negated(normal) : normal, forms.along, holds);
     }
     section.find_corners(beyond);
     const Point3 g = rounded(forms.g.normal);
-    const auto high = section.furthest(g), low = section.furthest(solid::negated(g));
+    const auto high = section.furthest(g), low = section.furthest(negated(g));
     const auto apart_at = [&](const auto& place) {
       return holds(
           sorted(LineProposal::Claim::apart, section.facet_before(place), section.facet_after(place), forms.along));
@@ -106,7 +106,7 @@ class LineByDrums {
     if (section.value(forms.g, high) < Real(0)) return apart_at(high);
     if (section.value(forms.g, low) > Real(0)) return apart_at(low);
     return holds(sorted(LineProposal::Claim::through, section.crossed(forms.g, low, high),
-                        section.crossed(negated(forms.g), high, low), forms.along));
+                        section.crossed(negated_form(forms.g), high, low), forms.along));
   }
 
  private:
@@ -125,7 +125,7 @@ class LineByDrums {
     const auto n = static_cast<std::uint32_t>(around.size());
     const auto facet = [&](std::uint32_t k) { return graph.edge(v, around[k % n])->facet; };
     const Point3 across = cross(normal, along);
-    for (const Point3& outward : {across, solid::negated(across)}) {
+    for (const Point3& outward : {across, negated(across)}) {
       const std::uint32_t k = first_past(n, normal, outward, [&](std::uint32_t i) { return drums_.normal(facet(i)); });
       if (holds(sorted(LineProposal::Claim::apart, facet(k + n - 1), facet(k), along))) return true;
     }
