@@ -19,7 +19,7 @@
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/placements.h>
 #include <sunder/base/random.h>
-#include <sunder/io/robot_motion.h>
+#include <sunder/io/robot/robot_motion.h>
 
 #include <fmt/format.h>
 

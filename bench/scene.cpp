@@ -18,9 +18,9 @@
 #include <bench/peers/scene_peer.h>
 
 #include <sunder/base/random.h>
-#include <sunder/io/robot_bodies.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/io/urdf.h>
+#include <sunder/io/robot/robot_bodies.h>
+#include <sunder/io/robot/robot_motion.h>
+#include <sunder/io/robot/urdf.h>
 #include <sunder/near/box_sweep.h>
 #include <sunder/scene/follower.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>

@@ -22,7 +22,7 @@
 #include <bench/peers/segment_peer.h>
 #include <bench/peers/sunder_segments.h>
 
-#include <sunder/io/lines.h>
+#include <sunder/io/plane/lines.h>
 
 #include <cstdio>
 #include <filesystem>

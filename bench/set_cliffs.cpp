@@ -1,9 +1,9 @@
 #include <bench/set_cliffs.h>
 
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_any.h>
-#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_any.h>
+#include <sunder/planar/segments/segments_all.h>
 
 #include <cmath>
 #include <memory>

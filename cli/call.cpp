@@ -3,7 +3,7 @@
 
 #include <sunder/ask/outputs.h>
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 #include <CLI/App.hpp>

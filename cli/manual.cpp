@@ -2,7 +2,7 @@
 #include <cli/manual.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -7,8 +7,8 @@
 #include <sunder/ask/report.h>
 #include <sunder/ask/verb.h>
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 #include <sunder/version.h>
 
 #include <fmt/format.h>

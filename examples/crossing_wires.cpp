@@ -1,6 +1,6 @@
 // Wires of three nets: which of different nets meet, and how? Prints them, and a proof that these are all.
-#include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/segments/segments_claims.h>
 
 #include <cstdint>
 #include <iostream>

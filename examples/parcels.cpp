@@ -1,6 +1,6 @@
 // Parcels of land: neighbours may share a border, but no two may overlap. And is each of them valid?
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/planar/polygons/polygons_all.h>
 
 #include <iostream>
 #include <vector>

@@ -1,9 +1,9 @@
 // A robot out of its URDF file: which links meet, in how many of so many random placements? What is said of the first
 // one is proved. Arguments: ROBOT.urdf NUMBER PROOF.json
 #include <sunder/base/random.h>
-#include <sunder/io/file.h>
+#include <sunder/io/text/file.h>
 #include <sunder/robot/rows.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/scene/scene_claims.h>
 
 #include <iostream>
 #include <map>

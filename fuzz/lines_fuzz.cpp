@@ -3,8 +3,8 @@
 #include <fuzz/require.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/lines.h>
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/io/plane/lines.h>
+#include <sunder/planar/segments/segments_any.h>
 
 #include <cmath>
 #include <cstdint>

@@ -4,9 +4,9 @@
 #include <fuzz/require.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/mesh.h>
-#include <sunder/io/mesh_check_test.h>
-#include <sunder/io/mesh_write.h>
+#include <sunder/io/mesh/mesh.h>
+#include <sunder/io/mesh/mesh_check_test.h>
+#include <sunder/io/mesh/mesh_write.h>
 
 #include <cstddef>
 #include <cstdint>

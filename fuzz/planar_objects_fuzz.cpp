@@ -3,7 +3,7 @@
 #include <fuzz/require.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/planar_objects.h>
+#include <sunder/io/plane/planar_objects.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/line.h>
 #include <sunder/planar/pair/polygon_line.h>

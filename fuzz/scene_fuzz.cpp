@@ -1,6 +1,6 @@
 // Any bytes, read as a scene of JSON. Seeds: cases/scene, cases/space.
 #include <fuzz/mesh_fuzz.h>
-#include <sunder/io/scene_file.h>
+#include <sunder/io/robot/scene_file.h>
 #include <sunder/scene/scene.h>
 
 #include <cstdint>

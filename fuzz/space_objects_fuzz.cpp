@@ -3,12 +3,12 @@
 #include <fuzz/require.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/mesh_body.h>
-#include <sunder/io/space_objects.h>
+#include <sunder/io/mesh/mesh_body.h>
+#include <sunder/io/mesh/space_objects.h>
+#include <sunder/solid/line/flat_flat.h>
 #include <sunder/solid/object/flatness.h>
-#include <sunder/solid/pair/flat_flat.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/section/polyhedron_plane.h>
 
 #include <cmath>
 #include <cstddef>

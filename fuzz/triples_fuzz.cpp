@@ -3,9 +3,9 @@
 #include <fuzz/require.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/triples.h>
+#include <sunder/io/text/triples.h>
+#include <sunder/planar/discs/discs_any.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/set/discs_any.h>
 
 #include <cmath>
 #include <cstdint>

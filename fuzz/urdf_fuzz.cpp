@@ -1,8 +1,8 @@
 // Any bytes, read as URDF and as SRDF. Seeds: cases/mesh, cases/broken, cases/panda, cases/scene.
 #include <fuzz/mesh_fuzz.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/io/srdf.h>
-#include <sunder/io/urdf.h>
+#include <sunder/io/robot/robot_motion.h>
+#include <sunder/io/robot/srdf.h>
+#include <sunder/io/robot/urdf.h>
 
 #include <cmath>
 #include <set>

@@ -1,8 +1,8 @@
 // Planes, lines, rays and segments of space, against polyhedra and against each other.
-#include <sunder/solid/pair/flat_flat.h>
-#include <sunder/solid/pair/polyhedron_line_claims.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
-#include <sunder/solid/pair/polyhedron_plane_claims.h>
+#include <sunder/solid/line/flat_flat.h>
+#include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/section/polyhedron_plane.h>
+#include <sunder/solid/section/polyhedron_plane_claims.h>
 
 #include <nanobind/stl/variant.h>
 

@@ -1,7 +1,7 @@
 // Convex polygons and polyhedra with poses: one pair with its answer, many pairs in one call.
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/planar/pair/polygon_polygon.h>
-#include <sunder/solid/object/hull_json.h>
+#include <sunder/solid/object/hull_claims.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 

@@ -1,5 +1,5 @@
 // One polygon or multipolygon: is it valid, and its kernel; and sets of polygons that are valid.
-#include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/polygons/polygon_valid_claims.h>
 
 #include "common.h"
 

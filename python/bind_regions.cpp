@@ -1,15 +1,15 @@
 // What is common to half-planes, discs or convex polygons; kernels; linear programs.
 #include <sunder/planar/object/constraints.h>
 #include <sunder/planar/object/discs.h>
+#include <sunder/planar/polygons/polygon_valid.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/disc_intersection.h>
-#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/disc_intersection_claims.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/kernel.h>
 #include <sunder/planar/region/linear_program.h>
-#include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/region/linear_program_claims.h>
+#include <sunder/planar/region/regions_claims.h>
 
 #include "common.h"
 

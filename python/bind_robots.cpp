@@ -2,7 +2,7 @@
 #include <sunder/certificate/rounded_evidence.h>
 #include <sunder/robot/cell.h>
 #include <sunder/robot/rows.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/scene/scene_claims.h>
 #include <sunder/scene/timeline.h>
 
 #include "common.h"

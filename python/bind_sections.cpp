@@ -1,6 +1,6 @@
 // Sections of polyhedra by planes.
-#include <sunder/solid/pair/polyhedron_plane_section.h>
-#include <sunder/solid/pair/section_claims.h>
+#include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_claims.h>
 
 #include "common.h"
 

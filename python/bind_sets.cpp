@@ -1,10 +1,10 @@
 // Sets of segments, discs, polygons and convex polygons: any, all, count.
+#include <sunder/planar/discs/discs_any_claims.h>
 #include <sunder/planar/object/constraints.h>
-#include <sunder/planar/set/convex_polygons_any_json.h>
-#include <sunder/planar/set/discs_any_json.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_json.h>
-#include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/polygons/convex_polygons_any_claims.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_claims.h>
+#include <sunder/planar/segments/segments_claims.h>
 
 #include "common.h"
 

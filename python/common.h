@@ -7,8 +7,8 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/near/set_question.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/predicate/line/crossing.h>
 #include <sunder/predicate/point.h>
 
 #include <nanobind/nanobind.h>

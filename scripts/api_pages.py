@@ -23,7 +23,9 @@ from api_headers import findings, first_sentence, question_of, read, read_header
 from check_papers_table import COLUMNS, tables_of  # noqa: E402
 
 FOLDERS = {
-    "planar/pair": "The plane: two objects", "planar/set": "The plane: sets of many",
+    "planar/pair": "The plane: two objects", "planar/segments": "The plane: sets of segments",
+    "planar/discs": "The plane: sets of circles", "planar/boxes": "The plane: sets of boxes",
+    "planar/polygons": "The plane: sets of polygons",
     "planar/region": "The plane: what is common to many", "planar/object": "The plane: objects",
     "solid": "Space: bodies, and two of them", "scene": "Space: scenes of many bodies", "certificate": "Certificates",
     "near": "Sets of anything: boxes first", "io": "Files", "": "All of it", "base": "Errors, cost and such",

@@ -64,10 +64,10 @@ MUTANTS = [
     (POLYGONS, 'if (input_.files.size() > 1) add("files", i.file, j.file);', "", "files:Two files"),
     (POLYGONS, ", among {} only: {}", ", of {} only: {}", "files:Invalid"),
     ("sunder/ask/region/verb_kernel.cpp", "request.rule = planar::PolygonRule::simple;", "", "region:Kernels"),
-    ("sunder/io/text.cpp", 'if (std::isnan(parsed)) return "is NaN; every number must be finite";', "", "region:Half-spaces"),
-    ("sunder/io/file.cpp", "no such file; check the name", "there is no such thing; check the name", "pair:Certificates"),
-    ("sunder/io/npy.cpp", "{} bytes of numbers, but the header says {} x {} of {}", "{}, {}, {}, {}", "polytopes:NPY that"),
-    ("sunder/io/joint_values.cpp", 'if (!joints.values.emplace(name, value).second) fail_call', 'if (!joints.values.emplace(name, value).second && false) fail_call', "scene:Bad scenes"),
+    ("sunder/io/text/text.cpp", 'if (std::isnan(parsed)) return "is NaN; every number must be finite";', "", "region:Half-spaces"),
+    ("sunder/io/text/file.cpp", "no such file; check the name", "there is no such thing; check the name", "pair:Certificates"),
+    ("sunder/io/text/npy.cpp", "{} bytes of numbers, but the header says {} x {} of {}", "{}, {}, {}, {}", "polytopes:NPY that"),
+    ("sunder/io/robot/joint_values.cpp", 'if (!joints.values.emplace(name, value).second) fail_call', 'if (!joints.values.emplace(name, value).second && false) fail_call', "scene:Bad scenes"),
 ]
 
 

@@ -79,11 +79,11 @@ class CheckContracts(unittest.TestCase):
         self.assertEqual([text[:text.index("C2") + 2] for text in findings], ["sunder/io/e.h:3: C2"])
 
     def test_every_front_door_is_included(self):
-        doors = {"sunder/solid/pair/polyhedron_line.h": "// Where.\nint polyhedron_line_by_scan(int);\n",
-                 "sunder/planar/set/discs_any.h": "// Any.\nint discs_any(\n    int);\n",
+        doors = {"sunder/solid/line/polyhedron_line.h": "// Where.\nint polyhedron_line_by_scan(int);\n",
+                 "sunder/planar/discs/discs_any.h": "// Any.\nint discs_any(\n    int);\n",
                  "sunder/scene/follower.h": "// Which of many\n// meet?\nclass Follower;\n"}
-        others = {"sunder/solid/pair/line_search.h": "// Where?\nclass LineSearch;\n",
-                  "sunder/solid/pair/tilt_direction.h": "int settle(int);\n",
+        others = {"sunder/solid/line/line_search.h": "// Where?\nclass LineSearch;\n",
+                  "sunder/solid/search/tilt_direction.h": "int settle(int);\n",
                   "sunder/solid/hull/polygon.h": "int polygon(int);\n",
                   "sunder/scene/chains.h": "// Work in chains.\nint run(int);  // or not?\n"}
         findings, _ = findings_of({**TREE, **doors, **others})

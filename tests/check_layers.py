@@ -55,9 +55,11 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 # layer: its folders from the lowest to the highest
 ORDER = {
     "number": ["exact"],
-    "planar": ["represent", "object", "pair", "sweep", "set", "region"],
-    "solid": ["hull", "represent", "object", "mesh", "pair", "round"],
+    "predicate": ["filter", "point", "line", "disc"],
+    "planar": ["represent", "object", "pair", "sweep", "discs", "region", "segments", "boxes", "polygons"],
+    "solid": ["hull", "represent", "object", "mesh", "search", "exact", "line", "pair", "section", "descent", "drums", "round"],
     "polytope": ["object", "represent", "pair", "hull", "region"],
+    "io": ["text", "mesh", "plane", "robot"],
     "ask": ["set", "scene", "pair", "region"],
 }
 

@@ -22,11 +22,11 @@ GOOD = {
     "sunder/solid/pair/body_body.cpp": "#include <sunder/solid/object/body.h>\n#include <cstdio>\n"
                                        "// printf(\"not code\");\nconst char* text = \"printf(1)\";\n"
                                        "int n = std::snprintf(p, 8, \"%d\", 1);\nvoid print_to(int); bool b = x.exit(1);\n",
-    "sunder/solid/pair/body_body_test.cpp": "#include <sunder/io/file.h>\n".replace("io/file", "solid/object/body") +
+    "sunder/solid/pair/body_body_test.cpp": "#include <sunder/io/text/file.h>\n".replace("io/text/file", "solid/object/body") +
                                             "#include <gtest/gtest.h>\n#include <fstream>\n#include <tests/support/a.h>\n",
-    "sunder/io/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
+    "sunder/io/text/file.cpp": "#include <sunder/solid/object/body.h>\n#include <fstream>\n#include <fmt/format.h>\n"
                           "#include <sys/stat.h>\n",
-    "sunder/ask/verify.cpp": "#include <sunder/io/file.h>\n#include <sunder/picture/canvas.h>\n#include <verifier/verify.h>\n"
+    "sunder/ask/verify.cpp": "#include <sunder/io/text/file.h>\n#include <sunder/picture/canvas.h>\n#include <verifier/verify.h>\n"
                              "#include <iostream>\n",
     "cli/program.cpp": "#include \"words.h\"\n#include <sunder/ask/verb.h>\n#include <CLI/App.hpp>\n",
     "python/bind.cpp": "#include \"common.h\"\n#include <sunder/solid/object/body.h>\n#include <nanobind/nanobind.h>\n",
@@ -45,7 +45,7 @@ BAD = {
     "up a folder from the layer itself": ("sunder/solid/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
     "a folder without a place": ("sunder/solid/other/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
     "up from a test": ("sunder/number/sign_test.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
-    "io from the core": ("sunder/scene/x.h", "#include <sunder/io/file.h>\n", "L1"),
+    "io from the core": ("sunder/scene/x.h", "#include <sunder/io/text/file.h>\n", "L1"),
     "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
     "questions from pictures": ("sunder/picture/x.cpp", "#include <sunder/ask/verb.h>\n", "L1"),
     "CLI11 in questions": ("sunder/ask/x.cpp", "#include <CLI/App.hpp>\n", "L3"),

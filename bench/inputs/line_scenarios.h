@@ -5,10 +5,10 @@
 // all facets in doubles, apart from the searches under test.
 #pragma once
 
+#include <sunder/solid/line/polyhedron_cut.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/line.h>
 #include <sunder/solid/object/plane.h>
-#include <sunder/solid/pair/polyhedron_cut.h>
 
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <bench/contest/contest.h>
 
-#include <sunder/io/urdf.h>
+#include <sunder/io/robot/urdf.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 

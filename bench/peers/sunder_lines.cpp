@@ -1,9 +1,9 @@
 #include <bench/peers/line_peer.h>
 #include <bench/peers/sunder_lines.h>
 
-#include <sunder/solid/pair/polyhedron_line.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
-#include <sunder/solid/pair/polyhedron_plane_section.h>
+#include <sunder/solid/line/polyhedron_line.h>
+#include <sunder/solid/section/polyhedron_plane.h>
+#include <sunder/solid/section/polyhedron_plane_section.h>
 
 #include <algorithm>
 #include <span>

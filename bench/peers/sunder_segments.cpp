@@ -2,9 +2,9 @@
 
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/segments/segments_any.h>
 
 #include <array>
 #include <memory>

@@ -1,15 +1,15 @@
 #include <bench/peers/sunder_sets.h>
 
 #include <sunder/near/cover_order.h>
+#include <sunder/planar/discs/disc_boxes.h>
+#include <sunder/planar/discs/discs_all.h>
+#include <sunder/planar/discs/discs_any.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/discs.h>
 #include <sunder/planar/object/polygon.h>
-#include <sunder/planar/set/convex_polygons_any.h>
-#include <sunder/planar/set/disc_boxes.h>
-#include <sunder/planar/set/discs_all.h>
-#include <sunder/planar/set/discs_any.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/polygons/convex_polygons_any.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_any.h>
 
 #include <memory>
 #include <utility>

@@ -7,7 +7,7 @@
 
 #include <sunder/ask/verb.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/file.h>
+#include <sunder/io/text/file.h>
 
 #include <span>
 #include <string>

@@ -3,8 +3,8 @@
 #include <sunder/ask/report.h>
 #include <sunder/ask/said_of.h>
 
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 #include <sunder/polytope/region/region_claims.h>
 #include <sunder/polytope/region/region_vertices.h>
 

@@ -4,9 +4,9 @@
 #include <sunder/ask/said_of.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/polytopes.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/polytopes.h>
+#include <sunder/io/text/text.h>
 #include <sunder/polytope/hull/convex_hull.h>
 #include <sunder/polytope/hull/hull_claims.h>
 

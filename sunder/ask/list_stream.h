@@ -3,7 +3,7 @@
 
 #include <sunder/ask/report.h>
 
-#include <sunder/io/file.h>
+#include <sunder/io/text/file.h>
 
 #include <cstdint>
 #include <functional>

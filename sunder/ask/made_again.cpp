@@ -2,8 +2,8 @@
 #include <sunder/ask/made_again.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <sunder/ask/report.h>
 
-#include <sunder/io/mesh_body.h>
+#include <sunder/io/mesh/mesh_body.h>
 
 #include <string>
 #include <vector>

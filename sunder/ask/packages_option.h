@@ -4,7 +4,7 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/packages.h>
+#include <sunder/io/robot/packages.h>
 
 #include <string>
 #include <vector>

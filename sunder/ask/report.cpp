@@ -2,8 +2,8 @@
 #include <sunder/ask/report.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

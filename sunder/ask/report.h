@@ -4,12 +4,12 @@
 #include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/coordinate_system.h>
-#include <sunder/io/left_out.h>
-#include <sunder/io/pose_text.h>
-#include <sunder/io/text.h>
+#include <sunder/io/plane/coordinate_system.h>
+#include <sunder/io/text/left_out.h>
+#include <sunder/io/text/pose_text.h>
+#include <sunder/io/text/text.h>
 #include <sunder/number/interval.h>
-#include <sunder/planar/set/contact_rule.h>
+#include <sunder/planar/segments/contact_rule.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <array>

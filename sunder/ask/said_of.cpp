@@ -1,6 +1,6 @@
 #include <sunder/ask/said_of.h>
 
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -4,9 +4,9 @@
 
 #include <sunder/certificate/origin.h>
 #include <sunder/certificate/said.h>
-#include <sunder/io/coordinate_system.h>
-#include <sunder/io/left_out.h>
-#include <sunder/io/mesh_body.h>
+#include <sunder/io/mesh/mesh_body.h>
+#include <sunder/io/plane/coordinate_system.h>
+#include <sunder/io/text/left_out.h>
 
 #include <cstdint>
 #include <span>

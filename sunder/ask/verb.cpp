@@ -1,7 +1,7 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 

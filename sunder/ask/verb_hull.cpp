@@ -5,11 +5,11 @@
 #include <sunder/ask/said_of.h>
 #include <sunder/ask/verb.h>
 
-#include <sunder/io/file.h>
-#include <sunder/io/mesh_write.h>
-#include <sunder/io/polytopes.h>
-#include <sunder/io/text.h>
-#include <sunder/solid/object/hull_json.h>
+#include <sunder/io/mesh/mesh_write.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/polytopes.h>
+#include <sunder/io/text/text.h>
+#include <sunder/solid/object/hull_claims.h>
 
 #include <fmt/format.h>
 

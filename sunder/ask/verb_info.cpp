@@ -5,17 +5,17 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/csv.h>
-#include <sunder/io/file.h>
-#include <sunder/io/foreign.h>
-#include <sunder/io/lines.h>
-#include <sunder/io/mesh.h>
-#include <sunder/io/packages.h>
-#include <sunder/io/planar_objects.h>
-#include <sunder/io/scene_file.h>
-#include <sunder/io/text.h>
-#include <sunder/io/triples.h>
-#include <sunder/io/urdf.h>
+#include <sunder/io/mesh/mesh.h>
+#include <sunder/io/plane/lines.h>
+#include <sunder/io/plane/planar_objects.h>
+#include <sunder/io/robot/packages.h>
+#include <sunder/io/robot/scene_file.h>
+#include <sunder/io/robot/urdf.h>
+#include <sunder/io/text/csv.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/foreign.h>
+#include <sunder/io/text/text.h>
+#include <sunder/io/text/triples.h>
 
 #include <fmt/format.h>
 

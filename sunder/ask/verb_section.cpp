@@ -5,13 +5,13 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/plane_text.h>
-#include <sunder/io/section_text.h>
-#include <sunder/io/space_objects.h>
+#include <sunder/io/mesh/plane_text.h>
+#include <sunder/io/mesh/section_text.h>
+#include <sunder/io/mesh/space_objects.h>
+#include <sunder/io/text/file.h>
 #include <sunder/picture/plane.h>
-#include <sunder/solid/pair/polyhedron_plane_section.h>
-#include <sunder/solid/pair/section_claims.h>
+#include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_claims.h>
 
 #include <fmt/format.h>
 

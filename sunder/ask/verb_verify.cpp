@@ -6,8 +6,8 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 
 #include <verifier/cpp/verify.h>
 

@@ -1,5 +1,5 @@
 // JSON to be written: a value that is built member by member, and the text of it. Objects keep the order in which their
-// members are made. (Reading is io/json_internal.h's.)
+// members are made. (Reading is io/text/json_internal.h's.)
 //
 // A braced list is an object where each of its entries is a braced pair that begins with a string, else an array:
 //   Json report{{"answer", "apart"}, {"gap", 0.5}, {"vertices", {1, 2, 3}}};

@@ -1,6 +1,6 @@
 #include <sunder/base/names.h>
 #include <sunder/certificate/check.h>
-#include <sunder/predicate/common_point.h>
+#include <sunder/predicate/point/common_point.h>
 
 #include <algorithm>
 #include <cmath>

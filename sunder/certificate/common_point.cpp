@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
 
 #include <algorithm>
 

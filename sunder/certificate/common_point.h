@@ -4,8 +4,8 @@
 #pragma once
 
 #include <sunder/certificate/pair.h>
-#include <sunder/predicate/common_point.h>
 #include <sunder/predicate/exact_point.h>
+#include <sunder/predicate/point/common_point.h>
 
 #include <array>
 #include <cstddef>

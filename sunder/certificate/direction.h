@@ -2,7 +2,7 @@
 #pragma once
 
 #include <sunder/certificate/pair.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 
 #include <span>
 

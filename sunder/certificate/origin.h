@@ -12,7 +12,7 @@ namespace sunder {
 // A file that was read.
 struct InputFile {
   std::string name;    // as somebody gave it; "-": standard input
-  std::string sha256;  // of its bytes: 64 hexadecimal digits (io/sha256.h)
+  std::string sha256;  // of its bytes: 64 hexadecimal digits (io/text/sha256.h)
   friend bool operator==(const InputFile&, const InputFile&) = default;
 };
 

@@ -2,7 +2,7 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/fractions_test.h>
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/predicate/common_point.h>
+#include <sunder/predicate/point/common_point.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

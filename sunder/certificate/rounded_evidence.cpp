@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/rounded_evidence.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
 
 #include <cmath>
 

@@ -32,7 +32,7 @@ inline double bound(const DoubleDouble& v, double e) { return e * (1 + 0x1p-40) 
 
 }  // namespace estimate_detail
 
-// As a stage of a formula (predicate/stages.h).
+// As a stage of a formula (predicate/filter/stages.h).
 struct EstimateStage {
   static Estimate read(double x) { return x; }
 };

@@ -1,7 +1,7 @@
 #include <sunder/picture/gltf.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/mesh_formats.h>
+#include <sunder/io/mesh/mesh_formats.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

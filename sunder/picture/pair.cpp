@@ -3,7 +3,7 @@
 
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/rounded_evidence.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/placed.h>
 #include <sunder/planar/pair/polygon_polygon_by.h>

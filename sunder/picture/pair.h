@@ -2,7 +2,7 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/io/planar_objects.h>
+#include <sunder/io/plane/planar_objects.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>

@@ -1,7 +1,7 @@
 #include <sunder/picture/plane.h>
 #include <sunder/picture/segments.h>
 
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 #include <sunder/planar/pair/segment_segment.h>
 
 #include <fmt/format.h>

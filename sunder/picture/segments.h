@@ -1,9 +1,9 @@
 // A picture of segments and of where they meet, as SVG.
 #pragma once
 
-#include <sunder/io/lines.h>
+#include <sunder/io/plane/lines.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/segments/segments_all.h>
 
 #include <cstdint>
 #include <span>

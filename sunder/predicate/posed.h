@@ -13,7 +13,7 @@
 
 namespace sunder {
 
-// How often which stage decided (see predicate/stages.h). Predicates add to it where one is given.
+// How often which stage decided (see predicate/filter/stages.h). Predicates add to it where one is given.
 struct StageTally {
   std::uint32_t rounded = 0;  // floating point with an error bound
   std::uint32_t interval = 0;
@@ -56,7 +56,7 @@ inline SizeRange size_range(std::span<const Point3> points) {
 }
 
 // True when floating point neither overflows nor underflows in formulas of up to three factors over images of such
-// points, and in the products direction . matrix . difference of predicate/along.h. Only products can underflow.
+// points, and in the products direction . matrix . difference of predicate/point/along.h. Only products can underflow.
 // Rounded, a product of a matrix entry and a coordinate is zero or in [2^-200, 2^250], a multiple of 2^-252. A number
 // of the translation is a multiple of 2^-302. So images and their differences are multiples of 2^-302 below 2^253, and
 // a product of three of them is a multiple of 2^-906 below 2^762. A matrix entry times a component of a tame direction,
@@ -70,7 +70,7 @@ inline bool images_are_tame(const SizeRange& linear, const SizeRange& translatio
          translation.least >= 0x1p-250 && translation.greatest <= 0x1p250;
 }
 
-// True when Along::turn (predicate/along.h) neither overflows nor underflows for such points, where images are tame.
+// True when Along::turn (predicate/point/along.h) neither overflows nor underflows for such points, where images are tame.
 // Let all numbers be zero or in [2^-80, 2^80]. Entries times components of a tame direction are multiples of 2^-244,
 // and differences of coordinates of 2^-132: so a product of direction and difference is a multiple of 2^-376 below
 // 2^165, one of a tame m and a difference of 2^-244 below 2^85, and all stays a multiple of 2^-620.

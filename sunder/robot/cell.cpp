@@ -1,7 +1,7 @@
 #include <sunder/base/error.h>
-#include <sunder/io/joint_values.h>
-#include <sunder/io/scene_file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/robot/joint_values.h>
+#include <sunder/io/robot/scene_file.h>
+#include <sunder/io/text/text.h>
 #include <sunder/robot/cell.h>
 
 #include <fmt/format.h>

@@ -2,19 +2,19 @@
 // which pairs are allowed to meet and why, what was left out, and the unit of lengths.
 // Also called: planning scene; robot cell, work cell; collision world.
 //
-// Files are meshes (a body each), scenes (io/scene_file.h) and at most one robot (URDF), whose links with shapes are
+// Files are meshes (a body each), scenes (io/robot/scene_file.h) and at most one robot (URDF), whose links with shapes are
 // bodies. Nothing is printed: what people should hear is added to `remarks`, a line each. `place` of a function is for
 // messages, such as "--allow". All functions that read files throw Error as their readers do.
 #pragma once
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/left_out.h>
-#include <sunder/io/packages.h>
-#include <sunder/io/robot_bodies.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/io/srdf.h>
-#include <sunder/io/urdf.h>
+#include <sunder/io/robot/packages.h>
+#include <sunder/io/robot/robot_bodies.h>
+#include <sunder/io/robot/robot_motion.h>
+#include <sunder/io/robot/srdf.h>
+#include <sunder/io/robot/urdf.h>
+#include <sunder/io/text/left_out.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/object/affine_product.h>
 #include <sunder/solid/object/pose.h>
@@ -51,7 +51,7 @@ struct CellFile {
 
 struct CellOptions {
   bool require_convex = false;               // a mesh that is not is an error; else its hull stands for it
-  bool leave_out = false;                    // consent to what is not read (io/left_out.h)
+  bool leave_out = false;                    // consent to what is not read (io/text/left_out.h)
   io::Packages packages{};                   // where the robot's meshes are
   io::PartsOf parts = io::PartsOf::objects;  // of meshes, but those of the robot
 };

@@ -1,4 +1,4 @@
-#include <sunder/io/joint_table.h>
+#include <sunder/io/robot/joint_table.h>
 #include <sunder/robot/cell.h>
 #include <sunder/robot/rows.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/io/joint_table.h>
-#include <sunder/io/robot_motion.h>
+#include <sunder/io/robot/joint_table.h>
+#include <sunder/io/robot/robot_motion.h>
 #include <sunder/robot/cell.h>
 #include <sunder/scene/timeline.h>
 

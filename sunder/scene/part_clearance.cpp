@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/along.h>
-#include <sunder/predicate/shortest_way.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/shortest_way.h>
 #include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>

@@ -1,5 +1,5 @@
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/search/placed.h>
 
 #include <memory>
 #include <tuple>

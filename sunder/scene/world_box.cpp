@@ -1,9 +1,9 @@
 #include <sunder/base/lanes.h>
 #include <sunder/number/interval.h>
 #include <sunder/number/rounded.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/scene/world_box.h>
-#include <sunder/solid/pair/support.h>
+#include <sunder/solid/search/support.h>
 
 #include <algorithm>
 #include <array>

@@ -4,8 +4,8 @@
 
 #include <sunder/certificate/pair.h>
 #include <sunder/predicate/point.h>
-#include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/round/round_body.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <array>
 #include <cstdint>

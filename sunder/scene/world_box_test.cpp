@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/scene/world_box.h>
 
 #include <gtest/gtest.h>

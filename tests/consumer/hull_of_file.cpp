@@ -1,5 +1,5 @@
 // The readers are linked: a tetrahedron with one more point inside has a hull of four vertices.
-#include <sunder/io/mesh.h>
+#include <sunder/io/mesh/mesh.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 int main() {

@@ -5,9 +5,9 @@
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/set/discs_all.h>
-#include <sunder/planar/set/discs_any.h>
-#include <sunder/planar/set/discs_any_json.h>
+#include <sunder/planar/discs/discs_all.h>
+#include <sunder/planar/discs/discs_any.h>
+#include <sunder/planar/discs/discs_any_claims.h>
 #include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 
 #include <sunder/base/random.h>
 #include <sunder/near/cover_order.h>
+#include <sunder/planar/discs/disc_boxes.h>
+#include <sunder/planar/discs/discs_all.h>
 #include <sunder/planar/region/disc_intersection.h>
-#include <sunder/planar/set/disc_boxes.h>
-#include <sunder/planar/set/discs_all.h>
 
 #include <array>
 #include <cmath>

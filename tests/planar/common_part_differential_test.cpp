@@ -6,7 +6,7 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
 #include <sunder/planar/region/disc_intersection.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <gtest/gtest.h>
 

@@ -6,12 +6,12 @@
 
 #include <sunder/base/random.h>
 #include <sunder/near/box_pairs.h>
-#include <sunder/planar/set/boxes.h>
-#include <sunder/planar/set/convex_polygons_any.h>
-#include <sunder/planar/set/discs_all.h>
-#include <sunder/planar/set/discs_any_json.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/boxes/boxes.h>
+#include <sunder/planar/discs/discs_all.h>
+#include <sunder/planar/discs/discs_any_claims.h>
+#include <sunder/planar/polygons/convex_polygons_any.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/segments/segments_all.h>
 
 #include <array>
 #include <cmath>

@@ -3,9 +3,9 @@
 // found, edges that cross and rings inside of others, also of one group; the edges at one point are one bundle, and are
 // in n. The constants are at most 1.5 times the greatest value that is measured at n = 1,024, and hold from there to
 // 65,536.
-#include <sunder/planar/set/convex_polygons_any.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/polygons/convex_polygons_any.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_any.h>
 
 #include <tests/support/allowed_rules.h>
 #include <tests/support/polygon_sets.h>

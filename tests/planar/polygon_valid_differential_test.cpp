@@ -3,8 +3,8 @@
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
-#include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/polygons/polygon_valid.h>
 
 #include <gtest/gtest.h>
 

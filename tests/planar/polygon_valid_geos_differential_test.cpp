@@ -2,7 +2,7 @@
 #include <tests/support/nasty_polygons.h>
 #include <tests/support/scale.h>
 
-#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_valid.h>
 
 #include <geos_c.h>
 #include <gtest/gtest.h>

@@ -7,8 +7,8 @@
 // By grid, and by boxes, on local data that does not meet: linear. By boxes where that is not so: 65 n more than by
 // sweep (the grid does not pay there).
 #include <sunder/base/random.h>
-#include <sunder/planar/set/convex_polygons_any.h>
-#include <sunder/planar/set/polygons_any.h>
+#include <sunder/planar/polygons/convex_polygons_any.h>
+#include <sunder/planar/polygons/polygons_any.h>
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,13 @@
 #include <tests/support/scale.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/set/polygon_edges.h>
-#include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_any.h>
-#include <sunder/planar/set/polygons_json.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/planar/polygons/polygon_edges.h>
+#include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_any.h>
+#include <sunder/planar/polygons/polygons_claims.h>
+#include <sunder/predicate/point/orient.h>
 #include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>

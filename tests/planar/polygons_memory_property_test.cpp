@@ -3,7 +3,7 @@
 #include <tests/support/live_bytes.h>
 #include <tests/support/shapes.h>
 
-#include <sunder/planar/set/polygons_all.h>
+#include <sunder/planar/polygons/polygons_all.h>
 
 #include <gtest/gtest.h>
 

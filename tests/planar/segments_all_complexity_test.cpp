@@ -2,7 +2,7 @@
 // with few and with many contacts. (Found by trial: below 11. By the argument in segments_all_by_balaban.cpp it is
 // bounded for all N.)
 #include <sunder/base/random.h>
-#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/segments/segments_all.h>
 
 #include <tests/support/shapes.h>
 

@@ -3,8 +3,8 @@
 #include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
 
-#include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/segments/segments_claims.h>
 #include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>

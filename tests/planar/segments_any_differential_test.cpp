@@ -3,7 +3,7 @@
 #include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
 
-#include <sunder/planar/set/segments_any.h>
+#include <sunder/planar/segments/segments_any.h>
 
 #include <gtest/gtest.h>
 

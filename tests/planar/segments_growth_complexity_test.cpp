@@ -4,7 +4,7 @@
 #include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/planar/set/segments_all.h>
+#include <sunder/planar/segments/segments_all.h>
 
 #include <array>
 #include <functional>

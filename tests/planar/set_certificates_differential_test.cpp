@@ -1,15 +1,15 @@
 // Evidence about circles, half-planes, linear programs and polygons against the checker: what the library says is
 // accepted, and what is accepted is true, also of a set that was changed a little.
 #include <sunder/base/random.h>
+#include <sunder/planar/discs/discs_any_claims.h>
+#include <sunder/planar/polygons/convex_polygons_any_claims.h>
+#include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/polygons/polygons_claims.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/region/disc_intersection_claims.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/convex_polygons_any_json.h>
-#include <sunder/planar/set/discs_any_json.h>
-#include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygons_json.h>
+#include <sunder/planar/region/linear_program_claims.h>
+#include <sunder/planar/region/regions_claims.h>
 #include <tests/support/scale.h>
 #include <verifier/cpp/verify.h>
 

@@ -5,8 +5,8 @@
 #include <tests/support/shapes.h>
 
 #include <sunder/certificate/claims.h>
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_valid_claims.h>
 
 #include <verifier/cpp/verify.h>
 

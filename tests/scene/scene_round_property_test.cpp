@@ -5,7 +5,7 @@
 #include <tests/support/shapes.h>
 
 #include <sunder/scene/follower.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/scene/scene_claims.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <verifier/cpp/verify.h>

@@ -4,7 +4,7 @@
 #include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/solid/object/hull_json.h>
+#include <sunder/solid/object/hull_claims.h>
 
 #include <verifier/cpp/verify.h>
 

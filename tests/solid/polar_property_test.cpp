@@ -6,7 +6,7 @@
 // all triples of them: what is unbounded has directions among its corners. The two sides of an "if and only if" are
 // decided in different ways, so that a wrong sign in one is not met by the same in the other.
 #include <sunder/base/random.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <tests/support/exact.h>

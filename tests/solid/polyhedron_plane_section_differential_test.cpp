@@ -4,8 +4,8 @@
 #include <tests/support/solid_pairs.h>
 #include <tests/support/solid_shapes.h>
 
-#include <sunder/solid/pair/polyhedron_plane_section.h>
-#include <sunder/solid/pair/section_claims.h>
+#include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_claims.h>
 
 #include <verifier/cpp/verify.h>
 

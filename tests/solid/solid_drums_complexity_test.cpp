@@ -7,11 +7,11 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/solid/pair/polyhedron_line.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
+#include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/section/polyhedron_plane.h>
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,13 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/predicate/along.h>
-#include <sunder/solid/pair/polar_round.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/solid/descent/polar_round.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
-#include <sunder/solid/pair/support.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
+#include <sunder/solid/search/support.h>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include <tests/support/solid_lines.h>
 
 #include <sunder/base/random.h>
-#include <sunder/solid/pair/polyhedron_line.h>
-#include <sunder/solid/pair/polyhedron_ray.h>
-#include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/line/polyhedron_line.h>
+#include <sunder/solid/line/polyhedron_ray.h>
+#include <sunder/solid/line/polyhedron_segment.h>
 #include <sunder/solid/represent/drums.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/solid/pair/polyhedron_line.h>
+#include <sunder/solid/line/polyhedron_line.h>
 
 #include <gtest/gtest.h>
 

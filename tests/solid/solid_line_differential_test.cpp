@@ -3,10 +3,10 @@
 #include <tests/support/solid_lines.h>
 
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/solid/pair/polyhedron_line.h>
-#include <sunder/solid/pair/polyhedron_line_claims.h>
-#include <sunder/solid/pair/polyhedron_ray.h>
-#include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/line/polyhedron_line.h>
+#include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/line/polyhedron_ray.h>
+#include <sunder/solid/line/polyhedron_segment.h>
 
 #include <gtest/gtest.h>
 #include <verifier/cpp/verify.h>

@@ -1,10 +1,10 @@
 // Every method of polyhedron_plane against polyhedron_plane_by_scan, over bodies and planes of all sorts.
 #include <tests/support/solid_pairs.h>
 
-#include <sunder/predicate/along.h>
-#include <sunder/predicate/plane_side.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/plane_side.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/section/polyhedron_plane.h>
 
 #include <gtest/gtest.h>
 

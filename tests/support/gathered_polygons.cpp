@@ -1,5 +1,5 @@
 #include <sunder/planar/object/polygon.h>
-#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/polygons/polygon_simple.h>
 #include <tests/support/gathered_polygons.h>
 #include <tests/support/shapes.h>
 

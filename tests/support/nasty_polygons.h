@@ -2,7 +2,7 @@
 #pragma once
 
 #include <sunder/base/random.h>
-#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_valid.h>
 
 #include <cstdint>
 #include <string_view>

@@ -7,8 +7,8 @@
 
 #include <sunder/base/random.h>
 #include <sunder/planar/object/polygon.h>
-#include <sunder/planar/set/polygon_simple.h>
-#include <sunder/planar/set/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/polygons/polygon_valid.h>
 
 #include <algorithm>
 #include <array>

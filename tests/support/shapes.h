@@ -5,7 +5,7 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/predicate/disc.h>
+#include <sunder/predicate/disc/disc.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/object/pose.h>
 

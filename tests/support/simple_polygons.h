@@ -3,7 +3,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/planar/object/polygon.h>
-#include <sunder/planar/set/polygon_simple.h>
+#include <sunder/planar/polygons/polygon_simple.h>
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/base/random.h>
-#include <sunder/solid/pair/polar_round.h>
+#include <sunder/solid/descent/polar_round.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <algorithm>

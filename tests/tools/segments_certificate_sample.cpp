@@ -3,7 +3,7 @@
 //
 // Every family of tests/support/segment_sets.h in turn, under every rule, a set each; every second one with groups. In
 // turn: does any pair meet, which, how many.
-#include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/segments/segments_claims.h>
 #include <tests/support/segment_sets.h>
 
 #include <algorithm>

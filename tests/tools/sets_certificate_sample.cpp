@@ -7,13 +7,13 @@
 
 #include <sunder/base/error.h>
 #include <sunder/base/random.h>
-#include <sunder/planar/region/disc_intersection_json.h>
+#include <sunder/planar/discs/discs_any_claims.h>
+#include <sunder/planar/polygons/convex_polygons_any_claims.h>
+#include <sunder/planar/polygons/polygons_claims.h>
+#include <sunder/planar/region/disc_intersection_claims.h>
 #include <sunder/planar/region/half_plane_intersection.h>
-#include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/region/regions_json.h>
-#include <sunder/planar/set/convex_polygons_any_json.h>
-#include <sunder/planar/set/discs_any_json.h>
-#include <sunder/planar/set/polygons_json.h>
+#include <sunder/planar/region/linear_program_claims.h>
+#include <sunder/planar/region/regions_claims.h>
 
 #include <array>
 #include <cstdio>

@@ -1,7 +1,7 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
-#include <sunder/solid/pair/flat_flat.h>
+#include <sunder/solid/line/flat_flat.h>
 
 #include <fmt/format.h>
 

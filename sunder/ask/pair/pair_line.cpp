@@ -1,9 +1,9 @@
 #include <sunder/ask/pair/pair_space.h>
 
-#include <sunder/solid/pair/polyhedron_line.h>
-#include <sunder/solid/pair/polyhedron_line_claims.h>
-#include <sunder/solid/pair/polyhedron_ray.h>
-#include <sunder/solid/pair/polyhedron_segment.h>
+#include <sunder/solid/line/polyhedron_line.h>
+#include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/line/polyhedron_ray.h>
+#include <sunder/solid/line/polyhedron_segment.h>
 
 #include <fmt/format.h>
 

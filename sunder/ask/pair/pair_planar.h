@@ -4,7 +4,7 @@
 
 #include <sunder/ask/pair/pair_question.h>
 
-#include <sunder/io/planar_objects.h>
+#include <sunder/io/plane/planar_objects.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 

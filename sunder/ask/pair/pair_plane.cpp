@@ -1,8 +1,8 @@
 #include <sunder/ask/pair/pair_space.h>
 
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/polyhedron_plane.h>
-#include <sunder/solid/pair/polyhedron_plane_claims.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/solid/section/polyhedron_plane.h>
+#include <sunder/solid/section/polyhedron_plane_claims.h>
 
 #include <fmt/format.h>
 

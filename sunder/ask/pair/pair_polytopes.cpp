@@ -1,8 +1,8 @@
 #include <sunder/ask/pair/pair_polytopes.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/polytopes.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/polytopes.h>
+#include <sunder/io/text/text.h>
 #include <sunder/polytope/pair/polytope_claims.h>
 
 #include <fmt/format.h>

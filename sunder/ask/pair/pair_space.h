@@ -5,10 +5,10 @@
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_question.h>
 
-#include <sunder/io/space_objects.h>
+#include <sunder/io/mesh/space_objects.h>
+#include <sunder/solid/line/flat_body.h>
+#include <sunder/solid/line/polyhedron_cut.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/pair/flat_body.h>
-#include <sunder/solid/pair/polyhedron_cut.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
 #include <optional>

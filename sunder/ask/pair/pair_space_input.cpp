@@ -1,9 +1,9 @@
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
+#include <sunder/predicate/filter/stages.h>
 
 #include <fmt/format.h>
 

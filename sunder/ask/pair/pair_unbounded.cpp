@@ -1,7 +1,7 @@
 #include <sunder/ask/pair/pair_planar.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 #include <sunder/picture/pair.h>
 #include <sunder/planar/pair/polygon_unbounded.h>
 

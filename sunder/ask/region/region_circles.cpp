@@ -2,12 +2,12 @@
 #include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_question.h>
 
-#include <sunder/io/triples.h>
+#include <sunder/io/text/triples.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/disc_intersection.h>
-#include <sunder/planar/region/disc_intersection_json.h>
-#include <sunder/predicate/constraints.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/planar/region/disc_intersection_claims.h>
+#include <sunder/predicate/disc/disc_powers.h>
+#include <sunder/predicate/line/constraints.h>
 
 #include <fmt/format.h>
 

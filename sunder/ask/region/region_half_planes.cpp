@@ -3,13 +3,13 @@
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
-#include <sunder/io/triples.h>
+#include <sunder/io/text/text.h>
+#include <sunder/io/text/triples.h>
 #include <sunder/picture/region.h>
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/linear_program.h>
-#include <sunder/planar/region/linear_program_json.h>
-#include <sunder/planar/region/regions_json.h>
+#include <sunder/planar/region/linear_program_claims.h>
+#include <sunder/planar/region/regions_claims.h>
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/polytopes.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/polytopes.h>
+#include <sunder/io/text/text.h>
 #include <sunder/polytope/region/half_space_region.h>
 #include <sunder/polytope/region/linear_program.h>
 #include <sunder/polytope/region/region_claims.h>

@@ -2,11 +2,11 @@
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/object/convex_either_way.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/planar/region/regions_json.h>
+#include <sunder/planar/region/regions_claims.h>
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <sunder/ask/region/region_question.h>
 
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 

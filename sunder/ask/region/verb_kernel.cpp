@@ -3,12 +3,12 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 #include <sunder/picture/plane.h>
 #include <sunder/planar/region/kernel.h>
-#include <sunder/planar/region/regions_json.h>
-#include <sunder/predicate/constraints.h>
+#include <sunder/planar/region/regions_claims.h>
+#include <sunder/predicate/line/constraints.h>
 
 #include <fmt/format.h>
 

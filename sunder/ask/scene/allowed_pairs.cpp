@@ -1,6 +1,6 @@
 #include <sunder/ask/scene/allowed_pairs.h>
 
-#include <sunder/io/text.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_input.h>
 
-#include <sunder/io/joint_table.h>
+#include <sunder/io/robot/joint_table.h>
 #include <sunder/scene/scene.h>
 
 #include <span>

@@ -6,7 +6,7 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/scene/clearance.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/scene/scene_claims.h>
 #include <sunder/scene/timeline.h>
 
 #include <cstddef>

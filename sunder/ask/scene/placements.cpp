@@ -7,10 +7,10 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/rounded_evidence.h>
-#include <sunder/io/file.h>
-#include <sunder/io/robot_motion.h>
-#include <sunder/io/text.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/io/robot/robot_motion.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
+#include <sunder/scene/scene_claims.h>
 
 #include <fmt/format.h>
 

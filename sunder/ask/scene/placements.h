@@ -5,9 +5,9 @@
 #include <sunder/ask/scene/nearness_lines.h>
 #include <sunder/ask/scene/scene_input.h>
 
-#include <sunder/io/file.h>
-#include <sunder/io/joint_table.h>
-#include <sunder/io/joint_values.h>
+#include <sunder/io/robot/joint_table.h>
+#include <sunder/io/robot/joint_values.h>
+#include <sunder/io/text/file.h>
 #include <sunder/robot/cell.h>
 #include <sunder/robot/rows.h>
 #include <sunder/scene/scene.h>

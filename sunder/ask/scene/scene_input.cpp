@@ -1,9 +1,9 @@
 #include <sunder/ask/scene/scene_input.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/scene_file.h>
-#include <sunder/io/text.h>
+#include <sunder/io/robot/scene_file.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include <sunder/ask/said_of.h>
 #include <sunder/ask/scene/allowed_pairs.h>
 
-#include <sunder/io/joint_values.h>
-#include <sunder/io/srdf.h>
+#include <sunder/io/robot/joint_values.h>
+#include <sunder/io/robot/srdf.h>
 #include <sunder/robot/cell.h>
 
 #include <string>

@@ -8,13 +8,13 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/joint_values.h>
-#include <sunder/io/text.h>
+#include <sunder/io/robot/joint_values.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/text.h>
 #include <sunder/picture/gltf.h>
 #include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
-#include <sunder/scene/scene_json.h>
+#include <sunder/scene/scene_claims.h>
 
 #include <fmt/format.h>
 

@@ -4,8 +4,8 @@
 #include <sunder/ask/list_stream.h>
 #include <sunder/ask/verb.h>
 
-#include <sunder/io/file.h>
-#include <sunder/io/property.h>
+#include <sunder/io/text/file.h>
+#include <sunder/io/text/property.h>
 #include <sunder/predicate/point.h>
 
 #include <array>

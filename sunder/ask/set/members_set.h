@@ -14,8 +14,8 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/property.h>
-#include <sunder/io/text.h>
+#include <sunder/io/text/property.h>
+#include <sunder/io/text/text.h>
 #include <sunder/near/cover_statement.h>
 #include <sunder/near/set_answers.h>
 #include <sunder/near/set_methods.h>

@@ -3,7 +3,7 @@
 
 #include <sunder/ask/report.h>
 
-#include <sunder/io/polygons.h>
+#include <sunder/io/plane/polygons.h>
 
 #include <string>
 

@@ -22,7 +22,7 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/certificate/claims.h>
-#include <sunder/io/file.h>
+#include <sunder/io/text/file.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/near/set_question.h>
 #include <sunder/picture/plane.h>

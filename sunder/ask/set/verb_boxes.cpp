@@ -1,8 +1,8 @@
 // sunder boxes FILE: do any two boxes, whose sides are parallel to the axes, meet? Which? How many?
 #include <sunder/ask/set/members_set.h>
 
-#include <sunder/io/lines.h>
-#include <sunder/planar/set/boxes.h>
+#include <sunder/io/plane/lines.h>
+#include <sunder/planar/boxes/boxes.h>
 
 namespace sunder::ask {
 

@@ -1,9 +1,9 @@
 // sunder circles FILE: do any two circles, with their insides, meet? Which? How many?
 #include <sunder/ask/set/members_set.h>
 
-#include <sunder/io/triples.h>
-#include <sunder/planar/set/discs_all.h>
-#include <sunder/planar/set/discs_any_json.h>
+#include <sunder/io/text/triples.h>
+#include <sunder/planar/discs/discs_all.h>
+#include <sunder/planar/discs/discs_any_claims.h>
 
 namespace sunder::ask {
 

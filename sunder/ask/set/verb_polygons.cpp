@@ -4,10 +4,10 @@
 #include <sunder/ask/set/set_verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/text.h>
-#include <sunder/planar/set/polygon_contacts_in_order.h>
-#include <sunder/planar/set/polygons_all.h>
-#include <sunder/planar/set/polygons_json.h>
+#include <sunder/io/text/text.h>
+#include <sunder/planar/polygons/polygon_contacts_in_order.h>
+#include <sunder/planar/polygons/polygons_all.h>
+#include <sunder/planar/polygons/polygons_claims.h>
 
 #include <fmt/ranges.h>
 

@@ -6,12 +6,12 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
-#include <sunder/io/lines.h>
-#include <sunder/io/text.h>
+#include <sunder/io/plane/lines.h>
+#include <sunder/io/text/text.h>
 #include <sunder/picture/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
-#include <sunder/planar/set/segments_all.h>
-#include <sunder/planar/set/segments_json.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/segments/segments_claims.h>
 #include <sunder/planar/sweep/sweep_events.h>
 
 #include <fmt/ranges.h>

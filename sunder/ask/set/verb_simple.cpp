@@ -6,11 +6,11 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/io/file.h>
-#include <sunder/io/polygon_parts.h>
+#include <sunder/io/plane/polygon_parts.h>
+#include <sunder/io/text/file.h>
 #include <sunder/picture/segments.h>
-#include <sunder/planar/set/polygon_valid.h>
-#include <sunder/planar/set/polygon_valid_json.h>
+#include <sunder/planar/polygons/polygon_valid.h>
+#include <sunder/planar/polygons/polygon_valid_claims.h>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/planar/object/line.h>
-#include <sunder/predicate/constraints.h>
+#include <sunder/predicate/line/constraints.h>
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include <sunder/planar/object/convex_either_way.h>
 
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 #include <charconv>

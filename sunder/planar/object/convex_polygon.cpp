@@ -1,7 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 #include <cmath>

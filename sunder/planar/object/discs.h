@@ -4,7 +4,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/near/member_list.h>
-#include <sunder/predicate/disc.h>
+#include <sunder/predicate/disc/disc.h>
 
 #include <vector>
 

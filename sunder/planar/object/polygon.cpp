@@ -1,6 +1,6 @@
 #include <sunder/base/error.h>
 #include <sunder/planar/object/polygon.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <cmath>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #include <sunder/base/error.h>
 #include <sunder/planar/object/pose.h>
-#include <sunder/predicate/arrows.h>
+#include <sunder/predicate/line/arrows.h>
 
 #include <cmath>
 

@@ -12,7 +12,7 @@
 #include <sunder/planar/object/pose.h>
 #include <sunder/planar/pair/exact_image.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/line/crossing.h>
 
 #include <array>
 #include <cstdint>

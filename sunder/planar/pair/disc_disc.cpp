@@ -1,6 +1,6 @@
 #include <sunder/base/names.h>
 #include <sunder/planar/pair/disc_disc.h>
-#include <sunder/predicate/discs.h>
+#include <sunder/predicate/disc/discs.h>
 
 namespace sunder::planar {
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <sunder/planar/object/discs.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/line/crossing.h>
 #include <sunder/predicate/posed.h>
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 #include <sunder/certificate/pair.h>
 #include <sunder/planar/pair/edge_runs.h>
 #include <sunder/planar/pair/proposal.h>
-#include <sunder/predicate/triangles.h>
+#include <sunder/predicate/line/triangles.h>
 
 #include <array>
 #include <bit>

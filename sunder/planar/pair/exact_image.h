@@ -3,8 +3,8 @@
 
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
-#include <sunder/predicate/crossing.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/line/crossing.h>
 
 #include <cstdint>
 

@@ -12,7 +12,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/planar/pair/edge_runs.h>
-#include <sunder/predicate/chord.h>
+#include <sunder/predicate/line/chord.h>
 
 #include <array>
 #include <cstddef>
@@ -144,7 +144,7 @@ class Heights {
 // By Fibonacci search, as in Lemma 2. Cost: at most 2.8808 log2 n + 7 evaluations of f for both vertices together, a
 // probe each; values that are known are not evaluated again. Up to three signs a step.
 // Departures: f is not computed but compared, so that T, the line between f(0) and f(n - 1), is a sign of products
-// (predicate/chord.h). Where f(x) is not below T(x), g rises from x on: f(y) need not be known. Polygons of one and two
+// (predicate/line/chord.h). Where f(x) is not below T(x), g rises from x on: f(y) need not be known. Polygons of one and two
 // vertices, and the choice between two extreme vertices, are added.
 template <class Sequence>
 Extremes extreme_vertices_by_fibonacci(const Sequence& p, const typename Sequence::Vertex& from,

@@ -6,7 +6,7 @@
 
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
-#include <sunder/predicate/arrows.h>
+#include <sunder/predicate/line/arrows.h>
 
 #include <array>
 #include <cstdint>

@@ -9,8 +9,8 @@
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 #include <sunder/planar/pair/polygon_point.h>
-#include <sunder/predicate/crossing.h>
 #include <sunder/predicate/exact_point.h>
+#include <sunder/predicate/line/crossing.h>
 
 #include <cstdint>
 #include <string_view>

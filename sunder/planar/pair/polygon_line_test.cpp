@@ -1,7 +1,7 @@
 // A line and a polygon: the searches against the scan, exact ends, and what it costs.
 #include <sunder/planar/pair/cut_test.h>
 #include <sunder/planar/pair/polygon_line.h>
-#include <sunder/predicate/arrows.h>
+#include <sunder/predicate/line/arrows.h>
 
 #include <tests/support/scale.h>
 

@@ -24,7 +24,7 @@
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
 
 #include <cmath>
 

@@ -14,7 +14,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/line/crossing.h>
 
 #include <cstdint>
 #include <vector>

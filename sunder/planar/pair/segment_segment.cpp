@@ -1,6 +1,6 @@
 #include <sunder/base/names.h>
 #include <sunder/planar/pair/segment_segment.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 #include <utility>

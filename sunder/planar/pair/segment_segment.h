@@ -6,7 +6,7 @@
 #pragma once
 
 #include <sunder/planar/object/segments.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/line/crossing.h>
 #include <sunder/predicate/posed.h>
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/planar/region/discs_deepest.h>
-#include <sunder/predicate/disc_crossing.h>
+#include <sunder/predicate/disc/disc_crossing.h>
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include <sunder/base/names.h>
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/predicate/arrows.h>
+#include <sunder/predicate/line/arrows.h>
 
 namespace sunder::planar {
 

@@ -15,7 +15,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/convex_polygon.h>
-#include <sunder/predicate/line_points.h>
+#include <sunder/predicate/line/line_points.h>
 
 #include <array>
 #include <cstdint>

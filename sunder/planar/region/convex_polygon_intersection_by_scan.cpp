@@ -1,6 +1,6 @@
 // The oracle: the corners of the common part are vertices, or crossings of two edges, that are in all polygons.
 #include <sunder/planar/region/convex_polygon_intersection.h>
-#include <sunder/predicate/arrows.h>
+#include <sunder/predicate/line/arrows.h>
 
 #include <algorithm>
 

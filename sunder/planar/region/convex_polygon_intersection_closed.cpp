@@ -1,7 +1,7 @@
 // Upper minus lower boundary is a concave function, linear between the abscissas at which either chain has a new piece.
 #include <sunder/planar/region/convex_polygon_intersection_closed.h>
-#include <sunder/predicate/arrows.h>
-#include <sunder/predicate/height_order.h>
+#include <sunder/predicate/line/arrows.h>
+#include <sunder/predicate/line/height_order.h>
 
 #include <algorithm>
 #include <cmath>

@@ -17,7 +17,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/discs.h>
 #include <sunder/planar/region/discs_deepest.h>
-#include <sunder/predicate/disc_crossing.h>
+#include <sunder/predicate/disc/disc_crossing.h>
 
 #include <cstdint>
 #include <string_view>

@@ -1,7 +1,7 @@
 // Batches that double: a disc of the second half is compared once with a box around the common part of the first half.
 #include <sunder/base/random.h>
 #include <sunder/planar/region/discs_prepared.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <algorithm>
 #include <numeric>

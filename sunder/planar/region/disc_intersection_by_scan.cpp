@@ -5,9 +5,9 @@
 // leaves one of them at once. It stays in disc k where the point is inside of k; where the circles do not cross and the
 // disc is in k; and where they cross and the point is the one at which the circle enters k.
 #include <sunder/planar/region/disc_intersection.h>
-#include <sunder/predicate/disc_powers.h>
-#include <sunder/predicate/discs.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/disc/disc_powers.h>
+#include <sunder/predicate/disc/discs.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 

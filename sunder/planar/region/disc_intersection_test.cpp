@@ -1,7 +1,7 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/region/disc_intersection.h>
 #include <sunder/planar/region/discs_prepared.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <tests/support/shapes.h>
 

@@ -8,7 +8,7 @@
 #include <sunder/number/double_double.h>
 #include <sunder/number/vector.h>
 #include <sunder/planar/region/discs_deepest.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // The power of a disc at p is |p - center|^2 - radius^2. There is one deepest point, and its sign tells what the common
 // part of the discs is: negative: it has an inside, and the point is inside of all; zero: it is that point; positive:
 // it is empty.
-//   D1. The point is named by at most three discs: it is their deepest point (predicate/disc_powers.h), exactly.
+//   D1. The point is named by at most three discs: it is their deepest point (predicate/disc/disc_powers.h), exactly.
 //   D2. At that point no disc has a greater power than these; and theirs are equal.
 //   D3. The weights of the point (deepest_weights) are positive. So the named discs alone prove an empty common part:
 //       sum w (|c|^2 - r^2) - |sum w c|^2 > 0.
@@ -17,7 +17,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/number/sign.h>
 #include <sunder/planar/object/discs.h>
-#include <sunder/predicate/disc.h>
+#include <sunder/predicate/disc/disc.h>
 
 #include <array>
 #include <cstdint>
@@ -34,7 +34,7 @@ struct [[nodiscard]] DiscsDeepest {
   std::span<const std::uint32_t> basis() const& { return {discs.data(), count}; }
 };
 
-// Those discs themselves, for predicate/disc_powers.h.
+// Those discs themselves, for predicate/disc/disc_powers.h.
 struct DiscBasis {
   std::array<Disc, 3> discs;
   std::uint32_t count = 0;

@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
 #include <sunder/planar/region/discs_deepest.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include <sunder/planar/region/discs_prepared.h>
-#include <sunder/predicate/disc_powers.h>
+#include <sunder/predicate/disc/disc_powers.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include <sunder/base/interruption.h>
 #include <sunder/planar/region/edge_chain.h>
 #include <sunder/planar/region/merge_in_pairs.h>
-#include <sunder/predicate/height_order.h>
+#include <sunder/predicate/line/height_order.h>
 
 #include <utility>
 

@@ -12,7 +12,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/cost.h>
 #include <sunder/planar/object/convex_polygon.h>
-#include <sunder/predicate/line_points.h>
+#include <sunder/predicate/line/line_points.h>
 
 #include <cstdint>
 #include <span>

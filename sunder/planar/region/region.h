@@ -61,7 +61,7 @@ struct [[nodiscard]] Region {
 std::vector<std::array<std::uint32_t, 2>> corners(const Region& region);
 
 // A point of the region: its first corner, or where it has none, one of the line of its first side; of the plane, the
-// origin. Requires a region that is not empty. exact_corner and nearest (predicate/constraints.h) are for the others.
+// origin. Requires a region that is not empty. exact_corner and nearest (predicate/line/constraints.h) are for the others.
 template <class Given>
 ExactPoint2 point_of(const Given& given, const Region& region);
 

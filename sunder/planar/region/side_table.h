@@ -2,7 +2,7 @@
 #pragma once
 
 #include <sunder/base/contract.h>
-#include <sunder/predicate/constraints.h>
+#include <sunder/predicate/line/constraints.h>
 
 #include <algorithm>
 #include <cmath>

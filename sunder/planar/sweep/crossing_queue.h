@@ -4,7 +4,7 @@
 
 #include <sunder/base/contract.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/predicate/crossing.h>
+#include <sunder/predicate/line/crossing.h>
 
 #include <algorithm>
 #include <cstdint>

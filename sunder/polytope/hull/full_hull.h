@@ -3,7 +3,7 @@
 #pragma once
 
 #include <sunder/polytope/hull/convex_hull.h>
-#include <sunder/predicate/simplex_plane.h>
+#include <sunder/predicate/point/simplex_plane.h>
 
 #include <cstdint>
 #include <vector>

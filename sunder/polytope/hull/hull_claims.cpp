@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/hull/hull_claims.h>
-#include <sunder/predicate/simplex_plane.h>
+#include <sunder/predicate/point/simplex_plane.h>
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/predicate/simplex_plane.h>
+#include <sunder/predicate/point/simplex_plane.h>
 
 #include <cstdint>
 #include <span>
@@ -12,7 +12,7 @@
 namespace sunder::polytope {
 
 // Q1. The simplices are those of a triangulation of the boundary; each has d corners, and no volume of zero.
-// Q2. No point is on the positive side of one (predicate/simplex_plane.h).
+// Q2. No point is on the positive side of one (predicate/point/simplex_plane.h).
 // Q3. across[i] is the other simplex at the ridge without corner i; only the two have all its corners.
 // Q4. Two at a ridge may lie in one plane. So a corner may be no vertex of the hull, but between others.
 struct BoundarySimplex {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -3,7 +3,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/polytope/object/polytope.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <cstddef>
 #include <cstdint>

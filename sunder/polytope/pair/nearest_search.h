@@ -3,7 +3,7 @@
 // Source: Wolfe 1976; Gilbert, Johnson & Keerthi 1988.
 #pragma once
 
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
 #include <cstddef>

@@ -2,7 +2,7 @@
 // Also called: orthogonal complement; null space by Householder's reflections.
 #pragma once
 
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
 #include <cstddef>

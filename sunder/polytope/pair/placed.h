@@ -7,7 +7,7 @@
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/support.h>
-#include <sunder/predicate/simplex_origin.h>
+#include <sunder/predicate/point/simplex_origin.h>
 
 #include <algorithm>
 #include <cmath>

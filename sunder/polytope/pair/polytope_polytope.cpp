@@ -6,7 +6,7 @@
 #include <sunder/polytope/pair/nearest_search.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/pair/support.h>
-#include <sunder/predicate/simplex_origin.h>
+#include <sunder/predicate/point/simplex_origin.h>
 
 #include <algorithm>
 #include <cmath>

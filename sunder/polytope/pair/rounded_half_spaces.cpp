@@ -1,5 +1,5 @@
 #include <sunder/polytope/pair/rounded_half_spaces.h>
-#include <sunder/predicate/cone_weights.h>
+#include <sunder/predicate/point/cone_weights.h>
 
 #include <algorithm>
 #include <cmath>

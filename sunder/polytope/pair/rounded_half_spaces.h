@@ -6,7 +6,7 @@
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/candidate_rows.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/nearest_search.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
 #include <cstdint>

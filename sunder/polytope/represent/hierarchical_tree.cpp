@@ -3,7 +3,7 @@
 #include <sunder/base/random.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/polytope/represent/normal_fan.h>
-#include <sunder/predicate/cone_weights.h>
+#include <sunder/predicate/point/cone_weights.h>
 
 #include <algorithm>
 #include <array>

@@ -28,7 +28,7 @@
 #include <sunder/number/dyadic.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/represent/affine_columns.h>
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -6,7 +6,7 @@
 // number, which needs no order of its own where cones meet.
 #pragma once
 
-#include <sunder/predicate/along_columns.h>
+#include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
 #include <cstddef>

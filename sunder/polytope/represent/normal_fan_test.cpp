@@ -1,6 +1,6 @@
 #include <sunder/base/random.h>
 #include <sunder/polytope/represent/normal_fan.h>
-#include <sunder/predicate/cone_weights.h>
+#include <sunder/predicate/point/cone_weights.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
-#include <sunder/predicate/cone_weights.h>
+#include <sunder/predicate/point/cone_weights.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/hull/affine_basis.h>
 
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <cmath>
 #include <tuple>

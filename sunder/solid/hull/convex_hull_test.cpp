@@ -3,7 +3,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/base/random.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/hull/brute_force_hull_test.h>
 
 #include <tests/support/scale.h>

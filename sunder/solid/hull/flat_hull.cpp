@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/hull/flat_hull.h>
 
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 #include <numeric>

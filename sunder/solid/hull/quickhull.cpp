@@ -1,7 +1,7 @@
 #include <sunder/base/interruption.h>
 #include <sunder/solid/hull/quickhull.h>
 
-#include <sunder/predicate/scaled_orient.h>
+#include <sunder/predicate/point/scaled_orient.h>
 
 #include <algorithm>
 #include <queue>

@@ -2,8 +2,8 @@
 // Also called: convex hull by conflict lists, outside sets.
 #pragma once
 
-#include <sunder/predicate/facet_plane.h>
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/point/facet_plane.h>
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
 #include <sunder/solid/mesh/mesh_sides.h>
 

@@ -1,7 +1,7 @@
 #include <sunder/number/double_double.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/predicate/orient.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/mesh/mesh_sides.h>
 

@@ -13,7 +13,7 @@
 
 namespace sunder::solid {
 
-struct SearchGraph;     // what the searches of solid/pair walk on; see solid/represent/search_graph.h
+struct SearchGraph;     // what searches walk on; see solid/represent/search_graph.h
 struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
 struct Polar;           // facets as vertices; see solid/represent/polar.h
 struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h

@@ -1,5 +1,5 @@
-#include <sunder/predicate/orient.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/flatness.h>
 
 #include <cmath>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/predicate/orient.h>
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/pose.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 // A1 to A5 by number, on every family of hard bodies, and the walk down against all vertices.
 #include <sunder/base/random.h>
-#include <sunder/predicate/along.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>

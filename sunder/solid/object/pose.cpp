@@ -1,7 +1,7 @@
 #include <sunder/base/error.h>
 #include <sunder/base/lanes.h>
-#include <sunder/predicate/orient.h>
-#include <sunder/predicate/regular.h>
+#include <sunder/predicate/filter/regular.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/affine_product.h>
 #include <sunder/solid/object/pose.h>
 

@@ -1,6 +1,6 @@
 // The layout: every number in a block is the vertex' own, every entry of the table extreme, every size right.
 #include <sunder/base/random.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/search_graph.h>
 

@@ -5,9 +5,9 @@
 
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/pair/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <array>

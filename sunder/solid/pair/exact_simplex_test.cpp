@@ -2,9 +2,9 @@
 // right one and from wrong ones; and the kinds of contact against bodies shrunk a little.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
-#include <sunder/solid/pair/exact_simplex.h>
-#include <sunder/solid/pair/placed_check_test.h>
+#include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
+#include <sunder/solid/search/placed_check_test.h>
 #include <tests/support/solid_pairs.h>
 
 #include <gtest/gtest.h>

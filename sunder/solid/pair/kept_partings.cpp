@@ -15,10 +15,10 @@
 // the sum another 2 u; 2^-46 is 128 u. A distance below 2^-200 counts as that, so that the product does not underflow
 // either.
 #include <sunder/base/contract.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/pair/kept_partings.h>
-#include <sunder/solid/pair/search_vector.h>
-#include <sunder/solid/pair/sure_support.h>
+#include <sunder/solid/search/search_vector.h>
+#include <sunder/solid/search/sure_support.h>
 
 #include <algorithm>
 #include <cmath>

@@ -43,7 +43,7 @@ struct KeptParting {
 // sure). Cost: for each two turned directions and a look at the box of B, or, where that does not tell, a walk on B.
 bool part_again(const RigidlyPlaced& a, const RigidlyPlaced& b, std::span<KeptParting> kept, double least = 0);
 
-// Keeps a direction of the frame of A as the first, and forgets the last. Requires it to be tame (predicate/along.h),
+// Keeps a direction of the frame of A as the first, and forgets the last. Requires it to be tame (predicate/point/along.h),
 // and vertices of A and of B, of which the one of A is extreme along it as far as a search tells. False where that is
 // not sure: then nothing is kept. Cost: a look at that vertex and at its neighbours; of up to 512 vertices, where two
 // are about as far, a look at all.

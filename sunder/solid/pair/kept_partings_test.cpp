@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/pair/kept_partings.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>

@@ -1,4 +1,4 @@
-#include <sunder/solid/pair/exact_simplex.h>
+#include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 namespace sunder {

@@ -1,9 +1,9 @@
 #include <sunder/certificate/direction.h>
-#include <sunder/predicate/common_point.h>
-#include <sunder/solid/pair/exact_simplex.h>
-#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/predicate/point/common_point.h>
+#include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/solid/pair/placed.h>
-#include <sunder/solid/pair/proposal.h>
+#include <sunder/solid/search/placed.h>
+#include <sunder/solid/search/proposal.h>
 
 namespace sunder::solid {
 

@@ -2,12 +2,12 @@
 // propose in the plain cases is accepted.
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
-#include <sunder/solid/pair/bodies_test.h>
-#include <sunder/solid/pair/caratheodory.h>
-#include <sunder/solid/pair/placed_check_test.h>
+#include <sunder/solid/object/bodies_test.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/pair/simplex_proposals.h>
 #include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/search/caratheodory.h>
+#include <sunder/solid/search/placed_check_test.h>
+#include <sunder/solid/search/simplex_proposals.h>
 
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 

@@ -7,11 +7,11 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/threads.h>
 #include <sunder/solid/pair/kept_partings.h>
-#include <sunder/solid/pair/placed.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
-#include <sunder/solid/pair/sure_support.h>
+#include <sunder/solid/search/placed.h>
+#include <sunder/solid/search/sure_support.h>
 
 #include <algorithm>
 #include <array>

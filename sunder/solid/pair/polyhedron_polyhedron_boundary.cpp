@@ -1,7 +1,7 @@
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_boundary.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <cstdint>
 

@@ -1,8 +1,8 @@
 // The search that proposes. See docs/design/solid-pair.md.
-#include <sunder/solid/pair/axis_scaled.h>
-#include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/search/axis_scaled.h>
+#include <sunder/solid/search/gjk_proposals.h>
 
 namespace sunder::solid {
 

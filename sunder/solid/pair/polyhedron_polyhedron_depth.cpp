@@ -5,10 +5,10 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
 #include <sunder/number/root.h>
-#include <sunder/solid/pair/expanding_polytope.h>
-#include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
+#include <sunder/solid/search/expanding_polytope.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
 #include <cmath>

@@ -22,7 +22,7 @@
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/interval.h>
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 

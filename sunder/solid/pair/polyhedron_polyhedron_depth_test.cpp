@@ -1,4 +1,4 @@
-#include <sunder/solid/pair/bodies_test.h>
+#include <sunder/solid/object/bodies_test.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 
 #include <tests/support/shapes.h>

@@ -6,12 +6,12 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/estimate_ratio.h>
 #include <sunder/number/root.h>
-#include <sunder/solid/pair/closest_features.h>
-#include <sunder/solid/pair/extreme_vertex.h>
-#include <sunder/solid/pair/graph_support.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/search/closest_features.h>
+#include <sunder/solid/search/extreme_vertex.h>
+#include <sunder/solid/search/graph_support.h>
 
 #include <cmath>
 

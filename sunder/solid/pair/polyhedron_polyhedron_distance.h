@@ -16,7 +16,7 @@
 #include <sunder/predicate/point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/pair/closest_features.h>
+#include <sunder/solid/search/closest_features.h>
 
 #include <array>
 #include <optional>

@@ -1,10 +1,10 @@
 // The oracle: of all pairs of a vertex, an edge or a triangle of the one body and of the other, four vertices in all at
 // most, those that face each other and are the least distance apart. Shares nothing with the search: the nearest points
 // of two flats come from the normal equations (e_i e_j) s = (e_i r), by determinants.
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/placed.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/search/placed.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include <tests/support/shapes.h>
 #include <tests/support/solid_pairs.h>
 
-#include <sunder/solid/pair/bodies_test.h>
+#include <sunder/solid/object/bodies_test.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 

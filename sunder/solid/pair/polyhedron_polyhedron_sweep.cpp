@@ -1,10 +1,10 @@
 #include <sunder/certificate/direction.h>
-#include <sunder/solid/pair/gjk_proposals.h>
-#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/exact/sweep_simplex.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
-#include <sunder/solid/pair/sweep_simplex.h>
+#include <sunder/solid/search/gjk_proposals.h>
+#include <sunder/solid/search/placed.h>
 
 #include <array>
 #include <cmath>

@@ -17,9 +17,9 @@
 #include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/exact/sweep_contact.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/translation.h>
-#include <sunder/solid/pair/sweep_contact.h>
 
 #include <array>
 #include <memory>

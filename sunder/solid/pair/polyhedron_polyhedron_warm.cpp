@@ -1,9 +1,9 @@
 #include <sunder/certificate/direction.h>
-#include <sunder/solid/pair/axis_scaled.h>
-#include <sunder/solid/pair/gjk_proposals.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
-#include <sunder/solid/pair/support.h>
+#include <sunder/solid/search/axis_scaled.h>
+#include <sunder/solid/search/gjk_proposals.h>
+#include <sunder/solid/search/support.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include <sunder/number/vector.h>
-#include <sunder/predicate/along.h>
-#include <sunder/predicate/orient.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_builder.h>

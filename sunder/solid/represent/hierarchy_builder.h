@@ -69,7 +69,7 @@ struct History {
 };
 
 // Vertices, whatever they are made of: at(v), a Point3, where doubles see it; orient(a, b, c, d), the sign of
-// predicate/orient.h, exactly.
+// predicate/point/orient.h, exactly.
 template <class Vertices>
 class HierarchyBuilder {
  public:

@@ -1,5 +1,5 @@
 // Floating-point searches for a vertex far along a direction. They propose; exact comparisons dispose
-// (solid/pair/extreme_vertex.h).
+// (solid/search/extreme_vertex.h).
 // Also called: hill climbing; support mapping.
 #pragma once
 

@@ -1,8 +1,8 @@
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/along.h>
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/round/nearest_on_the_way.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <cstddef>
 #include <utility>

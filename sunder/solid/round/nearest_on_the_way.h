@@ -4,7 +4,7 @@
 #include <sunder/base/cost.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/vector.h>
-#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/search/placed.h>
 
 #include <array>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include <sunder/predicate/along.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/round/round_balls.h>
 
 #include <algorithm>

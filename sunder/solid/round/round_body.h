@@ -8,11 +8,11 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/predicate/round_kind.h>
-#include <sunder/predicate/round_shape.h>
+#include <sunder/predicate/disc/round_kind.h>
+#include <sunder/predicate/disc/round_shape.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/pair/placed.h>
+#include <sunder/solid/search/placed.h>
 
 #include <array>
 #include <cstdint>

@@ -35,7 +35,7 @@ struct [[nodiscard]] RoundClearance {
 };
 
 //   C1. kept and broken are exactly right for the doubles given, and come with evidence that exact arithmetic has
-//       checked: a direction d with g - sqrt(u) - sqrt(v) >= least |d| (predicate/round_shape.h), or two points.
+//       checked: a direction d with g - sqrt(u) - sqrt(v) >= least |d| (predicate/disc/round_shape.h), or two points.
 //   C2. Decided always: two hulls, of any radii. Where a body is curved: where the distance differs from `least` by
 //       more than some 2^-40 of their size, and mostly nearer. Of discs as good as flat, cylinders and cones whose
 //       radius is more than 2^30 times their height, that grows: at 2^45 times it is some 2^-12.

@@ -1,9 +1,9 @@
 // Why a point inside of one body and in the core of the other, a polyhedron, is enough: from it a small step towards
 // the middle of that polyhedron leads to a point of its relative interior, and stays inside of the first.
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/solid/exact/spanning_vertices.h>
 #include <sunder/solid/pair/contact_evidence.h>
-#include <sunder/solid/pair/spanning_vertices.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_propose.h>

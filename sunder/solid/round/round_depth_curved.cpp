@@ -3,12 +3,12 @@
 // the difference of cores. Where the origin is not in D, or hardly, one point of D is as near to it as the radii tell.
 #include <sunder/base/contract.h>
 #include <sunder/number/root.h>
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/expanding_polytope.h>
-#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/round/round_depth_curved.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/search/expanding_polytope.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/stages.h>
-#include <sunder/solid/pair/closest_features.h>
-#include <sunder/solid/pair/extreme_vertex.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/search/closest_features.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <vector>
 

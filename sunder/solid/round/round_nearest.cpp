@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
 #include <sunder/solid/round/simple_numbers.h>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/predicate/stages.h>
+#include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
-#include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/round/round_body.h>
 #include <sunder/solid/round/round_search.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <array>
 #include <cstdint>

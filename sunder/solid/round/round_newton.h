@@ -3,8 +3,8 @@
 // sphere. For the sources of solid/round.
 #pragma once
 
-#include <sunder/solid/pair/closest_simplex.h>
 #include <sunder/solid/round/round_proposals.h>
+#include <sunder/solid/search/closest_simplex.h>
 
 #include <array>
 #include <utility>

@@ -1,9 +1,9 @@
 // A placed body with a radius in doubles, for proposals: the nearest point of it in closed form, and the smooth pieces
 // of its surface with their second derivatives. Nothing here decides anything; but a nearest point of a core and the
-// combination of vertices that makes it have to agree, as predicate/round_image.h says. For the sources of solid/round.
+// combination of vertices that makes it have to agree, as predicate/disc/round_image.h says. For the sources of solid/round.
 #pragma once
 
-#include <sunder/predicate/round_image.h>
+#include <sunder/predicate/disc/round_image.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline double length(const V& v) { return std::sqrt(dot(v, v)); }
 inline Point3 point(const V& v) { return {v.x, v.y, v.z}; }
 inline V vector(const Point3& p) { return {p.x, p.y, p.z}; }
 
-// The image of a point; and the size of a core, as predicate/round_image.h has it.
+// The image of a point; and the size of a core, as predicate/disc/round_image.h has it.
 inline V image_of(const Affine3& pose, const Point3& p) {
   const auto& m = pose.linear;
   const auto& t = pose.translation;

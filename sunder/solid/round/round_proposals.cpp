@@ -1,5 +1,5 @@
-#include <sunder/predicate/round_image.h>
-#include <sunder/predicate/round_shape.h>
+#include <sunder/predicate/disc/round_image.h>
+#include <sunder/predicate/disc/round_shape.h>
 #include <sunder/solid/round/round_proposals.h>
 
 #include <algorithm>

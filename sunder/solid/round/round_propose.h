@@ -1,10 +1,10 @@
 // What a search for bodies with a radius proposes, and how it is disposed of. For the sources of solid/round.
 #pragma once
 
-#include <sunder/solid/pair/extreme_vertex.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_round.h>
 #include <sunder/solid/round/round_search.h>
+#include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <sunder/solid/pair/gjk.h>
 #include <sunder/solid/round/round_balls.h>
 #include <sunder/solid/round/round_newton.h>
 #include <sunder/solid/round/round_quick.h>
+#include <sunder/solid/search/gjk.h>
 
 #include <algorithm>
 #include <cmath>

@@ -71,7 +71,7 @@ struct [[nodiscard]] RoundAnswer {
 };
 
 // The front door. Searches for a direction or a point in floating point, in doubles and then in double-doubles, and
-// accepts it only by exact signs (predicate/round_shape.h). Where none holds: of two hulls the exact distance of their
+// accepts it only by exact signs (predicate/disc/round_shape.h). Where none holds: of two hulls the exact distance of their
 // cores against the exact sum of the radii; of a curved body and a polyhedron of radius 0 an exact convex quadratic
 // program, of a cone its features. Cost: at most 100 steps of search in each precision, each of O(log n + log m)
 // probes; of the exact methods for a curved body O(n) exact numbers a step. Throws Error: bad_pose (round_body.h).

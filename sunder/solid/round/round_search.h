@@ -4,10 +4,10 @@
 #pragma once
 
 #include <sunder/base/cost.h>
-#include <sunder/solid/pair/gjk.h>
-#include <sunder/solid/pair/support.h>
 #include <sunder/solid/round/round_body.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/search/gjk.h>
+#include <sunder/solid/search/support.h>
 
 #include <algorithm>
 #include <array>

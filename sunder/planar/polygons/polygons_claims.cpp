@@ -1,0 +1,88 @@
+#include <sunder/near/set_statement.h>
+#include <sunder/planar/polygons/polygon_edges.h>
+#include <sunder/planar/polygons/polygons_claims.h>
+#include <sunder/planar/polygons/polygons_common_point.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/sweep/sweep_claims.h>
+
+#include <array>
+#include <string_view>
+
+namespace sunder::planar {
+
+namespace {
+
+void begin(ClaimsWriter& file, const PolygonsAsked& asked, std::string_view verdict) {
+  begin_set_statement(file, "polygons", asked.polygons, asked.allowed, asked.groups, verdict);
+}
+
+}  // namespace
+
+void write_row(ClaimsWriter& file, const Polygon& polygon) {
+  file.begin_list();
+  for (std::uint32_t r = 0; r < polygon.ring_count(); ++r) write_ring(file, polygon.ring(r));
+  file.end_list();
+}
+
+void write_row(ClaimsWriter& file, const ConvexPolygon& polygon) {
+  file.begin_list();
+  write_ring(file, polygon.vertices());
+  file.end_list();
+}
+
+void write_ring(ClaimsWriter& file, std::span<const Point2> ring) {
+  file.begin_list();
+  for (const Point2& p : ring) file.add_numbers(std::array{p.x, p.y});
+  file.end_list();
+}
+
+std::optional<SweepEvents> polygon_events(std::span<const Polygon> polygons, std::size_t most) {
+  return sweep_events(PolygonEdges(pointers_to(polygons)).edges(), most);
+}
+
+void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsContact& found) {
+  begin(file, asked, "some");
+  file.index("i", found.i);
+  file.index("j", found.j);
+  const ExactPoint2 p = common_point(asked.polygons[found.i], asked.polygons[found.j], found);
+  file.fractions("point", std::array{p.x, p.y}, p.denominator);
+  file.begin_claims();
+  file.claim("common_point");
+  file.end_statement();
+}
+
+void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events) {
+  begin(file, asked, "none");
+  write_sweep(file, "none_counts", events);
+  file.end_statement();
+}
+
+void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitPairs& visit) {
+  begin(file, asked, "these");
+  file.begin_list("contacts");
+  visit([&](std::uint32_t i, std::uint32_t j) { file.add_list(std::array{i, j}); });
+  file.end_list();
+  write_sweep(file, "these_count", events);
+  file.end_statement();
+}
+
+void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t number) {
+  begin(file, asked, "count");
+  file.number("number", number);
+  write_sweep(file, "number_counts", events);
+  file.end_statement();
+}
+
+std::string certificate_text(std::span<const Polygon> polygons, Allowed allowed, const PolygonsAnswer& answer,
+                             Groups groups) {
+  return claims_text({}, [&](ClaimsWriter& file) {
+    const PolygonsAsked asked{polygons, allowed, groups};
+    if (answer.meet()) {
+      write_some(file, asked, *answer.found);
+    } else {
+      write_none(file, asked, *polygon_events(polygons));
+    }
+  });
+}
+
+}  // namespace sunder::planar

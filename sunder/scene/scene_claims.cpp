@@ -1,0 +1,315 @@
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/scene/clearance_claims.h>
+#include <sunder/scene/pair_reasons.h>
+#include <sunder/scene/scene_claims.h>
+#include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/round/round_claims.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sunder::scene {
+
+namespace {
+
+// Of each part of each body, its number in the file.
+using Numbers = std::vector<std::vector<std::uint32_t>>;
+
+template <class Add>  // add(body, part)
+Numbers numbers_of(std::span<const Body> bodies, const Add& add) {
+  Numbers numbers;
+  for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+    numbers.emplace_back();
+    for (std::uint32_t p = 0; p < bodies[b].parts.size(); ++p) numbers.back().push_back(add(b, p));
+  }
+  return numbers;
+}
+
+// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs.
+bool is_open(const PartPair& pair, const Question& question) {
+  return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
+}
+
+// Notes what is said of the statement about all pairs of a placement that follows.
+class NotesOfPlacement {
+ public:
+  NotesOfPlacement(ClaimsWriter& file, const Question& question, const Numbers& numbers, const SaidOfScene& said,
+                   std::size_t placement)
+      : file_(file), joints_(said.joints_of(placement)), is_known_(!said.reasons.empty()) {
+    std::set<std::array<std::uint32_t, 2>> allowed;
+    for (std::size_t k = 0; k < question.allowed.size(); ++k) {
+      const auto [a, b] = std::minmax(question.allowed[k][0], question.allowed[k][1]);
+      if (a == b || !allowed.insert({a, b}).second) continue;
+      allowed_.add(is_known_ ? said.reasons[k] : "", numbers[a].size() * numbers[b].size());
+    }
+  }
+
+  void operator()(bool is_of_scene, const PairReasons& others) const {
+    if (joints_) file_.note(*joints_);
+    PairReasons reasons;
+    if (is_of_scene) reasons = allowed_;
+    const bool is_said = is_known_ || reasons.counts().empty();
+    for (const auto& [reason, pairs] : others.counts()) reasons.add(reason, pairs);
+    if (is_said && !reasons.counts().empty()) file_.note(SaidNote::allowed(reasons.counts()));
+  }
+
+ private:
+  ClaimsWriter& file_;
+  std::optional<SaidNote> joints_;
+  bool is_known_;  // why pairs are allowed
+  PairReasons allowed_;
+};
+
+// What was asked about, and what counts, by parts of bodies one after the other; undecided: how many of the pairs
+// besides are not allowed.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, std::uint64_t& undecided) {
+  AllPairs result;
+  std::vector<std::uint32_t> first;  // of each body, where its parts begin
+  for (std::uint32_t b = 0; b < numbers.size(); ++b) {
+    first.push_back(static_cast<std::uint32_t>(result.members.size()));
+    result.members.insert(result.members.end(), numbers[b].begin(), numbers[b].end());
+    result.groups.insert(result.groups.end(), numbers[b].size(), b);
+  }
+  result.touching_allowed = question.touching_allowed;
+  std::set<std::array<std::uint32_t, 2>> allowed;
+  for (const auto& pair : question.allowed) {
+    const auto [a, b] = std::minmax(pair[0], pair[1]);
+    if (a != b) allowed.insert({a, b});
+  }
+  for (const auto& [a, b] : allowed) {
+    for (std::uint32_t i = 0; i < numbers[a].size(); ++i) {
+      for (std::uint32_t j = 0; j < numbers[b].size(); ++j) result.besides.push_back({first[a] + i, first[b] + j});
+    }
+  }
+  for (const PartPair& pair : answer.pairs) {
+    const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
+    if (is_open(pair, question)) {
+      ++undecided;
+      result.besides.push_back(members);
+    } else if (pair.counts) {
+      result.contacts.push_back(members);
+    }
+  }
+  std::sort(result.besides.begin(), result.besides.end());
+  std::sort(result.contacts.begin(), result.contacts.end());
+  return result;
+}
+
+void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b,
+                      const PartPair& pair) {
+  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+  solid::RoundContact contact;
+  if (pair.meet() && pair.contact != Contact::none) contact = round_round_contact(in_a, in_b, *pair.round);
+  add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
+}
+
+// The statement about all pairs of a placement, with what is said of it.
+void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
+                   const NotesOfPlacement& note) {
+  std::uint64_t undecided = 0;
+  const AllPairs all = all_pairs(answer, question, numbers, undecided);
+  PairReasons others;
+  others.add("undecided", undecided);
+  note(true, others);
+  pairs.add_all_pairs(all);
+}
+
+// What the statement of the pair leaves open, if anything.
+std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
+  return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
+         (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap");
+}
+
+template <class Pair>  // PartDistance, CloserPair
+std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
+  return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
+         ", undecided whether they are closer";
+}
+
+// Of each part its shape.
+Numbers add_shapes(ClaimsWriter& file, PairClaims& pairs, std::span<const Body> bodies, const SaidOfScene& said) {
+  return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+    file.say(said.of(b, p));
+    const solid::RoundBody& shape = bodies[b].parts[p].shape;
+    const std::string name = part_name(bodies[b], p);
+    return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
+                                 : pairs.add_round_body(name, shape.points(), shape.kind(), shape.radius());
+  });
+}
+
+std::uint32_t add_placed(PairClaims& pairs, const std::string& prefix, std::uint32_t shape, const Body& body,
+                         std::uint32_t part) {
+  const solid::PlacedRound at(body.parts[part].shape, body.parts[part].pose);
+  return pairs.add_placed(prefix + part_name(body, part), shape, at.pose.affine());
+}
+
+// Requires a pair that is not undecided.
+void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const PartPair& pair, std::uint32_t of_a,
+                     std::uint32_t of_b) {
+  const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
+  if (pair.round) {
+    add_round_claims(pairs, of_a, a, of_b, b, pair);
+    return;
+  }
+  solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
+                    pair.meet() ? pair.contact : Contact::none);
+}
+
+// What the statements of all placements leave open.
+void add_open(Origin& origin, std::size_t count, const std::function<MeetingPlacement(std::size_t k)>& placement,
+              const Question& question) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (is_open(pair, question)) origin.left_out.push_back(placed.title + ": " + open_text(placed.bodies, pair));
+    }
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const CloserPair& pair : placed.closer) {
+      if (pair.is_undecided) origin.left_out.push_back(placed.title + ": " + closer_open_text(placed.bodies, pair));
+    }
+  }
+}
+
+}  // namespace
+
+void write_certificate(std::span<const Placement> placements, const Question& question, Origin origin,
+                       const TextSink& sink, const ClearanceQuestion& clearance, const SaidOfScene& said) {
+  const std::span<const Body> bodies = placements.front().bodies;
+  for (const auto& [a, b] : question.allowed) {
+    origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
+  }
+  const auto prefix_of = [&](const Placement& placed) {
+    return placements.size() > 1 ? std::string(placed.title) + ": " : "";
+  };
+  for (const Placement& placed : placements) {
+    for (const PartPair& pair : placed.answer.pairs) {
+      if (!is_open(pair, question)) continue;
+      origin.left_out.push_back(prefix_of(placed) + open_text(bodies, pair));
+    }
+  }
+  for (const Placement& placed : placements) {
+    if (!placed.clearance) continue;
+    for (const PartDistance& pair : placed.clearance->undecided) {
+      origin.left_out.push_back(prefix_of(placed) + closer_open_text(bodies, pair));
+    }
+  }
+  ClaimsWriter file(sink);
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
+  std::vector<Numbers> numbers;  // by placement
+  for (const Placement& placed : placements) {
+    const std::string prefix = prefix_of(placed);
+    numbers.push_back(numbers_of(placed.bodies, [&](std::uint32_t b, std::uint32_t p) {
+      return add_placed(pairs, prefix, shapes[b][p], placed.bodies[b], p);
+    }));
+  }
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    const std::span<const Body> placed = placements[k].bodies;
+    const Answer& answer = placements[k].answer;
+    for (const PartPair& pair : answer.pairs) {
+      if (pair.undecided()) continue;
+      add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
+    }
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
+    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, note);
+    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest, note);
+  }
+  pairs.end();
+}
+
+void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
+                               const std::function<MeetingPlacement(std::size_t k)>& placement,
+                               const Question& question, Origin origin, const TextSink& sink, const SaidOfScene& said) {
+  origin.left_out.emplace_back("all pairs of bodies that no statement is about");
+  add_open(origin, count, placement, question);
+  ClaimsWriter file(sink);
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
+  std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;  // by body and part
+    const auto number_of = [&](std::uint32_t body, std::uint32_t part) {
+      const auto [at, is_new] = known.try_emplace({body, part}, 0);
+      if (is_new) at->second = add_placed(pairs, placed.title + ": ", shapes[body][part], placed.bodies[body], part);
+      return at->second;
+    };
+    const auto add = [&](const auto& pair) {
+      const std::uint32_t of_a = number_of(pair.body_a, pair.part_a);
+      numbers.push_back({of_a, number_of(pair.body_b, pair.part_b)});
+    };
+    for (const PartPair& pair : placed.pairs) {
+      if (pair.meet()) add(pair);
+    }
+    for (const CloserPair& pair : placed.closer) {
+      if (!pair.is_undecided) add(pair);
+    }
+  }
+  auto next = numbers.begin();
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    for (const PartPair& pair : placed.pairs) {
+      if (!pair.meet()) continue;
+      const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
+      add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
+    }
+    for (const CloserPair& pair : placed.closer) {
+      if (pair.is_undecided) continue;
+      const auto& [of_a, of_b] = *next++;
+      if (const auto joints = said.joints_of(k)) file.note(*joints);
+      add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
+                 placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
+    }
+  }
+  pairs.end();
+}
+
+void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
+                             const std::function<MeetingPlacement(std::size_t k)>& placement, const Question& question,
+                             Origin origin, const TextSink& sink, const ClearanceQuestion* clearance,
+                             const SaidOfScene& said) {
+  for (const auto& [a, b] : question.allowed) {
+    origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
+  }
+  add_open(origin, count, placement, question);
+  ClaimsWriter file(sink);
+  file.add_origin(origin);
+  PairClaims pairs(file);
+  const Numbers shapes = add_shapes(file, pairs, bodies, said);
+  std::vector<Numbers> numbers;  // by placement
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    numbers.push_back(numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
+      return add_placed(pairs, placed.title + ": ", shapes[b][p], placed.bodies[b], p);
+    }));
+  }
+  Question of_all = question;
+  of_all.every_pair = true;
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    const Answer answer = meeting_pairs(placed.bodies, of_all);
+    for (const PartPair& pair : answer.pairs) {
+      if (pair.undecided()) continue;
+      add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
+                      numbers[k][pair.body_b][pair.part_b]);
+    }
+    const NotesOfPlacement note(file, question, numbers[k], said, k);
+    add_all_pairs(pairs, answer, question, numbers[k], note);
+    if (clearance != nullptr) {
+      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance), note);
+    }
+  }
+  pairs.end();
+}
+
+}  // namespace sunder::scene

@@ -1,0 +1,72 @@
+#include <sunder/base/names.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/solid/line/polyhedron_cut.h>
+#include <sunder/solid/line/polyhedron_line_answer.h>
+#include <sunder/solid/search/placed.h>
+
+#include <utility>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+
+ExactFraction fraction(Dyadic numerator, Dyadic denominator) {
+  if (denominator.sign() == Sign::negative) return {-numerator, -denominator};
+  return {std::move(numerator), std::move(denominator)};
+}
+
+// Of the plane through p with this normal, which is not perpendicular to the line.
+ExactFraction where_line_meets(const Exact& a, const Exact& way, const Exact& p, const Exact& normal) {
+  return fraction(dot(normal, p - a), dot(normal, way));
+}
+
+}  // namespace
+
+std::string_view name_of(CutKind kind) {
+  return name_in<CutKind::across>({"nothing", "point", "along", "across"}, kind);
+}
+
+std::string_view name_of(CutPlace place) {
+  return name_in<CutPlace::inside>({"vertex", "edge", "facet", "inside"}, place);
+}
+
+ExactEnd exact_end(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b,
+                   const CutEnd& end) {
+  return exact_end(Placed(body, pose), Line{a, b}, end);
+}
+
+ExactEnd exact_end(const Placed& body, const Line& line, const CutEnd& end) {
+  const Exact from = lift<ExactStage>(line.a), to = lift<ExactStage>(line.b);
+  if (end.own != OwnEnd::none) {
+    const bool is_a = end.own == OwnEnd::a;
+    const Exact& p = is_a ? from : to;
+    return {{p.x, p.y, p.z, 1.0}, {Dyadic(is_a ? 0.0 : 1.0)}};
+  }
+  const auto vertex = [&](std::uint32_t v) { return lift<ExactStage>(body[v]); };
+  const Exact way = to - from;
+  const auto at = [&](ExactFraction t) -> ExactEnd {
+    const auto& [n, m] = t;
+    return {{from.x * m + way.x * n, from.y * m + way.y * n, from.z * m + way.z * n, m}, std::move(t)};
+  };
+  switch (end.at.place) {
+    case CutPlace::vertex: {
+      const Exact v = vertex(end.at.feature);
+      return {{v.x, v.y, v.z, 1.0}, where_line_meets(from, way, v, way)};
+    }
+    case CutPlace::edge: {
+      const Exact v = vertex(end.at.feature), e = vertex(end.at.other) - v;
+      return at(where_line_meets(from, way, v, cross(e, cross(way, e))));
+    }
+    case CutPlace::facet: {
+      const std::span<const std::uint32_t> corners = body.body.facet(end.at.feature);
+      const Exact v = vertex(corners[0]);
+      return at(where_line_meets(from, way, v, cross(vertex(corners[1]) - v, vertex(corners[2]) - v)));
+    }
+    case CutPlace::inside: break;  // own ends only
+  }
+  return {};
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,113 @@
+// How every method answers what a convex polyhedron has in common with a line, a ray or a segment: its search proposes,
+// dispose() checks what it proposes, and where nothing holds finish() decides. Both are written once; both are exact.
+#pragma once
+
+#include <sunder/solid/line/line_proposal.h>
+#include <sunder/solid/line/polyhedron_cut.h>
+#include <sunder/solid/object/line.h>
+#include <sunder/solid/search/placed.h>
+
+namespace sunder::solid {
+
+// As exact_end of polyhedron_cut.h.
+ExactEnd exact_end(const Placed& body, const Line& line, const CutEnd& end);
+
+// The line through a and b; of a segment that is one point, any line through that.
+inline Line line_through(const Point3& a, const Point3& b) {
+  return {a, a == b ? Point3{a.x > 0 ? a.x / 2 : 1, b.y, b.z} : b};
+}
+
+// Which of its points a and b end the other: both of a segment, a of a ray.
+struct OwnEnds {
+  bool a = false, b = false;
+};
+
+// Where filters do not decide, and what a proposal leaves open, is counted as an exact sign.
+class LineAnswer {
+ public:
+  // Requires two different points. Keeps references.
+  LineAnswer(const Placed& body, const Line& line);
+
+  // Of a body with an inside. Does the proposal hold? Fills in what the line has in common with the body where it does.
+  // A proposal may come from anywhere: one that names no facets of this body does not hold. A line that goes into a
+  // neighbour of the facet is followed there, some steps far.
+  bool dispose(const LineProposal& proposal);
+
+  // The same, whatever the body with an inside is: from facet to facet that a ray from inside to the line goes through,
+  // by Newton's method, each in O(log n) by the hierarchy, exactly. Allocates.
+  void finish();
+
+  // Of a body without an inside. Allocates where filters do not decide.
+  void decide_flat(OwnEnds ends, bool is_point);
+
+  // From what the line has in common with a body with an inside to what the ray or segment has. is_point: of a segment
+  // whose ends are both a.
+  void clip(OwnEnds ends, bool is_point);
+
+  PolyhedronCut conclude(bool finished);
+
+  Cost& cost() { return cut_.cost; }
+
+ private:
+  struct Pierced {
+    bool is_pierced = false;
+    CutFeature at;                              // where it is
+    std::array<std::uint32_t, 2> across{0, 0};  // else an edge of the facet that the line passes outside of
+  };
+  enum class Sense : std::int8_t { leaving = -1, entering = 1 };
+
+  Sign turn(std::uint32_t p, std::uint32_t q, Sense sense);
+  Pierced pierce(std::uint32_t facet, Sense sense);
+  Sign facing(std::uint32_t facet);                   // of the normal and the line
+  Sign beyond(const Point3& x, std::uint32_t facet);  // positive: outside of its plane
+  std::array<Posed3, 3> corners(std::uint32_t facet) const;
+  bool through(std::uint32_t enters, std::uint32_t leaves);
+  bool apart(std::uint32_t enters, std::uint32_t leaves);
+  void decide_kind();
+  bool is_across();
+
+  CutFeature feature_at(const std::array<std::uint32_t, 3>& triangle, const WayFromMiddle& way);
+  std::array<std::uint32_t, 3> triangle_towards(const WayFromMiddle& way);
+  std::array<Point3, 4> top() const;
+
+  void set_apart(CutParting parting);
+
+  // Of bodies without an inside; they give what parts the body from an own end beyond a point of the line.
+  void decide_point();
+  void decide_segment();
+  void decide_polygon();
+  void decide_in_plane();
+  void clip_flat(OwnEnds ends, bool is_point);
+  CutParting parting_at(const CutEnd& end, Sign sense, OwnEnd beyond);
+
+  const Placed& body_;
+  Line line_;
+  Sign orientation_;  // of the pose
+  PolyhedronCut cut_;
+  StageTally tally_;
+};
+
+// The answer of a method that proposes: propose(line, holds, cost) calls holds(proposal) until that is true, and tells
+// whether it was.
+template <class Propose>
+PolyhedronCut cut_by(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b, OwnEnds ends,
+                     const Propose& propose) {
+  const Placed placed(body, pose);
+  const bool is_point = a == b;
+  const Line line = line_through(a, b);
+  LineAnswer answer(placed, line);
+  if (body.dimension() < 3) {
+    answer.decide_flat(ends, is_point);
+    return answer.conclude(false);
+  }
+  const auto holds = [&](const LineProposal& proposal) {
+    ++answer.cost().proposals;
+    return answer.dispose(proposal);
+  };
+  const bool held = propose(placed, line, holds, answer.cost());
+  if (!held) answer.finish();
+  answer.clip(ends, is_point);
+  return answer.conclude(!held);
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,41 @@
+// What proves what a line, a ray or a segment and a placed convex polyhedron have in common (docs/claims.md, "pair"):
+// that they are apart, meet, touch or overlap, by directions and points as exact numbers.
+// For the questions themselves see polyhedron_line.h, polyhedron_ray.h and polyhedron_segment.h, which are asked here.
+//
+// None throws, but for want of memory.
+#pragma once
+
+#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/line/polyhedron_cut.h>
+#include <sunder/solid/object/line.h>
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace sunder::solid {
+
+// In the world.
+using LineLike = std::variant<Line, Ray, Segment>;
+
+// By polyhedron_line, polyhedron_ray or polyhedron_segment.
+PolyhedronCut polyhedron_line_like(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other);
+
+// Do they touch, or overlap? Relative interiors count: that of a segment is without its ends, that of a ray without its
+// beginning; a point is its own. Requires their answer.
+Contact contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut);
+
+// The other as a body of a certificate file, so that what is said of it is said of the whole: for
+// PairClaims::add_body. A line is a point and two opposite ways, a ray a point and one, a segment its two points.
+struct LineBody {
+  std::vector<Point3> points;
+  std::vector<Way3> ways;
+};
+LineBody body_of(const LineLike& other);
+
+// States whether body a, the polyhedron, and body b, the other, meet; if tells_contact, also whether they touch, or
+// overlap. Requires the answer of polyhedron_line_like. Cost: exact arithmetic on a few vertices, and O(log n) probes.
+void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
+                const LineLike& other, const PolyhedronCut& cut, bool tells_contact);
+
+}  // namespace sunder::solid

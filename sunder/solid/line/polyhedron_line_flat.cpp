@@ -1,0 +1,216 @@
+// Points, segments and flat polygons of space, and a line, a ray or a segment: by signs of the vertices, and where the
+// line is in one plane with the body by exact numbers.
+#include <sunder/number/exact_vector.h>
+#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/solid/line/polyhedron_line_answer.h>
+#include <sunder/solid/represent/facet_graph.h>
+#include <sunder/solid/search/extreme_vertex.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace sunder::solid {
+
+namespace {
+
+using Exact = Vector3<Dyadic>;
+using Kind = CutParting::Kind;
+
+CutEnd at_vertex(std::uint32_t v) { return {{CutPlace::vertex, v, 0}, OwnEnd::none}; }
+CutEnd at_edge(std::uint32_t v, std::uint32_t w) {
+  return {{CutPlace::edge, std::min(v, w), std::max(v, w)}, OwnEnd::none};
+}
+CutEnd at_facet() { return {{CutPlace::facet, 0, 0}, OwnEnd::none}; }
+
+// The sign of t - whole.
+Sign order(const ExactFraction& t, double whole) { return (t.numerator - Dyadic(whole) * t.denominator).sign(); }
+
+}  // namespace
+
+void LineAnswer::decide_flat(OwnEnds ends, bool is_point) {
+  cut_.cost.probes += std::min<std::size_t>(body_.graph.vertices.size(), 3);
+  switch (body_.body.dimension()) {
+    case 0: decide_point(); break;
+    case 1: decide_segment(); break;
+    default: decide_polygon(); break;
+  }
+  clip_flat(ends, is_point);
+}
+
+void LineAnswer::decide_point() {
+  const Posed3 v = body_[0];
+  const bool is_on_line = decide(&tally_, orient_2d_formula<0>, line_.a, line_.b, v) == Sign::zero &&
+                          decide(&tally_, orient_2d_formula<1>, line_.a, line_.b, v) == Sign::zero &&
+                          decide(&tally_, orient_2d_formula<2>, line_.a, line_.b, v) == Sign::zero;
+  if (!is_on_line) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
+  cut_.kind = CutKind::point;
+  cut_.first = cut_.last = at_vertex(0);
+}
+
+void LineAnswer::decide_segment() {
+  if (decide(&tally_, orient_3d_formula, line_.a, line_.b, body_[0], body_[1]) != Sign::zero) {
+    return set_apart({Kind::edge_and_line, 0, 1, OwnEnd::a});
+  }
+  ++tally_.exact;
+  const Exact a = lift<ExactStage>(line_.a), way = lift<ExactStage>(line_.b) - a;
+  const Exact p = lift<ExactStage>(body_[0]), edge = lift<ExactStage>(body_[1]) - p;
+  const Exact normal = cross(way, edge);
+  if (is_zero(normal)) {
+    if (!is_zero(cross(way, p - a))) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
+    const bool forward = dot(way, edge).sign() == Sign::positive;
+    cut_.kind = CutKind::along;
+    cut_.first = at_vertex(forward ? 0 : 1);
+    cut_.last = at_vertex(forward ? 1 : 0);
+    cut_.surface = {CutPlace::edge, 0, 1};
+    return;
+  }
+  // At p + s edge: way x (p + s edge - a) is zero.
+  const Dyadic s = dot(cross(way, a - p), normal), whole = dot(normal, normal);
+  const Sign before = s.sign(), after = (s - whole).sign();
+  if (before == Sign::negative) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
+  if (after == Sign::positive) return set_apart({Kind::perpendicular, 1, 0, OwnEnd::a});
+  cut_.kind = CutKind::point;
+  cut_.first = before == Sign::zero ? at_vertex(0) : after == Sign::zero ? at_vertex(1) : at_edge(0, 1);
+  cut_.last = cut_.first;
+}
+
+void LineAnswer::decide_polygon() {
+  const Sign of_line = facing(0);
+  if (of_line != Sign::zero) {
+    const Pierced pierced = pierce(0, of_line == Sign::negative ? Sense::entering : Sense::leaving);
+    if (!pierced.is_pierced) {
+      return set_apart({Kind::edge_and_line, pierced.across[0], pierced.across[1], OwnEnd::a});
+    }
+    cut_.kind = CutKind::point;
+    cut_.first = cut_.last = {pierced.at, OwnEnd::none};
+    return;
+  }
+  if (beyond(line_.a, 0) != Sign::zero) return set_apart({Kind::facet, 0, 0, OwnEnd::a});
+  decide_in_plane();
+}
+
+// As Chazelle & Dobkin 1987, Theorem 3: heights over the line, to its left as the polygon is counter-clockwise, change
+// their sign once from the lowest vertex to the highest, and once back.
+void LineAnswer::decide_in_plane() {
+  const std::span<const std::uint32_t> cycle = body_.body.facet(0);
+  const std::uint32_t n = static_cast<std::uint32_t>(cycle.size());
+  const Exact a = lift<ExactStage>(line_.a), way = lift<ExactStage>(line_.b) - a;
+  const auto [u, v, w] = corners(0);
+  const Exact from = lift<ExactStage>(u);
+  const Exact left = cross(cross(lift<ExactStage>(v) - from, lift<ExactStage>(w) - from), way);
+  const WorldDirection direction(left);
+  Along along(direction, body_.pose, body_.tame);
+  const auto height = [&](std::uint32_t vertex) {
+    ++cut_.cost.probes;
+    ++tally_.exact;
+    return dot(left, lift<ExactStage>(body_[vertex]) - a).sign();
+  };
+  const std::uint32_t highest = extreme_vertex_from(body_, along, End::greatest, 0, cut_.cost, tally_),
+                      lowest = extreme_vertex_from(body_, along, End::least, 0, cut_.cost, tally_);
+  const Sign of_highest = height(highest), of_lowest = height(lowest);
+  if (of_highest == Sign::negative) return set_apart({Kind::perpendicular, highest, 0, OwnEnd::a});
+  if (of_lowest == Sign::positive) return set_apart({Kind::perpendicular, lowest, 0, OwnEnd::a});
+  const FacetGraph& graph = body_.body.facet_graph();
+  const auto position = [&](std::uint32_t vertex) {
+    std::uint32_t k = graph.begin[vertex];
+    while (graph.edges[k].facet != 0) ++k;
+    return graph.edges[k].position;
+  };
+  const auto at = [&](std::uint32_t k) { return cycle[k < n ? k : k - n]; };
+  if (of_highest == Sign::zero || of_lowest == Sign::zero) {
+    const std::uint32_t k = position(of_highest == Sign::zero ? highest : lowest), vertex = at(k);
+    cut_.kind = CutKind::point;
+    cut_.first = cut_.last = at_vertex(vertex);
+    for (const std::uint32_t other : {at(k + 1), at(k + n - 1)}) {
+      if (height(other) != Sign::zero) continue;
+      const Exact edge = lift<ExactStage>(body_[other]) - lift<ExactStage>(body_[vertex]);
+      cut_.kind = CutKind::along;
+      cut_.surface = at_edge(vertex, other).at;
+      (dot(edge, way).sign() == Sign::positive ? cut_.last : cut_.first) = at_vertex(other);
+    }
+    return;
+  }
+  // The first vertex after position `begin` that is not on its side, or the edge that leads to it.
+  const auto crossing = [&](std::uint32_t begin, std::uint32_t end, Sign of_begin) {
+    if (end < begin) end += n;
+    Sign of_high = -of_begin;
+    std::uint32_t low = begin, high = end;
+    while (high - low > 1) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      const Sign s = height(at(middle));
+      if (s == of_begin) {
+        low = middle;
+      } else {
+        high = middle;
+        of_high = s;
+      }
+    }
+    return of_high == Sign::zero ? at_vertex(at(high)) : at_edge(at(low), at(high));
+  };
+  const std::uint32_t top = position(highest), bottom = position(lowest);
+  cut_.kind = CutKind::along;
+  cut_.surface = at_facet().at;
+  cut_.last = crossing(bottom, top, of_lowest);
+  cut_.first = crossing(top, bottom, of_highest);
+}
+
+// What parts the body from an own end: beyond this end of the common part (sense positive), or before it (negative).
+CutParting LineAnswer::parting_at(const CutEnd& end, Sign sense, OwnEnd beyond) {
+  const int dimension = body_.body.dimension();
+  if (dimension == 0) return {Kind::line, 0, 0, beyond};
+  if (dimension == 1) {
+    return {cut_.kind == CutKind::along ? Kind::line : Kind::edge, end.at.feature, 1 - end.at.feature, beyond};
+  }
+  if (facing(0) != Sign::zero) return {Kind::facet, 0, 0, beyond};
+  if (end.at.place == CutPlace::edge) return {Kind::edge_in_plane, end.at.feature, end.at.other, beyond};
+  // One of the vertex's edges, across which the line goes out.
+  const auto [u, v, w] = corners(0);
+  const Exact from = lift<ExactStage>(u);
+  const Exact normal = cross(lift<ExactStage>(v) - from, lift<ExactStage>(w) - from);
+  const Exact way = lift<ExactStage>(line_.b) - lift<ExactStage>(line_.a);
+  const FacetGraph& graph = body_.body.facet_graph();
+  const std::uint32_t at = end.at.feature;
+  for (std::uint32_t k = graph.begin[at]; k < graph.begin[at + 1]; ++k) {
+    const auto& [to, facet, position] = graph.edges[k];
+    const Exact edge = lift<ExactStage>(body_[to]) - lift<ExactStage>(body_[at]);
+    const Sign outward = facet == 0 ? Sign::positive : Sign::negative;  // of facet 0's edge from `at`, or to it
+    if (dot(cross(edge, normal), way).sign() * outward == sense) return {Kind::edge_in_plane, at, to, beyond};
+  }
+  return {};
+}
+
+void LineAnswer::clip_flat(OwnEnds ends, bool is_point) {
+  if (cut_.kind == CutKind::nothing || !ends.a) return;
+  ++tally_.exact;
+  const double at_b = is_point ? 0 : 1;
+  const OwnEnd own_b = is_point ? OwnEnd::a : OwnEnd::b;
+  const ExactFraction first = exact_end(body_, line_, cut_.first).along_line,
+                      last = exact_end(body_, line_, cut_.last).along_line;
+  const Sign a_last = -order(last, 0);
+  const Sign b_first = ends.b ? order(first, at_b) : Sign::negative;
+  if (a_last == Sign::positive) return set_apart(parting_at(cut_.last, Sign::positive, OwnEnd::a));
+  if (b_first == Sign::positive) return set_apart(parting_at(cut_.first, Sign::negative, own_b));
+  if (a_last == Sign::zero || b_first == Sign::zero) {
+    cut_.kind = CutKind::point;
+    if (a_last == Sign::zero) {
+      cut_.last.own = OwnEnd::a;
+      cut_.first = cut_.last;
+    } else {
+      cut_.first.own = own_b;
+      cut_.last = cut_.first;
+    }
+    return;
+  }
+  if (cut_.kind == CutKind::point) return;
+  const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
+    if (outward == Sign::positive) return;
+    if (outward == Sign::negative) end.at = cut_.surface;
+    end.own = own;
+  };
+  shorten(order(first, 0), cut_.first, OwnEnd::a);
+  if (ends.b) shorten(-order(last, at_b), cut_.last, own_b);
+  if (is_point) cut_.kind = CutKind::point;
+}
+
+}  // namespace sunder::solid
