@@ -439,8 +439,17 @@ part_bench() {
 }
 
 knows_lint_base() { git cat-file -e "$(cat scripts/lint.base)^{commit}" 2>/dev/null; }
+# Not of those that have only moved, or differ in comments and #include lines alone.
 changed_since_lint_base() {
-  git diff --name-only --diff-filter=d "$(cat scripts/lint.base)" -- "$@"
+  local added removed name
+  git diff --numstat -z -M -l10000 --diff-filter=d --ignore-blank-lines -I'^#include' -I'^ *//' \
+    "$(cat scripts/lint.base)" -- "$@" | while IFS=$'\t' read -r -d '' added removed name; do
+    if [ -z "$name" ]; then  # moved: its old name and its new one follow
+      read -r -d '' _
+      read -r -d '' name
+    fi
+    [ "$added$removed" = 00 ] || echo "$name"
+  done
   git ls-files --others --exclude-standard -- "$@"
 }
 
