@@ -20,8 +20,8 @@ int main() {
     std::cout << int{features.count_a} << " vertices of the block, " << int{features.count_b} << " of the drill\n";
     const auto [of_block, of_drill] = closest_points(*answer.closest);
     for (const auto& point : {of_block, of_drill}) {
-      for (const auto& x : point.coordinates) std::cout << nearest_ratio(x, point.denominator) << ' ';
-      std::cout << '\n';
+      const sunder::Point3 p = nearest(point.at);
+      std::cout << p.x << ' ' << p.y << ' ' << p.z << '\n';
     }
   }
   const bool is_half = compare_distance(answer, 0.5) == sunder::Sign::zero;

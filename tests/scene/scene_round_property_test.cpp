@@ -235,7 +235,7 @@ TEST(SceneRound, WhatIsUndecidedIsSaid) {
   EXPECT_FALSE(answer.none_meet());
   EXPECT_EQ(answer.counts.undecided, 1u);
   ASSERT_EQ(answer.pairs.size(), 3u);
-  EXPECT_EQ(answer.pairs[0].verdict(), "undecided");
+  EXPECT_EQ(answer.pairs[0].verdict(), Verdict::undecided);
   EXPECT_FALSE(answer.pairs[0].counts);
   Follower follower(bodies);
   ASSERT_EQ(follower.ask().pairs.size(), 1u);
