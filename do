@@ -439,17 +439,10 @@ part_bench() {
 }
 
 knows_lint_base() { git cat-file -e "$(cat scripts/lint.base)^{commit}" 2>/dev/null; }
-# Not of those that have only moved, or differ in comments and #include lines alone.
-changed_since_lint_base() {
-  local added removed name
-  git diff --numstat -z -M -l10000 --diff-filter=d --ignore-blank-lines -I'^#include' -I'^ *//' \
-    "$(cat scripts/lint.base)" -- "$@" | while IFS=$'\t' read -r -d '' added removed name; do
-    if [ -z "$name" ]; then  # moved: its old name and its new one follow
-      read -r -d '' _
-      read -r -d '' name
-    fi
-    [ "$added$removed" = 00 ] || echo "$name"
-  done
+changed_since_lint_base() {  # and not moved alone, nor differs in comments and #include lines alone
+  git diff --numstat -z -M -l10000 --diff-filter=d --ignore-blank-lines -I'^#include' -I'^ *//' "$(cat scripts/lint.base)" \
+    -- "$@" | tr '\0' '\n' |
+    awk -F'\t' 'NF == 3 { n = $1 + $2; if ($3 != "" && n) print $3 } NF == 1 && ++names % 2 == 0 && n'
   git ls-files --others --exclude-standard -- "$@"
 }
 

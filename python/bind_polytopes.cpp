@@ -14,7 +14,6 @@ namespace sunder::python {
 
 namespace {
 
-using Weights;
 using polytope::ExactEvidence;
 using polytope::HierarchicalTree;
 using polytope::HyperplaneEvidence;

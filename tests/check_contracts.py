@@ -6,7 +6,7 @@
 C1  Each function of a front door (a header that sunder/sunder.h includes) has words of its own: a comment above it, or
     above the group of lines that it stands in, or behind it.
 C2  A public header that speaks of throwing Error includes <sunder/base/error.h>: with that header alone it is caught.
-C3  sunder/sunder.h has every front door: each public header of a folder pair, set, region or round whose name begins
+C3  sunder/sunder.h has every front door: each public header of a folder of QUESTIONS whose name begins
     with an object (OBJECTS) and that declares a function of its own name, and each header of scene/ that begins with
     a question.
 
@@ -20,6 +20,7 @@ FRONT = "sunder/sunder.h"
 INCLUDE = re.compile(r"^#include <(sunder/[^>]+)>", re.MULTILINE)
 NO_FUNCTION = re.compile(r"[#/}\s]|$|(?:namespace|using|struct|class|enum|union|template|extern template|friend)\b")
 FUNCTION = re.compile(r"[^(=]*?\w\(|[\w:]+ \w+;")  # also `Method name;`, by the name of its type
+QUESTIONS = ("pair", "line", "section", "segments", "discs", "boxes", "polygons", "region", "round")
 OBJECTS = r"(?:convex_)?(?:polygons?|segments?|discs?|boxes|intervals|lines?|planes?|flat|half_(?:plane|space)|" \
           r"polyhedron|polytope|round|region|linear_program|kernel)(?:_|$)"
 THROWS = re.compile(r"\b[Tt]hrows?\b(?:[^.;]|\n)*?\bError\b")
@@ -81,7 +82,7 @@ def is_front_door(path, text):
     if path.startswith("sunder/scene/"):
         return re.match(r"// [^.]*?\?", text.replace("\n// ", " ")) is not None
     code = re.sub(r"//.*", "", text)
-    return (folder in ("pair", "set", "region", "round") and re.match(OBJECTS, name) is not None
+    return (folder in QUESTIONS and re.match(OBJECTS, name) is not None
             and re.search(r"^\w[^;={}()]*\b%s(?:_\w+)?\(" % name, code, re.MULTILINE) is not None)
 
 
