@@ -397,8 +397,7 @@ command_format() {
   sources sunder cli python verifier tests fuzz bench examples | xargs -0 "clang-format-$clang" -i
 }
 
-# Of the library's headers those that have changed since the commit of scripts/lint.base, and those that include them.
-# All, where git does not know that commit.
+# Of the library's headers those changed since the commit of scripts/lint.base, and those that include them, or all.
 part_headers() {
   local header objects changed includers targets
   configure release "$CXX" -DSUNDER_TESTS=ON || return 1
