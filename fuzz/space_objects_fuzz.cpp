@@ -67,7 +67,7 @@ void check(std::string_view text, const solid::Frame* project) {
     require(object.points.empty());
     (void)solid::flat_flat(object.plane, floor_plane());
     const auto body = solid::body_of(object.plane);
-    if (body) require(solid::height(object.plane, solid::exactly(body->points[0])).sign() == sunder::Sign::zero);
+    if (body) require(solid::height(object.plane, sunder::exactly(body->points[0])).sign() == sunder::Sign::zero);
     return;
   }
   require(object.points.size() == 2);

@@ -296,9 +296,14 @@ std::vector<Question> taken_apart(const std::vector<QuestionRow>& rows) {
   for (const QuestionRow& row : rows) {
     questions.push_back({row.name, row.table, {}});
     for (const VerdictRow& verdict : row.verdicts) {
-      std::vector<NamedShape> says = members_of(row.says), more = members_of(verdict.says);
-      says.insert(says.end(), more.begin(), more.end());
-      std::stable_partition(says.begin(), says.end(), [](const NamedShape& member) { return !member.may_be_missing; });
+      std::vector<NamedShape> says;
+      for (const bool may_be_missing : {false, true}) {
+        for (const std::string* text : {&row.says, &verdict.says}) {
+          for (NamedShape& member : members_of(*text)) {
+            if (member.may_be_missing == may_be_missing) says.push_back(std::move(member));
+          }
+        }
+      }
       questions.back().verdicts.push_back({verdict.name, std::move(says), claims_of(verdict.claims), verdict.sentence});
     }
   }

@@ -217,9 +217,10 @@ void read_bodies(const Json& list, Tables& tables) {
   }
 }
 
-// Members of so many numbers each. is_one: are these one? Else the reason.
+// Members of so many numbers each, of which `make` makes one. is_one: are these one? Else the reason.
 template <class Member, std::size_t columns, class IsOne>
-MemberTable<Member> read_members(const Json& list, const std::string& name, const IsOne& is_one,
+MemberTable<Member> read_members(const Json& list, const std::string& name,
+                                 Member (*make)(const std::array<Integer, columns>&), const IsOne& is_one,
                                  const char* otherwise) {
   const Doubles doubles = read_lists(list, columns, name);
   const Unit unit = unit_of(doubles);
@@ -228,9 +229,10 @@ MemberTable<Member> read_members(const Json& list, const std::string& name, cons
   members.bits = unit.bits;
   members.reserve(list.size());
   for (auto d = doubles.begin(); d != doubles.end(); d += columns) {
-    const Member member = [&]<std::size_t... k>(std::index_sequence<k...>) {
-      return Member{unit.integer(d[k])...};
-    }(std::make_index_sequence<columns>());
+    std::array<Integer, columns> numbers;
+    auto next = d;
+    for (Integer& number : numbers) number = unit.integer(*next++);
+    const Member member = make(numbers);
     if (!is_one(member)) refuse_form(name + "[" + std::to_string(members.size()) + "] " + otherwise);
     members.push_back(member);
   }
@@ -239,18 +241,23 @@ MemberTable<Member> read_members(const Json& list, const std::string& name, cons
 
 void read_segments(const Json& list, Tables& tables) {
   tables.segments = read_members<PlanarSegment, 4>(
-      list, "tables.segments", [](const PlanarSegment& s) { return !is_less(s.last, s.first); },
+      list, "tables.segments",
+      [](const std::array<Integer, 4>& n) { return PlanarSegment{{n[0], n[1]}, {n[2], n[3]}}; },
+      [](const PlanarSegment& s) { return !is_less(s.last, s.first); },
       "does not begin with its lexicographically first end");
 }
 
 void read_circles(const Json& list, Tables& tables) {
   tables.circles = read_members<PlanarDisc, 3>(
-      list, "tables.circles", [](const PlanarDisc& c) { return c.r >= 0; }, "has a negative radius");
+      list, "tables.circles", [](const std::array<Integer, 3>& n) { return PlanarDisc{n[0], n[1], n[2]}; },
+      [](const PlanarDisc& c) { return c.r >= 0; }, "has a negative radius");
 }
 
 void read_boxes(const Json& list, Tables& tables) {
   const auto is_one = [](const PlanarBox& b) { return b.low_x <= b.high_x && b.low_y <= b.high_y; };
-  tables.boxes = read_members<PlanarBox, 4>(list, "tables.boxes", is_one, "does not begin with its lowest corner");
+  tables.boxes = read_members<PlanarBox, 4>(
+      list, "tables.boxes", [](const std::array<Integer, 4>& n) { return PlanarBox{n[0], n[1], n[2], n[3]}; }, is_one,
+      "does not begin with its lowest corner");
 }
 
 // The coordinates of the vertices of all rings, in turn.

@@ -10,7 +10,7 @@ namespace sunder {
 
 namespace {
 
-constexpr double unit = 0x1p-53, infinite = std::numeric_limits<double>::infinity();
+constexpr double unit_roundoff = 0x1p-53, infinite = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -38,7 +38,7 @@ ConeWeights cone_weights(std::span<const double> inverse, double slack, std::spa
       sizes += std::fabs(product);
     }
     result.weight[i] = sum;
-    error[i] = (static_cast<double>(d) + 4) * unit * sizes + 0x1p-1060;
+    error[i] = (static_cast<double>(d) + 4) * unit_roundoff * sizes + 0x1p-1060;
     if (!std::isfinite(sizes)) {
       result.sign.fill(Guess::unsure);
       return result;
@@ -62,7 +62,7 @@ ProductRange difference_along(std::span<const double> generator, std::span<const
   }
   if (!(sizes <= std::numeric_limits<double>::max())) return {-infinite, infinite};
   if (sizes == 0 && std::equal(v.begin(), v.end(), w.begin(), w.end())) return {};
-  const double error = (static_cast<double>(generator.size()) + 6) * unit * sizes + 0x1p-1060;
+  const double error = (static_cast<double>(generator.size()) + 6) * unit_roundoff * sizes + 0x1p-1060;
   return {sum - error, sum + error};
 }
 
