@@ -208,7 +208,7 @@ const Json& member(const Json& item, const char* key, const std::string& where) 
 
 const Json& as_list(const Json& value, const std::string& where) {
   if (!value.is_array()) refuse_form(where + " is not a list");
-  return value;
+  return value;  // NOLINT(bugprone-return-const-ref-from-parameter): temporaries are refused
 }
 
 const Json& list_member(const Json& item, const char* key, const std::string& where) {

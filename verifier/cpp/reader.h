@@ -52,6 +52,7 @@ constexpr std::size_t no_index = static_cast<std::size_t>(-1);
 
 // Requires that it is one.
 const Json& as_list(const Json& value, const std::string& where);
+const Json& as_list(const Json&& value, const std::string& where) = delete;
 
 // A list of indices below `size`; of `count` entries, unless that is no_index.
 std::vector<std::size_t> read_indices(const Json& value, std::size_t size, const std::string& where,

@@ -128,9 +128,11 @@ using Value = std::variant<std::size_t, std::string, Number, Numbers, Points, In
 
 // What a value is, or points to. Requires that it is of that type.
 template <class T>
+const T& as(const Value&& value) = delete;
+template <class T>
 const T& as(const Value& value) {
   if constexpr (std::is_same_v<T, Value>) {
-    return value;
+    return value;  // NOLINT(bugprone-return-const-ref-from-parameter): temporaries are refused
   } else if constexpr (std::is_same_v<T, PartTable>) {
     return *std::get<std::shared_ptr<const T>>(value);
   } else if constexpr (is_of_file<T>) {

@@ -2,6 +2,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/direction.h>
+#include <sunder/number/exact_vector.h>
 #include <sunder/predicate/filter/stages.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
