@@ -65,7 +65,7 @@ const Json& list_for_each(const Told& t, std::size_t size) {
 
 const Json& list_of_two(const Json& value, const std::string& where) {
   if (!value.is_array() || value.size() != 2) refuse_form(where + " is not a list of 2");
-  return value;
+  return value;  // NOLINT(bugprone-return-const-ref-from-parameter): an entry of the file
 }
 
 // What each entry of a list is read as.
@@ -186,7 +186,7 @@ Value read_plane(const Told& t) {
 }
 
 Value read_section_corners_of(const Told& t) {
-  const IndexPairs corners = each(t.value, t.where, [&](const Json& entry, const std::string& where) {
+  IndexPairs corners = each(t.value, t.where, [&](const Json& entry, const std::string& where) {
     list_of_two(entry, where);
     return IndexPair(read_index(entry[0], count_in(t), where), read_index(entry[1], count_in(t), where));
   });
