@@ -63,9 +63,8 @@ const Json& list_for_each(const Told& t, std::size_t size) {
   return t.value;
 }
 
-const Json& list_of_two(const Json& value, const std::string& where) {
+void require_list_of_two(const Json& value, const std::string& where) {
   if (!value.is_array() || value.size() != 2) refuse_form(where + " is not a list of 2");
-  return value;  // NOLINT(bugprone-return-const-ref-from-parameter): an entry of the file
 }
 
 // What each entry of a list is read as.
@@ -187,7 +186,7 @@ Value read_plane(const Told& t) {
 
 Value read_section_corners_of(const Told& t) {
   IndexPairs corners = each(t.value, t.where, [&](const Json& entry, const std::string& where) {
-    list_of_two(entry, where);
+    require_list_of_two(entry, where);
     return IndexPair(read_index(entry[0], count_in(t), where), read_index(entry[1], count_in(t), where));
   });
   const std::set<IndexPair> once(corners.begin(), corners.end());
@@ -296,7 +295,7 @@ SurfaceEnd surface_end(const Json& value, const HullBody& body, const Told& t, c
 }
 
 Value read_two_ends_of(const Told& t) {
-  list_of_two(as_list(t.value, t.where), t.where);
+  require_list_of_two(as_list(t.value, t.where), t.where);
   TwoEnds ends;
   for (std::size_t k = 0; k < 2; ++k) {
     const Json& end = t.value[k];
@@ -334,7 +333,7 @@ Value read_homes_of(const Told& t) {
   return each(list_for_each(t, count_in(t)), t.where, [&](const Json& entry, const std::string& where) {
     FaceHome home;
     if (entry.is_null()) return home;
-    list_of_two(entry, where);
+    require_list_of_two(entry, where);
     home.face = read_index(entry[0], faces.size(), where);
     home.corner = read_index(entry[1], faces[home.face].size() - 1, where);
     if (home.corner == 0) refuse_form(where + " is not an index in range");
@@ -554,7 +553,7 @@ Shape shape_named(const std::string& shape) {
        [](const Told& t) -> Value {
          const auto &a = as<HullBody>(t.scope["a"]), &b = as<HullBody>(t.scope["b"]);
          return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
-           list_of_two(entry, where);
+           require_list_of_two(entry, where);
            return SurfaceCorner{surface_end(entry[0], a, t, where), surface_end(entry[1], b, t, where)};
          });
        }},
