@@ -68,7 +68,8 @@ void Dictionary::begin_phase_one() {
   }
 }
 
-// Of z, whose coefficients are of columns -y . column, and of artificial variables 1 - y_k, all times the denominator.
+// The objective z has the coefficient -y . column for each column, and 1 - y_k for an artificial variable, all times the
+// denominator.
 Integer Dictionary::multiplier(std::int64_t artificial) const {
   const auto column = column_of(artificial);
   return column ? denominator - objectives[0][*column] : denominator;

@@ -60,7 +60,7 @@ struct Dictionary {
   // Entry k of row i of the inverse of the basis, times the denominator: what the column of `first` + k has there.
   Integer inverse(std::size_t i, std::int64_t artificial) const;
 
-  // Where the variable is: its row, or its column.
+  // The row, or the column, in which the variable stands.
   std::optional<std::size_t> row_of(std::int64_t variable) const;
   std::optional<std::size_t> column_of(std::int64_t variable) const;
 };

@@ -154,7 +154,7 @@ TEST(Dictionary, AnyPivotKeepsTheEquations) {
   EXPECT_GT(negative, 100);
 }
 
-// Of columns and rows that are as good as others, those of the least variables.
+// Where several columns or rows are equally good, the least variable is chosen.
 TEST(Dictionary, BlandsRule) {
   Dictionary dictionary;
   dictionary.others = {5, 2, 3};

@@ -33,8 +33,8 @@ struct PlacementsCall {
   std::uint64_t threads = 0;        // 0: all cores
 };
 
-// Of the placements that were asked about: where something meets, where that is undecided; pairs that meet, in all;
-// where something is closer than it has to be, or where that is undecided; pairs that are known to be closer, in all.
+// Counts placements where something meets, or where that is undecided, and all pairs that meet; then placements where
+// something is closer than it has to be, or where that is undecided, and all pairs that are known to be closer.
 struct PlacementsCounts {
   std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0, closer = 0;
 

@@ -19,8 +19,8 @@ using solid::Pose;
   throw Error(ErrorCode::bad_call, text, "joint " + quote(name));
 }
 
-// Where a joint of this value has its child, within its frame at value 0. A turn is computed in doubles; its entries
-// are exactly 0, 1, +-sine and cosine where the axis is a coordinate axis.
+// Maps the child's frame at this value of the joint into its frame at value 0. A rotation is computed in doubles; about
+// a coordinate axis its entries are exactly 0, 1, +-sine and cosine.
 Affine3 joint_map(const Joint& joint, double value) {
   const auto [x, y, z] = joint.axis;
   switch (joint.type) {

@@ -1,4 +1,4 @@
-// Where a robot's links and shapes are: for one placement, and for one after another.
+// Computes where a robot's links and shapes are, for one placement or for many in turn.
 // Also called: forward kinematics.
 #pragma once
 
@@ -34,8 +34,8 @@ class RobotMotion {
   // The maps of all links in the frame of the root link, in the order of robot.links; limits are not looked at.
   // Requires as many values as joints, and as many maps as links. Allocates nothing for robots of up to 64 joints.
   // Throws Error bad_call where a value is not finite, or a mimic's value overflows, bad_pose where a map does, naming
-  // the joint. All its numbers are finite, then; it is a product of rotations, but for rounding: who makes a pose of it
-  // is told if that is singular. Cost: linear in links and joints.
+  // the joint. All numbers of the maps are finite. A map is a product of rotations up to rounding; the constructor of a
+  // pose refuses one that is singular. Cost: linear in links and joints.
   void place(std::span<const double> values, std::span<Affine3> links) const;
 
   // The values of all joints, in the order of robot.joints. Throws Error bad_call as place does.

@@ -146,7 +146,7 @@ class Groups {
       if (const auto found = link_named(link)) links_.insert(*found);
     }
     for (const std::string& joint : group->joints) {
-      // Of a planar or floating joint the last of its steps (urdf.h).
+      // A planar or floating joint is a chain of joints (urdf.h): the last one counts.
       auto found = named(joint, robot_.joints);
       for (const char* last : {"/roll", "/yaw"}) {
         if (found == robot_.joints.end()) found = named(joint + last, robot_.joints);

@@ -56,7 +56,7 @@ class Basis {
   using Number = typename Arithmetic::Number;
   using Column = std::vector<Number>;
 
-  // Of artificial variables, with the signs that make their values the sizes of the right-hand sides.
+  // Begins with artificial variables; their signs make their values the sizes of the right-hand sides.
   explicit Basis(std::span<const Number> right_hand_sides = {}, Arithmetic arithmetic = {});
 
   std::size_t rows() const { return rows_; }

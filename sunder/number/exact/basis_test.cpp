@@ -33,7 +33,7 @@ struct Problem {
     return result;
   }
 
-  // Of a basic variable of this problem.
+  // The column of a basic variable of this problem.
   Column column(const BasicVariable& variable) const {
     if (variable.kind != BasicVariable::artificial) return columns[variable.index];
     Column unit(right.size());
@@ -145,7 +145,7 @@ TEST(Basis, LeavesLexicographically) {
   EXPECT_GT(ties, 100);
 }
 
-// Of small integers, to which roundings do nothing but in quotients.
+// The problems have small integers, of which only quotients are rounded.
 TEST(Basis, LongFloatingPointAgrees) {
   Random random(tests::chosen_seed(20261203));
   int solved = 0;

@@ -48,7 +48,7 @@ struct ExactInverse {
   Dyadic denominator{1.0};
 };
 
-// Of a d x d matrix of finite doubles, row by row; nothing where it is singular. Allocates.
+// Inverts a d x d matrix of finite doubles, given row by row; returns nothing where it is singular. Allocates.
 std::optional<ExactInverse> exact_inverse(std::size_t d, std::span<const double> matrix);
 
 }  // namespace sunder
