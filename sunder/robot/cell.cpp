@@ -179,7 +179,7 @@ void Cell::add_scene(const CellOptions& options, InputFiles* inputs) {
 void Cell::take_unit(const std::string& unit) {
   const std::string& file = files_.back().file;
   if (!unit_.empty() && unit != unit_) {
-    fail_call(fmt::format("is in {}, but {} is in {}; scale one of them", unit, io::quote(unit_file_), unit_),
+    fail_call(fmt::format("is in {}, but '{}' is in {}; scale one of them", unit, io::one_line(unit_file_), unit_),
               io::one_line(file));
   }
   unit_ = unit;
