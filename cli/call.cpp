@@ -162,7 +162,7 @@ bool asks_for_json(const CLI::App& verb, std::span<const std::string> words) {
   return std::any_of(options.begin(), options.end(), [](const Given& given) { return given.word == "--json"; });
 }
 
-void require_apart(const CLI::App& verb) {
+void require_apart(const CLI::App& verb, ask::Talk& talk) {
   std::vector<NamedFile> inputs, outputs;
   for (const CLI::Option* option : verb.get_options()) {
     const std::string name = name_of(*option);
@@ -176,15 +176,16 @@ void require_apart(const CLI::App& verb) {
     }
   }
   require_one_reader(inputs);
-  ask::require_apart(inputs, std::move(outputs));
+  ask::require_apart(talk, inputs, std::move(outputs));
 }
 
-bool takes_standard_output(const CLI::App& verb) {
+bool takes_standard_output(const CLI::App& verb, const ask::Talk& talk) {
   const CLI::Option* json = verb.get_option_no_throw("--json");
   std::string first = json != nullptr && json->count() > 0 ? "--json" : "";
   if (!first.empty() && verb.get_option("--quiet")->count() > 0) {
     throw Error(ErrorCode::bad_call, "a report is not quiet; leave one of the two out", "--json and --quiet");
   }
+  if (talk.instead(standard_stream)) return false;
   bool takes = false;
   for (const std::string_view name : output_options) {
     const CLI::Option* option = verb.get_option_no_throw(std::string(name));

@@ -11,6 +11,10 @@ class App;
 class Option;
 }  // namespace CLI
 
+namespace sunder::ask {
+class Talk;
+}
+
 namespace sunder::cli {
 
 std::vector<const CLI::App*> verbs_of(const CLI::App& program);
@@ -30,11 +34,12 @@ bool asks_for_json(const CLI::App& verb, std::span<const std::string> words);
 // ask::require_apart for the options of a verb, after they are parsed: outputs are --certificate, --csv, --geojson,
 // --svg, --gltf, --out, --json-lines and --meeting-certificate; inputs are what stands without an option, the values of
 // other options that take a FILE, and those of --allow. Throws also where standard input is named twice.
-void require_apart(const CLI::App& verb);
+void require_apart(const CLI::App& verb, ask::Talk& talk);
 
 // Does an option ask for an output on standard output, as "-"? Throws Error bad_call where two do, where a report in
-// JSON goes there, too, and where such a report is asked for and --quiet.
-bool takes_standard_output(const CLI::App& verb);
+// JSON goes there, too, and where such a report is asked for and --quiet. Where the talk has another place for "-", no
+// option does.
+bool takes_standard_output(const CLI::App& verb, const ask::Talk& talk);
 
 // Is standard output a file that one of the words names, and that is no output? For a call that is not understood.
 bool prints_over_input(std::span<const std::string> words);

@@ -42,6 +42,7 @@ void bind_sections(nb::module_& solid);
 void bind_flats(nb::module_& module, nb::module_& solid);
 void bind_polytopes(nb::module_& module, nb::module_& polytope);
 void bind_robots(nb::module_& module);
+void bind_ask(nb::module_& module);
 
 // C++ errors become sunder.Error of Python.
 void translate_errors();

@@ -122,4 +122,5 @@ NB_MODULE(_sunder, module) {
   bind_flats(module, solid);
   bind_polytopes(module, polytope);
   bind_robots(module);
+  bind_ask(module);
 }

@@ -17,6 +17,8 @@ L7  No line of a comment's list is a word or two that a formatter left over: wha
     as an entry is, begins one.
 L8  No header gives a type of a namespace within sunder the name of one of sunder itself: which of both is meant
     would depend on what else is included.
+L9  ask prints nothing and asks nobody: it knows no stream of the process, no terminal and no environment (ask/talk.h
+    has what it tells), and no variable outlives a call.
 
 Tests beside the sources (x_test.cpp, x_test.h) are held to L1, L2, L5 and L6.
 Exit code 0: in order. 1: not, one line for each finding. 2: nothing was found to check.
@@ -45,7 +47,7 @@ LAYERS = {
     "picture": set(CORE) | {"io", "robot"},
     "ask": set(CORE) | {"io", "robot", "picture", "verifier"},
     "cli": set(CORE) | {"io", "robot", "picture", "ask", "verifier", "sunder"},
-    "python": set(CORE) | {"io", "robot", "sunder"},
+    "python": set(CORE) | {"io", "robot", "picture", "ask", "cli", "verifier", "sunder"},
     "verifier": set(),
     "sunder": set(CORE),
 }
@@ -90,6 +92,13 @@ CORE_CALLS_REFUSED = re.compile(
 CORE_STATE_REFUSED = re.compile(
     r"(?<![\w.>])(?:\w+::)*(fmaf?l?|MulAdd|NegMulAdd|MulSub|fesetround|feholdexcept|feenableexcept|setlocale|getenv|s?rand"
     r"|random_device|strtok)\s*[({]")
+
+ASK_HEADERS_REFUSED = {"unistd.h", "stdio.h", "cstdio", "cstdlib", "stdlib.h", "iostream", "print", "syncstream"}
+ASK_REFUSED = re.compile(r"\b(stdout|stderr|stdin|STD(?:IN|OUT|ERR)_FILENO|isatty|(?:secure_)?getenv|std::(?:cout|cerr|clog|cin))\b")
+# A variable of a namespace, in column 0, that is not constant; or a static one of a function.
+ASK_STATE = re.compile(
+    r"^(?!constexpr |const |inline constexpr |extern const |using |namespace |struct |class |enum |friend |typedef |return )"
+    r"[\w:][\w:<>,*& ]* \w+(?:\{[^}]*\}| = [^()]*)?;|^ *(?:static|thread_local) (?!constexpr |const )[\w:<>, ]+ \w+(?:;|\{| =)")
 
 CONTRACT = "sunder/base/contract.cpp"  # its one purpose is to say so and to end the process
 
@@ -225,6 +234,16 @@ def check_file(root, path):
             match = CORE_STATE_REFUSED.search(line)
             if match:
                 yield number, "L4: %s: answers depend on the input alone, in plain IEEE arithmetic" % match.group()[:-1]
+    if layer == "ask" and not test:
+        for number, line in enumerate(bare, 1):
+            match = INCLUDE.match(lines[number - 1])
+            if match and line.strip() and match.group(2) in ASK_HEADERS_REFUSED:
+                yield number, "L9: <%s>: ask prints nothing and asks nobody" % match.group(2)
+            match = ASK_REFUSED.search(line)
+            if match:
+                yield number, "L9: %s: who calls has it; what ask tells goes through ask/talk.h" % match.group()
+            if ASK_STATE.match(line):
+                yield number, "L9: %s: a call leaves nothing behind" % line.strip()
 
 
 def sources_of(root):

@@ -1,12 +1,9 @@
 """Questions asked of files, as the program asks them."""
 import json
 import os
-import subprocess
-import tempfile
 
+from sunder import _sunder
 from sunder._error import Error
-
-_PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin", "sunder")
 
 
 class Report(dict):
@@ -25,36 +22,25 @@ def _words(options):
                 yield "%s=%s" % (option, os.fspath(each) if isinstance(each, os.PathLike) else each)
 
 
-def _run(words):
-    try:
-        done = subprocess.run([_PROGRAM, *words], stdin=subprocess.DEVNULL, capture_output=True, check=False)
-    except (OSError, ValueError) as error:
-        raise Error("bad-call", "", "the call cannot be made: %s" % error) from None
-    try:
-        report = Report(json.loads(done.stdout))
-    except ValueError:
-        said = done.stderr.decode(errors="replace").strip() or "the program ended with %d" % done.returncode
-        raise Error("internal" if done.returncode not in (0, 1, 2) else "bad-call", "", said) from None
-    if "error" in report:
-        error = report["error"]
-        raise Error(error["kind"], error["place"], error["text"].removeprefix(error["place"] + ": "))
-    return report
-
-
 def ask(verb: str, *files: "str | os.PathLike", certificate: bool = False, **options: object) -> Report:
     """Asks a question of files: the verb, the files and the options of the program `sunder`, --some-option as
     some_option=value. Returns the report; with certificate=True its `proof` is the certificate, as bytes."""
     if not isinstance(verb, str):
         raise Error("bad-call", "ask", "the verb is a text, such as \"circles\"")
     try:
-        words = [verb, "--json", *_words(options), "--", *(os.fspath(file) for file in files)]
-    except TypeError as error:
+        words = [os.fsencode(word) for word in (verb, "--json", *_words(options), "--", *files)]
+    except (TypeError, UnicodeError) as error:
         raise Error("bad-call", "ask", "files are paths: %s" % error) from None
-    if not certificate:
-        return _run(words)
-    with tempfile.TemporaryDirectory() as folder:
-        proof = os.path.join(folder, "certificate.json")
-        report = _run([verb, "--certificate=" + proof, *words[1:]])
-        with open(proof, "rb") as file:
-            report.proof = file.read()
+    if any(b"\0" in word or word == b"-" or word.endswith(b"=-") for word in words):
+        raise Error("bad-call", "ask", "names hold no null byte, and no file is \"-\": there is no standard input here")
+    said, errors, proof = _sunder._ask(words[:1] + [b"--certificate=-"] * bool(certificate) + words[1:])
+    try:
+        report = Report(json.loads(said))
+    except ValueError:
+        raise Error("bad-call", "ask", errors.decode(errors="replace") or "no report is made of this call") from None
+    if "error" in report:
+        error = report["error"]
+        raise Error(error["kind"], error["place"], error["text"].removeprefix(error["place"] + ": "))
+    if certificate:
+        report.proof = proof
     return report

@@ -125,6 +125,12 @@ def test_is_heard_soon(interrupted, name):
     assert interrupted(lambda: question(given)) < SOON
 
 
+def test_questions_of_files_too(interrupted, tmp_path):
+    points = tmp_path / "points.csv"
+    np.savetxt(points, sphere(1000, 6), delimiter=",", header="x1,x2,x3,x4,x5,x6", comments="")
+    assert interrupted(lambda: sunder.ask("hull", points)) < SOON
+
+
 def test_certificates_too(interrupted):
     answer = planar.segments_any(planar.Segments(rows(300_000)))
     assert interrupted(answer.certificate) < SOON

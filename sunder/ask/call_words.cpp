@@ -154,8 +154,6 @@ class Reader {
   std::vector<bool> given_;  // of each option
 };
 
-Words words_now;  // of the call that is being answered
-
 }  // namespace
 
 Words words_of(const Verb& verb) {
@@ -181,33 +179,28 @@ Words words_of(const Verb& verb) {
   return words;
 }
 
-int run_call(const Verb& verb) {
-  words_now = words_of(verb);
-  return verb.run();
+Report run_call(const Verb& verb, Talk& talk) {
+  talk.words = words_of(verb);
+  return verb.run(talk);
 }
 
-Origin by_this_call(Origin origin) {
-  origin.call = words_now;
+Origin by_this_call(const Talk& talk, Origin origin) {
+  origin.call = talk.words;
   return origin;
 }
 
-Origin origin_of(InputFiles inputs, Words left_out) {
-  return by_this_call({std::move(inputs), std::move(left_out), {}});
+Origin origin_of(const Talk& talk, InputFiles inputs, Words left_out) {
+  return by_this_call(talk, {std::move(inputs), std::move(left_out), {}});
 }
 
-void run_again(std::span<const std::string> words, std::vector<io::GivenFiles::File> files,
-               io::GivenFiles::Write write) {
+void run_again(std::span<const std::string> words, std::vector<io::GivenFiles::File> files, const ProofSink& write) {
   const Verb verb = Reader(words).read();
-  const Words before = std::exchange(words_now, Words(words.begin(), words.end()));
-  const Silence silence;
-  const io::GivenFiles given(std::move(files), std::move(write));
-  try {
-    verb.run();
-  } catch (...) {
-    words_now = before;
-    throw;
-  }
-  words_now = before;
+  Talk talk({.file = [&](const std::filesystem::path& name) {
+    return [&write, name](std::string_view text) { write(name, text); };
+  }});
+  talk.words.assign(words.begin(), words.end());
+  const io::GivenFiles given(std::move(files));
+  verb.run(talk);
 }
 
 std::string call_text(std::span<const std::string> words) {

@@ -104,42 +104,34 @@ Json json_of(const RegionVertices& answer) {
 
 }  // namespace
 
-int run_half_space_hull(const HullCall& call, const polytope::Polytope& half_spaces, const InputFiles& inputs) {
+Report run_half_space_hull(const HullCall& call, Talk& talk, const polytope::Polytope& half_spaces,
+                           const InputFiles& inputs) {
   const RegionVertices answer = region_vertices(half_spaces);
   const bool is_bounded = answer.region.kind == RegionKind::bounded;
   const std::string file = io::one_line(call.file);
   const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
   const bool is_written = !call.out.empty() && is_bounded;
-  if (is_written) io::write_file_atomically(call.out, table_of(answer.found, half_spaces.dimension()));
+  if (is_written) talk.write_file(call.out, table_of(answer.found, half_spaces.dimension()));
   if (!call.certificate.empty()) {
-    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
+    write_proof(talk, call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
       claims.say(said_of_file(Said::Source::half_spaces, inputs, call.file));
       add_claims(claims, name, half_spaces, answer);
     });
   }
-  const int code = is_bounded ? exit_code::no : exit_code::yes;
-  if (call.json) {
-    Json json = envelope("hull", is_bounded ? name_of_hull(answer.region.dimension) : name_of(answer.region.kind));
-    json["objects"].push_back(object_of(call, half_spaces));
-    json["region"] = json_of(answer);
-    json["out"] = is_written ? Json(call.out) : Json(nullptr);
-    if (!call.certificate.empty()) json["not_proved"] = Json::array();
-    print(to_text(json));
-    return code;
-  }
-  std::string text = fmt::format("{}: {} of dimension {}: ", file, count_of(half_spaces.size(), "half-space"),
-                                 half_spaces.dimension());
-  if (is_bounded) {
-    text += text_of(answer);
-  } else if (answer.region.empty()) {
-    text += "empty: they contradict each other\n";
-  } else {
-    text += fmt::format("unbounded, of dimension {}: no hull of points\n", answer.region.dimension);
-  }
-  if (is_written) text += fmt::format("  written   {}\n", io::one_line(call.out));
-  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
-  print_for_people(text);
-  return code;
+  Report report{.verb = "hull",
+                .answer = is_bounded ? name_of_hull(answer.region.dimension) : name_of(answer.region.kind),
+                .code = is_bounded ? exit_code::no : exit_code::yes};
+  report.notes = talk.notes();
+  report.objects.push_back(object_of(call, half_spaces));
+  report.tell(fmt::format("{}: {} of dimension {}: ", file, count_of(half_spaces.size(), "half-space"),
+                          half_spaces.dimension()));
+  report.add("region", json_of(answer),
+             is_bounded ? text_of(answer)
+             : answer.region.empty()
+                 ? "empty: they contradict each other\n"
+                 : fmt::format("unbounded, of dimension {}: no hull of points\n", answer.region.dimension));
+  add_files(call, is_written ? call.out : "", report);
+  return report;
 }
 
 }  // namespace sunder::ask

@@ -81,6 +81,14 @@ const char* name_of_hull(std::size_t dimension) {
   return dimension > 3 ? "polytope" : dimension_name(static_cast<int>(dimension));
 }
 
+void add_files(const HullCall& call, const std::string& out, Report& report) {
+  report.add("out", out.empty() ? Json(nullptr) : Json(out),
+             out.empty() ? "" : fmt::format("  written   {}\n", io::one_line(out)));
+  report.is_proved = !call.certificate.empty();
+  if (!report.is_proved) return;
+  report.tell(fmt::format("  proof     {}\n", io::one_line(call.certificate)));
+}
+
 Json object_of(const HullCall& call, const Polytope& polytope) {
   return {{"file", io::one_line(call.file)},
           {"name", io::one_line(std::filesystem::path(call.file).stem().string())},
@@ -90,7 +98,7 @@ Json object_of(const HullCall& call, const Polytope& polytope) {
           {"rows", polytope.size()}};
 }
 
-int run_polytope_hull(const HullCall& call) {
+Report run_polytope_hull(const HullCall& call, Talk& talk) {
   if (call.leave_out) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", "--leave-out");
   const bool is_table = std::filesystem::path(call.out).extension() == ".csv";
   if (!call.out.empty() && !is_table) {
@@ -99,36 +107,29 @@ int run_polytope_hull(const HullCall& call) {
   InputFiles inputs;
   const Polytope points = io::read_polytope(call.file, call.certificate.empty() ? nullptr : &inputs,
                                             call.half_spaces ? polytope::Form::half_spaces : polytope::Form::points);
-  if (!points.is_of_points()) return run_half_space_hull(call, points, inputs);
+  if (!points.is_of_points()) return run_half_space_hull(call, talk, points, inputs);
   const std::string file = io::one_line(call.file);
   const ConvexHull hull = convex_hull(points);
   const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
-  if (!call.out.empty()) io::write_file_atomically(call.out, table_of(hull));
+  if (!call.out.empty()) talk.write_file(call.out, table_of(hull));
   if (!call.certificate.empty()) {
-    write_proof(call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
+    write_proof(talk, call.certificate, {inputs, {}}, [&](ClaimsWriter& claims) {
       claims.say(said_of_file(Said::Source::points, inputs, call.file));
       write_hull(claims, name, points, hull);
     });
   }
-  if (call.json) {
-    Json json = envelope("hull", name_of_hull(hull.dimension));
-    json["objects"].push_back(object_of(call, points));
-    json["hull"] = json_of(points, hull);
-    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
-    if (!call.certificate.empty()) json["not_proved"] = Json::array();
-    print(to_text(json));
-    return exit_code::no;
-  }
-  std::string text =
-      fmt::format("{}: hull of dimension {}: a {}\n", file, hull.dimension, name_of_hull(hull.dimension));
-  text += fmt::format("  points    {}, of {} numbers\n", points.size(), points.dimension());
-  text += fmt::format("  vertices  {}\n  facets    {}", hull.vertices.size(), hull.facet_count());
-  if (hull.simplex_count() > hull.facet_count()) text += fmt::format(", cut into {} simplices", hull.simplex_count());
-  text += '\n';
-  if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
-  if (!call.certificate.empty()) text += fmt::format("  proof     {}\n", io::one_line(call.certificate));
-  print_for_people(text);
-  return exit_code::no;
+  Report report{.verb = "hull", .answer = name_of_hull(hull.dimension)};
+  report.notes = talk.notes();
+  report.objects.push_back(object_of(call, points));
+  report.tell(fmt::format("{}: hull of dimension {}: a {}\n", file, hull.dimension, name_of_hull(hull.dimension)));
+  report.tell(fmt::format("  points    {}, of {} numbers\n", points.size(), points.dimension()));
+  report.add("hull", json_of(points, hull),
+             fmt::format("  vertices  {}\n  facets    {}{}\n", hull.vertices.size(), hull.facet_count(),
+                         hull.simplex_count() > hull.facet_count()
+                             ? fmt::format(", cut into {} simplices", hull.simplex_count())
+                             : ""));
+  add_files(call, call.out, report);
+  return report;
 }
 
 }  // namespace sunder::ask

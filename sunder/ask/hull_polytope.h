@@ -16,14 +16,18 @@ struct HullCall {
   bool json = false;
 };
 
-// Answers; returns the exit code. Throws Error for bad input, and for options that are not for polytopes.
-int run_polytope_hull(const HullCall& call);
+// Answers. Throws Error for bad input, and for options that are not for polytopes.
+Report run_polytope_hull(const HullCall& call, Talk& talk);
 
 // The same of half-spaces that have been read: the vertices of what they have in common.
-int run_half_space_hull(const HullCall& call, const polytope::Polytope& half_spaces, const InputFiles& inputs);
+Report run_half_space_hull(const HullCall& call, Talk& talk, const polytope::Polytope& half_spaces,
+                           const InputFiles& inputs);
 
 // "polygon", "polytope"; and what the report says of the file.
 const char* name_of_hull(std::size_t dimension);
 Json object_of(const HullCall& call, const polytope::Polytope& polytope);
+
+// Tells of the files that are written, last of all. out: empty where none is.
+void add_files(const HullCall& call, const std::string& out, Report& report);
 
 }  // namespace sunder::ask

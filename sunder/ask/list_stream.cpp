@@ -21,21 +21,21 @@ std::pair<std::string, std::string> around(Json report, std::string_view list) {
 }
 
 // What a collection begins with.
-std::string opening_of(const io::CoordinateSystems& systems) {
+std::string opening_of(Talk& talk, const io::CoordinateSystems& systems) {
   const io::CoordinateSystem* const only = systems.only();
   std::string crs;
   if (only != nullptr && !only->urn.empty()) {
     crs = fmt::format(R"("crs":{{"type":"name","properties":{{"name":{}}}}},)", quoted_json(only->urn));
   } else if (!systems.declared().empty() && (only == nullptr || !only->is_assumed)) {
-    note(fmt::format("the GeoJSON written names no coordinate system: {}",
-                     only == nullptr ? "those read differ" : "that of " + only->name));
+    talk.note(fmt::format("the GeoJSON written names no coordinate system: {}",
+                          only == nullptr ? "those read differ" : "that of " + only->name));
   }
   return fmt::format(R"({{"type":"FeatureCollection",{}"features":[)", crs);
 }
 
 }  // namespace
 
-ListStream::ListStream(std::string opening, std::string margin, Sink sink)
+ListStream::ListStream(std::string opening, std::string margin, TextSink sink)
     : text_(std::move(opening)), margin_(std::move(margin)), sink_(std::move(sink)) {}
 
 void ListStream::add(std::string_view item) {
@@ -57,10 +57,12 @@ void ListStream::close(std::string_view closing) {
   text_.clear();
 }
 
-ListReport::ListReport(std::pair<std::string, std::string> around)
-    : list_(std::move(around.first), "    ", print), closing_(std::move(around.second)) {}
+ListReport::ListReport(Talk& talk, std::pair<std::string, std::string> around)
+    : list_(std::move(around.first), "    ", [&talk](std::string_view text) { talk.print(text); }),
+      closing_(std::move(around.second)) {}
 
-ListReport::ListReport(const Json& report, std::string_view list) : ListReport(around(report, list)) {}
+ListReport::ListReport(Talk& talk, const Json& report, std::string_view list)
+    : ListReport(talk, around(report, list)) {}
 
 void ListReport::add_list(const Json& head, std::string_view key, const std::function<void(ListStream&)>& fill) {
   std::string opening = head.on_one_line();
@@ -73,8 +75,9 @@ void ListReport::add_list(const Json& head, std::string_view key, const std::fun
 
 void ListReport::close() { list_.close((list_.count() == 0 ? "" : "\n  ") + closing_); }
 
-GeojsonFile::GeojsonFile(const std::string& name, const io::CoordinateSystems& systems)
-    : file_(name), list_(opening_of(systems), "", [this](std::string_view text) { file_.write(text); }) {}
+GeojsonFile::GeojsonFile(Talk& talk, const std::string& name, const io::CoordinateSystems& systems)
+    : file_(name, talk.instead(name)),
+      list_(opening_of(talk, systems), "", [this](std::string_view text) { file_.write(text); }) {}
 
 void GeojsonFile::close() {
   list_.close("\n]}\n");

@@ -16,10 +16,8 @@ namespace sunder::ask {
 // A list whose items stand one on a line. Memory: about 64 KB, and the longest item.
 class ListStream {
  public:
-  using Sink = std::function<void(std::string_view)>;  // takes the text, piece by piece; may throw
-
   // What stands before the list, "[" included; `margin` before each item.
-  ListStream(std::string opening, std::string margin, Sink sink);
+  ListStream(std::string opening, std::string margin, TextSink sink);
 
   void add(std::string_view item);
 
@@ -32,15 +30,15 @@ class ListStream {
 
  private:
   std::string text_, margin_;
-  Sink sink_;
+  TextSink sink_;
   std::uint64_t count_ = 0;
 };
 
-// A report on standard output with a list: in the place of the member of that name, or else last. Nothing is printed
+// A report that is printed with a list: in the place of the member of that name, or else last. Nothing is printed
 // before the first 64 KB, or close().
 class ListReport {
  public:
-  ListReport(const Json& report, std::string_view list);
+  ListReport(Talk& talk, const Json& report, std::string_view list);
   void add(std::string_view item) { list_.add(item); }
 
   // An item that ends with a list, which `fill` adds to.
@@ -48,7 +46,7 @@ class ListReport {
   void close();
 
  private:
-  explicit ListReport(std::pair<std::string, std::string> around);
+  ListReport(Talk& talk, std::pair<std::string, std::string> around);
 
   ListStream list_;
   std::string closing_;
@@ -59,7 +57,7 @@ class ListReport {
 // is GeoJSON's own, it needs none.
 class GeojsonFile {
  public:
-  GeojsonFile(const std::string& name, const io::CoordinateSystems& systems);
+  GeojsonFile(Talk& talk, const std::string& name, const io::CoordinateSystems& systems);
   void add(std::string_view feature) { list_.add(feature); }
   std::uint64_t count() const { return list_.count(); }
   void close();

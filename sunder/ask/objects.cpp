@@ -22,17 +22,17 @@ std::string departure_text(const MeshBody& object) {
   return text;
 }
 
-void note_remarks(const std::vector<const MeshBody*>& objects) {
+void note_remarks(Talk& talk, const std::vector<const MeshBody*>& objects) {
   std::vector<std::string> told;
   for (const MeshBody* object : objects) {
     if (object->inner_vertices == 0) continue;
     std::string text = object->file + ": " + io::inner_vertices_text(object->inner_vertices);
-    if (std::find(told.begin(), told.end(), text) == told.end()) note(told.emplace_back(std::move(text)));
+    if (std::find(told.begin(), told.end(), text) == told.end()) talk.note(told.emplace_back(std::move(text)));
   }
 }
 
-void note_hulls(const std::vector<const MeshBody*>& objects) {
-  note_remarks(objects);
+void note_hulls(Talk& talk, const std::vector<const MeshBody*>& objects) {
+  note_remarks(talk, objects);
   std::vector<std::string> files;
   const MeshBody *first = nullptr, *deepest = nullptr;
   for (const MeshBody* object : objects) {
@@ -49,14 +49,14 @@ void note_hulls(const std::vector<const MeshBody*>& objects) {
   };
   const std::string departure = deepest == nullptr ? "" : departure_text(*deepest);
   if (files.size() == 1) {
-    note(fmt::format("{} is not exactly convex ({}), so its convex hull is used{}{}", files[0], first->why_hull,
-                     departure.empty() ? "" : "; ", departure));
+    talk.note(fmt::format("{} is not exactly convex ({}), so its convex hull is used{}{}", files[0], first->why_hull,
+                          departure.empty() ? "" : "; ", departure));
     return;
   }
   std::string list;
   for (const std::string& file : files) list += (list.empty() ? "" : ", ") + name(file);
-  note(fmt::format("{} meshes are not exactly convex, so their convex hulls are used: {}{}", files.size(), list,
-                   departure.empty() ? "" : fmt::format("; in {}, {}", name(deepest->file), departure)));
+  talk.note(fmt::format("{} meshes are not exactly convex, so their convex hulls are used: {}{}", files.size(), list,
+                        departure.empty() ? "" : fmt::format("; in {}, {}", name(deepest->file), departure)));
 }
 
 const char* dimension_name(int dimension) {

@@ -16,10 +16,10 @@ using io::MeshBody;
 std::string departure_text(const MeshBody& object);
 
 // Notes what the readers of the files remark, each once.
-void note_remarks(const std::vector<const MeshBody*>& objects);
+void note_remarks(Talk& talk, const std::vector<const MeshBody*>& objects);
 
 // Notes that, and of which meshes the hulls are used: one line, however many there are.
-void note_hulls(const std::vector<const MeshBody*>& objects);
+void note_hulls(Talk& talk, const std::vector<const MeshBody*>& objects);
 
 // "body", "polygon", "segment", "point".
 const char* dimension_name(int dimension);

@@ -1,5 +1,4 @@
 #include <sunder/ask/outputs.h>
-#include <sunder/ask/report.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/text/text.h>
@@ -60,11 +59,11 @@ bool overwrites(const fs::path& output, const fs::path& input) {
   return !is_terminal && is_same_file(written, input_of(input));
 }
 
-void require_apart(const std::vector<NamedFile>& inputs, std::vector<NamedFile> outputs) {
+void require_apart(Talk& talk, const std::vector<NamedFile>& inputs, std::vector<NamedFile> outputs) {
   const NamedFile report{"standard output", stream};
   const auto is_stream = [](const NamedFile& file) { return file.path == stream; };
   const bool is_taken = std::any_of(outputs.begin(), outputs.end(), is_stream);
-  if (!is_taken && !is_quiet()) outputs.insert(outputs.begin(), report);
+  if (!is_taken && !talk.is_quiet()) outputs.insert(outputs.begin(), report);
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
     if (output->path.empty()) {
       throw Error(ErrorCode::bad_call, "the name of the file is empty; give one", output->option);
@@ -77,7 +76,7 @@ void require_apart(const std::vector<NamedFile>& inputs, std::vector<NamedFile> 
                           [&](const NamedFile& other) { return is_same_file(path, output_of(other.path)); });
       if (same == output) continue;
     } else if (is_same_file(path, standard_output)) {
-      leave_standard_output();
+      talk.leave_output();
     }
     throw Error(ErrorCode::bad_call,
                 fmt::format("{} is the same file as {}; name another one",

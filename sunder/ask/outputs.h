@@ -1,6 +1,8 @@
 // What a call writes is none of what it reads, and is written once.
 #pragma once
 
+#include <sunder/ask/talk.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,7 +19,7 @@ struct NamedFile {
 // spelling, a symbolic or a hard link, the name of an open stream. Standard output is an output too, unless the call is
 // quiet. Pipes and devices are files here, but for /dev/null, and a terminal that is read and written. Nothing is read
 // or written; where standard output is an input, nothing is printed there any more.
-void require_apart(const std::vector<NamedFile>& inputs, std::vector<NamedFile> outputs);
+void require_apart(Talk& talk, const std::vector<NamedFile>& inputs, std::vector<NamedFile> outputs);
 
 // Is what is written to `output` written over what is read from `input`? "-" is the stream of each. That a terminal is
 // written and read is nothing.

@@ -1,7 +1,5 @@
 #include <sunder/ask/packages_option.h>
 
-#include <cstdlib>
-
 namespace sunder::ask {
 
 Option package_option(std::vector<std::string>& named) {
@@ -10,9 +8,8 @@ Option package_option(std::vector<std::string>& named) {
           "NAME=FOLDER"};
 }
 
-io::Packages packages_of(const std::vector<std::string>& named) {
-  const char* search = std::getenv("ROS_PACKAGE_PATH");
-  return io::parse_packages(named, search == nullptr ? "" : search);
+io::Packages packages_of(const Talk& talk, const std::vector<std::string>& named) {
+  return io::parse_packages(named, talk.sinks().package_paths);
 }
 
 }  // namespace sunder::ask

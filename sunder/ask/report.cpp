@@ -10,19 +10,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 
 namespace sunder::ask {
-
-struct Spoken {
-  std::vector<std::string> notes;
-  bool is_quiet = false, leaves_output = false, has_printed = false, is_silent = false;
-};
 
 namespace {
 
@@ -34,8 +26,6 @@ constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
      {"scan", solid::polyhedron_polyhedron_by_scan}}};
 
 constexpr std::size_t text_width = 120;
-
-Spoken reported;
 
 bool is_flat(const Json& json) {
   return std::none_of(json.items().begin(), json.items().end(), [](const Json& item) { return item.is_structured(); });
@@ -63,48 +53,6 @@ void append(const Json& json, std::size_t indent, std::string& text) {
 
 }  // namespace
 
-Silence::Silence() : before_(std::make_unique<Spoken>(reported)) { reported.is_quiet = reported.is_silent = true; }
-
-Silence::~Silence() { reported = std::move(*before_); }
-
-void print(std::string_view text) {
-  if (reported.is_silent) return;
-  reported.has_printed = true;
-  errno = 0;
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (written) return;
-  throw Error(ErrorCode::bad_call,
-              fmt::format("cannot be written ({}); check where it goes", std::generic_category().message(errno)),
-              "standard output");
-}
-
-void be_quiet() { reported.is_quiet = true; }
-bool is_quiet() { return reported.is_quiet; }
-void leave_standard_output() { reported.leaves_output = true; }
-bool is_output_in_use() { return reported.leaves_output || reported.has_printed; }
-
-void print_for_people(std::string_view text) {
-  if (reported.is_quiet || reported.leaves_output) return;
-  std::string shown;
-  while (!text.empty()) {
-    const std::size_t length = std::min(text.find('\n'), text.size());
-    shown += io::one_line(text.substr(0, length));
-    if (length < text.size()) shown += '\n';
-    text.remove_prefix(std::min(length + 1, text.size()));
-  }
-  print(shown);
-}
-
-void print_error(std::string_view text) {
-  const std::string line = fmt::format("sunder: {}\n", io::one_line(text));
-  static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
-}
-
-void note(std::string_view text) {
-  reported.notes.push_back(io::one_line(text));
-  if (!reported.is_quiet) print_error("note: " + reported.notes.back());
-}
-
 void refuse_method(std::string_view method, std::string_view known) {
   throw Error(ErrorCode::bad_call, fmt::format("there is no method {}; choose one of {}", io::quote(method), known),
               "--method");
@@ -123,13 +71,47 @@ Allowed allowed_by(std::string_view name, std::span<const Allowed> those) {
 PairMethod pair_method(const std::string& name, std::string_view more) { return method_by(name, pair_methods, more); }
 std::string pair_method_names() { return method_names(pair_methods); }
 
-Json envelope(const Json& verb, const Json& answer, const Json& method) {
-  return {{"sunder", 1},           {"verb", verb},    {"answer", answer},         {"method", method},
-          {"decided_by", nullptr}, {"cost", nullptr}, {"objects", Json::array()}, {"notes", reported.notes}};
+std::string text_of(const Report& report) {
+  std::string text;
+  for (const Fact& fact : report.facts) text += fact.text;
+  if (!report.cost_text.empty()) text += titled("cost", report.cost_text);
+  text += file_line("proof", report.proof);
+  if (report.is_proved) text += not_proved_line(report.not_proved);
+  return text + file_line("picture", report.picture);
 }
 
-Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text) {
-  Json json = envelope(verb, nullptr);
+Json json_of(const Report& report) {
+  Json json{{"sunder", 1},
+            {"verb", report.verb},
+            {"answer", report.answer},
+            {"method", report.method},
+            {"decided_by", report.decided_by},
+            {"cost", report.cost ? to_json(*report.cost) : Json(nullptr)},
+            {"objects", report.objects},
+            {"notes", report.notes}};
+  for (const Fact& fact : report.facts) {
+    if (!fact.key.empty()) json[fact.key] = fact.json;
+  }
+  if (report.is_proved) json["not_proved"] = report.not_proved;
+  return json;
+}
+
+Report told(int code) {
+  Report report;
+  report.code = code;
+  report.is_told = true;
+  return report;
+}
+
+Json envelope(const Talk& talk, const Json& verb, const Json& answer, const Json& method) {
+  Report report{.verb = verb, .answer = answer, .method = method};
+  report.notes = talk.notes();
+  return json_of(report);
+}
+
+Json error_report(const Talk& talk, const Json& verb, std::string_view kind, std::string_view place,
+                  std::string_view text) {
+  Json json = envelope(talk, verb, nullptr);
   json["error"] = {{"kind", kind}, {"place", place}, {"text", io::one_line(text)}};
   return json;
 }
@@ -148,16 +130,14 @@ Json to_json(const io::CoordinateSystems& systems) {
   return json;
 }
 
-std::string systems_line(const io::CoordinateSystems& systems) {
-  return systems.declared().empty() ? "" : titled("crs", systems.text());
+std::vector<Fact> facts_of(const io::CoordinateSystems& systems) {
+  if (systems.declared().empty()) return {};
+  return {{"coordinate_systems", to_json(systems), titled("crs", systems.text())}};
 }
 
-void add_systems(const io::CoordinateSystems& systems, Json& report) {
-  if (!systems.declared().empty()) report["coordinate_systems"] = to_json(systems);
-}
-
-void note_systems(const io::CoordinateSystems& systems) {
-  for (const std::string& remark : systems.remarks()) note(remark);
+std::vector<Fact> facts_of(const LeftOutList& left_out) {
+  if (left_out.empty()) return {};
+  return {{"left_out", to_json(left_out), ""}};
 }
 
 Json to_json(const LeftOutList& list) {
@@ -174,10 +154,11 @@ std::string to_text(const Json& json) {
   return text + "\n";
 }
 
-void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write) {
-  io::OutputFile out(file);
+void write_proof(const Talk& talk, const std::string& file, const Origin& origin,
+                 const std::function<void(ClaimsWriter&)>& write) {
+  io::OutputFile out(file, talk.instead(file));
   ClaimsWriter claims([&](std::string_view text) { out.write(text); });
-  claims.add_origin(by_this_call(origin));
+  claims.add_origin(by_this_call(talk, origin));
   write(claims);
   claims.end();
   out.commit();

@@ -1,6 +1,9 @@
-// What the verbs share: methods and rules by name, the JSON envelope, and output.
+// What the verbs share: methods and rules by name, the JSON envelope, and words.
 #pragma once
 
+#include <sunder/ask/talk.h>
+
+#include <sunder/base/cost.h>
 #include <sunder/base/json.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/origin.h>
@@ -15,10 +18,11 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::ask {
@@ -37,43 +41,6 @@ constexpr int yes = 1;       // meet, some meet, refused
 constexpr int bad = 2;       // bad input or call; one line on standard error
 constexpr int internal = 3;  // a fault of the program itself
 }  // namespace exit_code
-
-// Writes to standard output at once. Throws Error bad_call where that fails (a full disk).
-void print(std::string_view text);
-
-// The same for people: what a terminal might obey (control bytes, but for line feeds) goes as \xNN. Names that may hold
-// line feeds are made one line before: io::one_line.
-void print_for_people(std::string_view text);
-
-// One line on standard error: "sunder: ...". What cannot be written there is lost, and that is no error.
-void print_error(std::string_view text);
-
-// The same, and in reports that are made after it: "sunder: note: ...".
-void note(std::string_view text);
-
-// From now on nothing is printed but errors (--quiet).
-void be_quiet();
-bool is_quiet();
-
-// From now on nothing is printed for people: standard output has another use.
-void leave_standard_output();
-
-// Has standard output another use, or has anything been printed, a part of a report perhaps?
-bool is_output_in_use();
-
-struct Spoken;  // what has been said in this call, and whether anything is to be
-
-// While one is alive, nothing is printed; what has been said is then as it was before.
-class Silence {
- public:
-  Silence();
-  ~Silence();
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
- private:
-  std::unique_ptr<Spoken> before_;
-};
 
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
@@ -113,11 +80,46 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
 PairMethod pair_method(const std::string& name, std::string_view more = "");
 std::string pair_method_names();
 
+// What is told of an answer: to people in whole lines, in a report under a key. One of the two may be missing.
+struct Fact {
+  std::string key;
+  Json json;
+  std::string text;
+};
+
+// The answer to a call, as a value. text_of and json_of say it to people and to programs.
+struct Report {
+  Json verb = nullptr, answer = nullptr;
+  int code = exit_code::no;
+  Json method = nullptr, decided_by = nullptr;
+  std::optional<Cost> cost{};
+  std::string cost_text{};  // to people; empty: nothing is said of it
+  Json objects = Json::array();
+  std::vector<std::string> notes{};
+  std::vector<Fact> facts{};  // in their order
+  bool is_proved = false;
+  std::vector<std::string> not_proved{};  // what of all this a proof does not say, in words
+  std::string proof{}, picture{};         // files that were written, told to people
+  bool is_told = false;                   // it went to the talk as it was found, and nothing of it is left to be said
+
+  void tell(std::string text) { facts.push_back({"", nullptr, std::move(text)}); }
+  void add(std::string key, Json json, std::string text = "") {
+    facts.push_back({std::move(key), std::move(json), std::move(text)});
+  }
+  void add(const std::vector<Fact>& more) { facts.insert(facts.end(), more.begin(), more.end()); }
+};
+std::string text_of(const Report& report);
+Json json_of(const Report& report);
+
+// Of an answer that is told already.
+Report told(int code);
+
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.
-Json envelope(const Json& verb, const Json& answer, const Json& method = nullptr);
+Json envelope(const Talk& talk, const Json& verb, const Json& answer, const Json& method = nullptr);
 
 // The report of a call that came to no answer: "error" has its kind, place and text. No verb: null.
-Json error_report(const Json& verb, std::string_view kind, std::string_view place, std::string_view text);
+Json error_report(const Talk& talk, const Json& verb, std::string_view kind, std::string_view place,
+                  std::string_view text);
 Json to_json(const Cost& cost);
 Json to_json(const Point3& point);
 Json to_json(const io::CoordinateSystems& systems);  // [{"name", "assumed", "files": [...]}]
@@ -127,7 +129,8 @@ Json to_json(const LeftOutList& list);               // [{"kind", "count", "of":
 std::string to_text(const Json& json);
 
 // A certificate file: its origin, and the statements that `write` writes; whole, or not there.
-void write_proof(const std::string& file, const Origin& origin, const std::function<void(ClaimsWriter&)>& write);
+void write_proof(const Talk& talk, const std::string& file, const Origin& origin,
+                 const std::function<void(ClaimsWriter&)>& write);
 
 // "  title       value\n"; other lines of the value stand below it.
 std::string titled(std::string_view title, std::string value);
@@ -135,11 +138,11 @@ std::string titled(std::string_view title, std::string value);
 // The same of a file that was written; empty where there is none. clause: what is said of it.
 std::string file_line(std::string_view title, const std::string& file, std::string_view clause = "");
 
-// Reports name the coordinate systems of the inputs: in a line of text, in "coordinate_systems" of JSON, and in notes.
-// Each is empty where no input declares a system.
-std::string systems_line(const io::CoordinateSystems& systems);
-void add_systems(const io::CoordinateSystems& systems, Json& report);
-void note_systems(const io::CoordinateSystems& systems);
+// Reports name the coordinate systems of the inputs, as one fact; none where no input declares a system.
+std::vector<Fact> facts_of(const io::CoordinateSystems& systems);
+
+// What was left out, for reports alone: the clauses of verdicts have it for people.
+std::vector<Fact> facts_of(const LeftOutList& left_out);
 
 // What an answer says and its proof does not, in words; empty where there is nothing.
 std::string not_proved_line(std::span<const std::string> words);

@@ -11,6 +11,9 @@
 
 namespace sunder::ask {
 
+class Talk;     // talk.h
+struct Report;  // report.h
+
 // A list takes a value each time that its option is given; one that stands without an option takes all words.
 using OptionValue = std::variant<bool*, std::string*, std::uint64_t*, std::vector<std::string>*>;
 
@@ -26,9 +29,9 @@ struct Option {
 };
 
 struct Verb {
-  std::string name, about, codes;  // codes: what the exit codes 0 and 1 say
-  std::vector<Option> options;     // those without an option in front, in their order, first
-  std::function<int()> run;        // answers the call that stands in the values: an exit code. Throws Error
+  std::string name, about, codes;    // codes: what the exit codes 0 and 1 say
+  std::vector<Option> options;       // those without an option in front, in their order, first
+  std::function<Report(Talk&)> run;  // answers the call that stands in the values. Throws Error
 };
 
 // Pictures: how many things are drawn, unless --svg-limit says another number.

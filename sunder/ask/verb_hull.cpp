@@ -30,17 +30,17 @@ std::size_t edge_count(const solid::ConvexPolyhedron& hull) {
   return ends / 2;
 }
 
-int run(const HullCall& call) {
-  if (call.half_spaces || io::names_polytope(call.file)) return run_polytope_hull(call);
+Report run(const HullCall& call, Talk& talk) {
+  if (call.half_spaces || io::names_polytope(call.file)) return run_polytope_hull(call, talk);
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
   const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
-  note_remarks({&object});
+  note_remarks(talk, {&object});
   const solid::ConvexPolyhedron& hull = object.hull;
-  if (!call.out.empty()) io::write_file_atomically(call.out, io::to_text(format, hull));
+  if (!call.out.empty()) talk.write_file(call.out, io::to_text(format, hull));
   if (!call.certificate.empty()) {
-    write_proof(call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
+    write_proof(talk, call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
       const bool is_of_points = object.shape == io::BodyShape::points;
       claims.say(said_of_file(is_of_points ? Said::Source::points : Said::Source::vertices, inputs, call.file, "",
                               missing_of(object, left_out)));
@@ -48,37 +48,29 @@ int run(const HullCall& call) {
     });
   }
 
-  std::vector<std::string> not_proved;
-  if (object.shape == io::BodyShape::convex) not_proved.emplace_back("exactly convex");
-  if (object.shape == io::BodyShape::hull) not_proved.emplace_back("not exactly convex");
+  Report report{.verb = "hull", .answer = dimension_name(hull.dimension())};
+  report.notes = talk.notes();
+  if (object.shape == io::BodyShape::convex) report.not_proved.emplace_back("exactly convex");
+  if (object.shape == io::BodyShape::hull) report.not_proved.emplace_back("not exactly convex");
   const auto [low, high] = hull.box();
-  if (call.json) {
-    Json json = envelope("hull", dimension_name(hull.dimension()));
-    Json told = to_json(object);
-    told["edges"] = edge_count(hull);
-    told["mesh"] = {{"in_use", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
-    told["box"] = Json::array({to_json(low), to_json(high)});
-    json["objects"].push_back(std::move(told));
-    if (!left_out.empty()) json["left_out"] = to_json(left_out);
-    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
-    if (!call.certificate.empty()) json["not_proved"] = not_proved;
-    print(to_text(json));
-    return exit_code::no;
+  Json told = to_json(object);
+  told["edges"] = edge_count(hull);
+  told["mesh"] = {{"in_use", object.mesh_vertices}, {"polygons", object.mesh_polygons}};
+  told["box"] = Json::array({to_json(low), to_json(high)});
+  report.objects.push_back(std::move(told));
+  report.tell(fmt::format("{}: hull of dimension {}: a {}{}\n", object.file, hull.dimension(),
+                          dimension_name(hull.dimension()), left_out.clause()));
+  report.tell(fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices));
+  report.tell(fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count()));
+  report.tell(fmt::format("  box       {} to {}\n", about(low), about(high)));
+  if (object.shape == io::BodyShape::convex) report.tell("  mesh      exactly convex: it bounds its hull\n");
+  if (object.shape == io::BodyShape::hull) {
+    report.tell(fmt::format("  mesh      not exactly convex: {}\n", object.why_hull));
   }
-  std::string text = fmt::format("{}: hull of dimension {}: a {}{}\n", object.file, hull.dimension(),
-                                 dimension_name(hull.dimension()), left_out.clause());
-  text += fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices);
-  text += fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count());
-  text += fmt::format("  box       {} to {}\n", about(low), about(high));
-  if (object.shape == io::BodyShape::convex) text += "  mesh      exactly convex: it bounds its hull\n";
-  if (object.shape == io::BodyShape::hull) text += fmt::format("  mesh      not exactly convex: {}\n", object.why_hull);
-  if (object.departure) text += fmt::format("            {}\n", departure_text(object));
-  if (!call.out.empty()) text += fmt::format("  written   {}\n", io::one_line(call.out));
-  if (!call.certificate.empty()) {
-    text += fmt::format("  proof     {}\n", io::one_line(call.certificate)) + not_proved_line(not_proved);
-  }
-  print_for_people(text);
-  return exit_code::no;
+  if (object.departure) report.tell(fmt::format("            {}\n", departure_text(object)));
+  report.add(facts_of(left_out));
+  add_files(call, call.out, report);
+  return report;
 }
 
 }  // namespace
@@ -100,7 +92,7 @@ Verb hull_verb() {
         "each row of FILE (CSV without column names, or NPY) is a half-space a1,..,ad,b"},
        {"--leave-out", &call->leave_out, leave_out_help},
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -70,7 +70,7 @@ struct Info {
     io::CoordinateSystems systems(true);
     systems.add(file, of_file);
     if (systems.declared().empty()) return;
-    ask::add_systems(systems, json);
+    for (const Fact& fact : facts_of(systems)) json[fact.key] = fact.json;
     std::string names;
     for (const auto& [system, files, first] : systems.declared()) {
       names += (names.empty() ? "" : ", ") + system.name;
@@ -408,27 +408,28 @@ Info describe(const std::string& file, const io::Packages& packages) {
   return is_planar(file, bytes) ? describe_planar(file, bytes) : describe_mesh(file, bytes);
 }
 
-int run(const InfoCall& call) {
+Report run(const InfoCall& call, Talk& talk) {
   if (call.files.empty() && !call.formats) {
     throw Error(ErrorCode::bad_call, "no file is named; name files, or ask for --formats", "info");
   }
-  Json json = envelope("info", "read");
-  std::string text;
+  Report report{.verb = "info", .answer = "read"};
   if (call.formats) {
-    json["formats"] = Json::array();
+    Json list = Json::array();
+    std::string text;
     for (const Format& f : formats) {
-      json["formats"].push_back({{"name", f.name}, {"endings", f.endings}, {"access", f.access}, {"what", f.what}});
+      list.push_back({{"name", f.name}, {"endings", f.endings}, {"access", f.access}, {"what", f.what}});
       text += fmt::format("{:<12} {:<10} {:<14} {}\n", f.name, f.endings, f.access, f.what);
     }
+    report.add("formats", std::move(list), std::move(text));
   }
-  const io::Packages packages = packages_of(call.packages);
+  const io::Packages packages = packages_of(talk, call.packages);
   for (const std::string& file : call.files) {
     Info info = describe(file, packages);
-    json["objects"].push_back(std::move(info.json));
-    text += info.text;
+    report.objects.push_back(std::move(info.json));
+    report.tell(std::move(info.text));
   }
-  call.json ? print(to_text(json)) : print_for_people(text);
-  return exit_code::no;
+  report.notes = talk.notes();
+  return report;
 }
 
 }  // namespace
@@ -442,7 +443,7 @@ Verb info_verb() {
            package_option(call->packages),
            {"--formats", &call->formats, "list all formats that the program reads or writes"},
            json_option(call->json)},
-          [call] { return run(*call); }};
+          [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -103,12 +103,13 @@ class SectionQuestion {
  public:
   static constexpr const char *verb = "section", *drawn_noun = "plane";
 
-  explicit SectionQuestion(const SectionCall& asked) : call(asked), method_(method_by(asked.method, section_methods)) {
+  SectionQuestion(const SectionCall& asked, Talk& told)
+      : call(asked), talk(told), method_(method_by(asked.method, section_methods)) {
     if (!call.out.empty()) format_ = io::section_format_of_name(call.out);
     for (const std::string& text : call.planes) add_planes(text);
     if (!call.pose.empty()) pose_ = parse_pose(call.pose, "--pose");
     body_ = io::read_body(call.file, call.require_convex, left_out_, call.proves() ? &inputs_ : nullptr);
-    note_hulls({&*body_});
+    note_hulls(talk, {&*body_});
   }
 
   std::uint64_t drawn() const {
@@ -133,11 +134,11 @@ class SectionQuestion {
         results_.push_back(std::move(result));
       });
     }
-    if (!call.out.empty()) io::write_file_atomically(call.out, text_of_sections());
+    if (!call.out.empty()) talk.write_file(call.out, text_of_sections());
   }
 
   std::string certificate() const {
-    return claims_text(origin_of(inputs_, left_out_.texts()), [&](ClaimsWriter& file) {
+    return claims_text(origin_of(talk, inputs_, left_out_.texts()), [&](ClaimsWriter& file) {
       file.say(said_of_mesh(*body_, inputs_, left_out_));
       solid::SectionClaims claims(file, body_->name, body_->hull, pose_);
       for (const SectionResult& result : results_) claims.add(result.plane, result.section);
@@ -170,38 +171,29 @@ class SectionQuestion {
         answer_text() + left_out_.clause() + (is_of_hull() ? fmt::format("; said of {}", hull_text) : ""));
   }
 
-  const char* answer() const { return met() > 0 ? "some" : "none"; }
-  bool yes() const { return met() > 0; }
-
-  std::string text() const {
-    std::string text = fmt::format("{}: {}{}\n", body_->file, answer_text(), left_out_.clause());
-    text += first_of(results_.size(), 10, [&](std::size_t k) { return titled(results_[k].name, told(results_[k])); });
-    if (is_of_hull()) text += titled("said of", hull_text);
-    return text + file_line("written", call.out);
-  }
-
-  std::vector<std::string> not_proved() const {
+  Report report() const {
+    Report report{.answer = met() > 0 ? "some" : "none", .code = met() > 0 ? exit_code::yes : exit_code::no};
+    report.cost = cost_;
+    report.cost_text = fmt::format("{}, {}", count_of(cost_.probes, "probe"), count_of(cost_.exact, "exact sign"));
+    report.objects.push_back(to_json(*body_));
     const auto is_polygon = [](const SectionResult& result) { return result.section.kind == SectionKind::polygon; };
-    if (std::any_of(results_.begin(), results_.end(), is_polygon)) return {"the area"};
-    return {};
+    if (std::any_of(results_.begin(), results_.end(), is_polygon)) report.not_proved = {"the area"};
+    report.tell(fmt::format("{}: {}{}\n", body_->file, answer_text(), left_out_.clause()));
+    report.add("said_of", is_of_hull() ? "hulls" : "bodies");
+    report.add(facts_of(left_out_));
+    report.add("count", met());
+    Json sections = Json::array();
+    for (const SectionResult& result : results_) sections.push_back(section_json(result));
+    report.add("sections", std::move(sections), first_of(results_.size(), 10, [&](std::size_t k) {
+                 return titled(results_[k].name, told(results_[k]));
+               }));
+    if (is_of_hull()) report.tell(titled("said of", hull_text));
+    report.add("out", call.out.empty() ? Json(nullptr) : Json(call.out), file_line("written", call.out));
+    return report;
   }
 
-  Cost cost() const { return cost_; }
-  std::string cost_text() const {
-    return fmt::format("{}, {}", count_of(cost_.probes, "probe"), count_of(cost_.exact, "exact sign"));
-  }
-
-  void add_to(Json& json) const {
-    json["objects"].push_back(to_json(*body_));
-    json["said_of"] = is_of_hull() ? "hulls" : "bodies";
-    if (!left_out_.empty()) json["left_out"] = to_json(left_out_);
-    json["count"] = met();
-    json["sections"] = Json::array();
-    for (const SectionResult& result : results_) json["sections"].push_back(section_json(result));
-    json["out"] = call.out.empty() ? Json(nullptr) : Json(call.out);
-  }
-
-  const SectionCall call;
+  const SectionCall& call;
+  Talk& talk;
 
  private:
   static constexpr const char* hull_text = "the hull of the mesh, which is not convex";
@@ -297,9 +289,9 @@ class SectionQuestion {
   Cost cost_;
 };
 
-int run(const SectionCall& call) {
-  SectionQuestion question(call);
-  return answer(question);
+Report run(const SectionCall& call, Talk& talk) {
+  SectionQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 }  // namespace
@@ -328,7 +320,7 @@ Verb section_verb() {
        svg_limit_option(call->svg_limit),
        certificate_option(call->certificate),
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -148,7 +148,7 @@ std::string human_text(const File& file) {
   return text;
 }
 
-Json report(const File& file) {
+Json json_of(const File& file) {
   const sunder_verifier::FileResult& result = file.result;
   Json json{{"file", file.name},
             {"answer", file.holds() ? "accepted" : "refused"},
@@ -182,50 +182,41 @@ Json report(const File& file) {
   return json;
 }
 
-// What is known of the files of a call.
-struct Outcome {
-  int code = exit_code::no;
-  Json objects = Json::array();
-  Json error;  // the report of the first
-};
-
 // Throws Error again, where it is about no file.
-void not_checked(const std::vector<std::string>& names, const Error& error, Outcome& outcome) {
+void add_unread(Talk& talk, const std::vector<std::string>& names, const Error& error, Report& report) {
   if (error.code() != ErrorCode::bad_file) throw Error(error);
-  print_error(error.what());
-  outcome.code = exit_code::bad;
-  const Json report = error_report("verify", "bad-file", error.place(), error.what());
-  if (outcome.error.is_null()) outcome.error = report;
+  talk.complain(error.what());
+  report.code = exit_code::bad;
+  const Json told{{"kind", "bad-file"}, {"place", error.place()}, {"text", io::one_line(error.what())}};
+  if (report.facts.empty()) report.add("error", told);
   for (const std::string& name : names) {
-    outcome.objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", report["error"]}});
+    report.objects.push_back({{"file", io::one_line(name)}, {"answer", nullptr}, {"error", told}});
   }
 }
 
 // Verdicts are told as they are known; what cannot be read is told in between, and does not end the call.
-int run(const VerifyCall& call) {
-  Outcome outcome;
+Report run(const VerifyCall& call, Talk& talk) {
+  Report report{.verb = "verify"};
   std::vector<GivenInput> against;
   try {
     for (const std::string& name : call.against) against.push_back(read_given(name));
   } catch (const Error& error) {
-    not_checked(call.files, error, outcome);
+    add_unread(talk, call.files, error, report);
   }
-  const bool is_ready = outcome.error.is_null();
+  const bool is_ready = report.code == exit_code::no;
   for (const std::string& name : is_ready ? call.files : std::vector<std::string>()) {
     try {
       const File file = verify(name, against, call.no_limit);
-      if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);
-      call.json ? outcome.objects.push_back(report(file)) : print_for_people(human_text(file));
+      if (!file.holds()) report.code = std::max(report.code, exit_code::yes);
+      call.json ? report.objects.push_back(json_of(file)) : talk.print_for_people(human_text(file));
     } catch (const Error& error) {
-      not_checked({name}, error, outcome);
+      add_unread(talk, {name}, error, report);
     }
   }
-  if (!call.json) return outcome.code;
-  Json json = outcome.error.is_null() ? envelope("verify", outcome.code == exit_code::no ? "accepted" : "refused")
-                                      : outcome.error;
-  json["objects"] = std::move(outcome.objects);
-  print(to_text(json));
-  return outcome.code;
+  if (report.code != exit_code::bad) report.answer = report.code == exit_code::no ? "accepted" : "refused";
+  report.notes = talk.notes();
+  report.is_told = !call.json;
+  return report;
 }
 
 }  // namespace
@@ -244,7 +235,7 @@ Verb verify_verb() {
        {"--no-limit", &call->no_limit,
         "also check certificates that take long for their size (default: refuse to start)"},
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -24,9 +24,6 @@ class FlatPair : public PairQuestion {
         of_a_(a),
         of_b_(b) {}
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
   void ask() {
     common_ = method_(of_a_.flat, of_b_.flat);
     take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
@@ -64,14 +61,14 @@ class FlatPair : public PairQuestion {
 
 }  // namespace
 
-int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   if (call.distance || !call.clearance.empty()) {
     throw Error(ErrorCode::bad_call, "is for bodies, polygons, segments and points; leave it out, or give a segment",
                 call.distance ? "--distance" : "--clearance");
   }
   if (a.flat && b.flat) {
     FlatPair question(call, *a.flat, *b.flat, files);
-    return answer(question);
+    return answer(question, files.talk);
   }
   const bool body_is_a = a.bounded.has_value();
   const PlacedBody& body = body_is_a ? *a.bounded : *b.bounded;

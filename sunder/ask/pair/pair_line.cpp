@@ -140,9 +140,6 @@ class LinePair : public PairQuestion {
         other_(line_like(line.flat)),
         body_is_a_(body_is_a) {}
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
   void ask() {
     cut_ = method_(body_.mesh.hull, body_.pose, other_);
     take(cut_, cut_.decided_by == DecidedBy::scan        ? decided_text(DecidedBy::scan)
@@ -192,10 +189,10 @@ CutTold cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* l
   return {teller.json(), teller.text()};
 }
 
-int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
-                  const PairFiles& files) {
+Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
+                     const PairFiles& files) {
   LinePair question(call, body, line, body_is_a, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 std::string line_method_names() { return method_names(line_methods); }

@@ -32,9 +32,6 @@ class MotionPair : public PairQuestion {
     tell_motion(of_b_, b_);
   }
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
   void ask() {
     const solid::ConvexPolyhedron &a = body_a_.mesh.hull, &b = body_b_.mesh.hull;
     const solid::SweepAnswer answer = polyhedron_polyhedron_sweep(a, of_a_, b, of_b_);
@@ -56,7 +53,7 @@ class MotionPair : public PairQuestion {
   }
 
   std::string certificate() const {
-    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+    return claims_text(origin(), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const Translation& motion) {
         file.say(object.said);
@@ -159,11 +156,11 @@ void require_motion_alone(const PairCall& call) {
   }
 }
 
-int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
+Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
   require_motion_alone(call);
   for (const auto& [body, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) require_no_frame(*body, *side);
   MotionPair question(call, a, b, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 }  // namespace sunder::ask

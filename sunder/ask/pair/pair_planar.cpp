@@ -34,7 +34,7 @@ class BoundedPair : public PairQuestion {
               const PairFiles& files)
       : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b), least_(least) {
     for (const PlanarBody* body : {&a, &b}) {
-      if (!body->remark.empty()) note(body->remark);
+      if (!body->remark.empty()) files.talk.note(body->remark);
     }
   }
 
@@ -51,10 +51,10 @@ class BoundedPair : public PairQuestion {
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text()});
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
+    is_yes_ = !is_kept_;
     const auto& closest = distance_.closest;
     facts_.push_back(clearance(least_, is_kept_, closest ? closest->distance : Interval(0.0)));
   }
-  bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
     return certificate_of(PairClaims::Space::planar, a_, b_,
@@ -101,7 +101,7 @@ class BoundedPair : public PairQuestion {
 
 }  // namespace
 
-int run_planar_pair(const PairCall& call) {
+Report run_planar_pair(const PairCall& call, Talk& talk) {
   for (const std::string& file : {call.a.file, call.b.file}) {
     if (io::is_planar(file) || file == "-") continue;
     throw Error(ErrorCode::bad_call,
@@ -109,7 +109,7 @@ int run_planar_pair(const PairCall& call) {
                             io::quote(io::one_line(file))));
   }
   if (call.hull && call.mend) throw Error(ErrorCode::bad_call, "give --mend or --hull, not both", "--mend");
-  PairFiles files(call);
+  PairFiles files(call, talk);
   const PlanarInput read_a = read_planar_input(call, call.a, files), read_b = read_planar_input(call, call.b, files);
   for (const PlanarInput* input : {&read_a, &read_b}) {
     const io::PlanarObject& object = input->object;
@@ -120,7 +120,7 @@ int run_planar_pair(const PairCall& call) {
   PolygonMethod* const method = method_by(call.method, polygon_methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
   BoundedPair question(call, method, a, b, least_clearance(call), files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 std::string planar_method_names() { return method_names(polygon_methods); }

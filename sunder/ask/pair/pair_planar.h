@@ -21,8 +21,8 @@ extern const char* const planar_pose_forms;
 std::string planar_method_names();
 std::string planar_line_method_names();
 
-// Answers; returns the exit code. Throws Error for bad input.
-int run_planar_pair(const PairCall& call);
+// Answers. Throws Error for bad input.
+Report run_planar_pair(const PairCall& call, Talk& talk);
 
 // A or B as it was read.
 struct PlanarInput {
@@ -56,6 +56,6 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call);
 
 // As run_planar_pair, where one of them, or both, are unbounded. Throws Error where both are; for --distance and
 // --clearance; for a pose of the unbounded object under which one of its two points is no pair of doubles.
-int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarInput& b, const PairFiles& files);
+Report run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarInput& b, const PairFiles& files);
 
 }  // namespace sunder::ask

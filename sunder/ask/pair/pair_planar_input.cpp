@@ -109,7 +109,7 @@ planar::EitherWay shape_of(const PlanarObject& object, const std::string& path, 
 PlanarInput read_planar_input(const PairCall& call, const PairSide& side, PairFiles& files) {
   const io::PlanarFile file = io::read_planar_objects(side.file, call.drop_z, files.inputs());
   const std::string shown = io::one_line(side.file);
-  for (const std::string& remark : file.remarks) note(fmt::format("{}: {}", shown, remark));
+  for (const std::string& remark : file.remarks) files.talk.note(fmt::format("{}: {}", shown, remark));
   const PlanarObject& object = chosen(file, side, files.left_out);
   io::require_object(object, side.file);
   // What the file does not name is called as the file is.

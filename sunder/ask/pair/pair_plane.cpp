@@ -36,9 +36,6 @@ class PlanePair : public PairQuestion {
         in_file_(plane.body),
         body_is_a_(body_is_a) {}
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
   void ask() {
     const ConvexPolyhedron& body = body_.mesh.hull;
     answer_ = method_(body, body_.pose, plane_);
@@ -103,10 +100,10 @@ class PlanePair : public PairQuestion {
 
 }  // namespace
 
-int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
-                   const PairFiles& files) {
+Report run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+                      const PairFiles& files) {
   PlanePair question(call, body, plane, body_is_a, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 std::string plane_method_names() { return method_names(plane_methods); }

@@ -144,9 +144,6 @@ class PolytopePair : public PairQuestion {
                const PairFiles& files)
       : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b) {}
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }
-
   void ask() {
     if (call.hyperplanes) {
       const polytope::HierarchicalTree a(of_a_.polytope), b(of_b_.polytope);
@@ -163,7 +160,7 @@ class PolytopePair : public PairQuestion {
   }
 
   std::string certificate() const {
-    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+    return claims_text(origin(), [&](ClaimsWriter& file) {
       const polytope::NamedPolytope a{a_.name, of_a_.polytope, of_a_.pose, a_.said},
           b{b_.name, of_b_.polytope, of_b_.pose, b_.said};
       if (hyperplanes_) {
@@ -224,7 +221,7 @@ bool are_polytopes(const PairCall& call) {
   return call.polytopes || io::names_polytope(call.a.file) || io::names_polytope(call.b.file);
 }
 
-int run_polytope_pair(const PairCall& call) {
+Report run_polytope_pair(const PairCall& call, Talk& talk) {
   for (const auto& [is_given, option] : {std::pair(call.classify, "--classify"),
                                          {call.distance, "--distance"},
                                          {!call.clearance.empty(), "--clearance"},
@@ -242,14 +239,14 @@ int run_polytope_pair(const PairCall& call) {
     throw Error(ErrorCode::bad_call, "is of --method tree; give that, too", "--hyperplanes");
   }
   PolytopeMethod const method = method_by(call.method, methods, ", for polytopes");
-  PairFiles files(call);
+  PairFiles files(call, talk);
   const PolytopeInput a = read_input(call.a, files), b = read_input(call.b, files);
   if (a.polytope.dimension() != b.polytope.dimension()) {
     throw Error(ErrorCode::bad_call, fmt::format("A is of dimension {}, B of {}; give two of one dimension",
                                                  a.polytope.dimension(), b.polytope.dimension()));
   }
   PolytopePair question(call, method, a, b, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 std::string polytope_method_names() { return method_names(methods); }

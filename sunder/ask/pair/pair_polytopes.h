@@ -11,7 +11,7 @@ bool are_polytopes(const PairCall& call);
 // Their methods, for help texts.
 std::string polytope_method_names();
 
-// Answers; returns the exit code. Throws Error for bad input, and for options that are not for polytopes.
-int run_polytope_pair(const PairCall& call);
+// Answers. Throws Error for bad input, and for options that are not for polytopes.
+Report run_polytope_pair(const PairCall& call, Talk& talk);
 
 }  // namespace sunder::ask

@@ -52,31 +52,27 @@ std::string decided_text(DecidedBy decided_by) {
 
 std::string about(const Point2& p) { return fmt::format("({}, {})", about(p.x), about(p.y)); }
 
-std::string PairQuestion::cost_text() const {
-  return fmt::format("{}, {}, {} of exact arithmetic", count_of(cost_.probes, "probe"),
-                     count_of(cost_.iterations, "iteration"), count_of(cost_.exact, "use"));
-}
-
-std::string PairQuestion::text() const {
+Report PairQuestion::report() const {
+  Report report{.answer = word_, .code = is_yes_ ? exit_code::yes : exit_code::no, .decided_by = name_of(decided_by_)};
+  report.cost = cost_;
+  report.cost_text = fmt::format("{}, {}, {} of exact arithmetic", count_of(cost_.probes, "probe"),
+                                 count_of(cost_.iterations, "iteration"), count_of(cost_.exact, "use"));
+  report.objects = Json::array({a_.json, b_.json});
+  report.not_proved = not_proved_;
   const std::string contact = call.classify && meet_ ? fmt::format(" ({})", name_of(contact_)) : "";
-  std::string text = fmt::format("{} and {}: {}{}{}\n", a_.file, b_.file, verdict_, contact, files_.left_out.clause());
-  text += titled("A", a_.text) + titled("B", b_.text);
-  for (const Fact& fact : facts_) {
-    if (!fact.text.empty()) text += titled(fact.key, fact.text);
-  }
-  return text + systems_line(files_.systems) + titled("decided by", decided_text_);
+  report.tell(fmt::format("{} and {}: {}{}{}\n", a_.file, b_.file, verdict_, contact, files_.left_out.clause()));
+  report.tell(titled("A", a_.text) + titled("B", b_.text));
+  report.add(facts_of(files_.left_out));
+  const std::vector<Fact> systems = facts_of(files_.systems);
+  for (const Fact& fact : systems) report.add(fact.key, fact.json);
+  if (call.classify) report.add("contact", name_of(contact_));
+  for (const auto& [key, json, text] : facts_) report.add(key, json, text.empty() ? "" : titled(key, text));
+  for (const Fact& fact : systems) report.tell(fact.text);
+  report.tell(titled("decided by", decided_text_));
+  return report;
 }
 
-void PairQuestion::add_to(Json& json) const {
-  json["decided_by"] = name_of(decided_by_);
-  json["objects"] = Json::array({a_.json, b_.json});
-  if (!files_.left_out.empty()) json["left_out"] = to_json(files_.left_out);
-  add_systems(files_.systems, json);
-  if (call.classify) json["contact"] = name_of(contact_);
-  for (const Fact& fact : facts_) json[fact.key] = fact.json;
-}
-
-PairQuestion::Fact PairQuestion::evidence(const PairCertificate& certificate, int dimension) const {
+Fact PairQuestion::evidence(const PairCertificate& certificate, int dimension) const {
   const PlacedVertices a = a_.in_space(), b = b_.in_space();
   Json json = evidence_json(certificate, a, b);
   for (const char* key : {"point", "direction_about"}) {
@@ -85,7 +81,7 @@ PairQuestion::Fact PairQuestion::evidence(const PairCertificate& certificate, in
   return {"evidence", std::move(json), evidence_text(certificate, a, b, dimension == 2)};
 }
 
-PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, const Interval& distance) {
+Fact PairQuestion::clearance(double least, bool is_kept, const Interval& distance) {
   return {"clearance",
           {{"least", least}, {"kept", is_kept}},
           fmt::format("{}: {}; {}", least, is_kept ? "kept" : "not kept",
@@ -94,7 +90,7 @@ PairQuestion::Fact PairQuestion::clearance(double least, bool is_kept, const Int
 
 std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
                                          const Write& write) const {
-  return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+  return claims_text(origin(), [&](ClaimsWriter& file) {
     PairClaims pairs(file, space);
     const auto add = [&](const PairObject& object) {
       file.say(object.said);

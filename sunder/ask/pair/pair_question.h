@@ -46,9 +46,10 @@ struct PairCall : QuestionCall {
 
 // What the files are, and what of them is left out.
 struct PairFiles {
-  explicit PairFiles(const PairCall& call)
-      : left_out(call.leave_out), systems(call.mixed_crs), tells_inputs(call.proves()) {}
+  PairFiles(const PairCall& call, Talk& told)
+      : talk(told), left_out(call.leave_out), systems(call.mixed_crs), tells_inputs(call.proves()) {}
 
+  Talk& talk;
   LeftOutList left_out;
   io::CoordinateSystems systems;  // planar
   bool tells_inputs;
@@ -79,29 +80,19 @@ class PairQuestion {
 
   PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files)
       : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {
-    note_systems(files.systems);
+    files.talk.note_all(files.systems.remarks());
   }
 
-  const char* answer() const { return meet_ ? "meet" : "apart"; }
-  bool yes() const { return meet_; }
-  const Cost& cost() const { return cost_; }
-  const std::vector<std::string>& not_proved() const { return not_proved_; }
-  std::string cost_text() const;
-  std::string text() const;
-  void add_to(Json& json) const;
+  static std::uint64_t drawn() { return 0; }  // these two for planar pairs
+  static std::string picture() { return ""; }
+  Report report() const;
 
  protected:
-  // What is told of the pair: to people under a title, in a report under a key. Without a text only there.
-  struct Fact {
-    const char* key;
-    Json json;
-    std::string text;
-  };
-
   template <class Answer>
   void take(const Answer& answer, std::string decided_text) {
     meet_ = answer.meet();
-    verdict_ = this->answer();
+    is_yes_ = meet_;
+    verdict_ = word_ = meet_ ? "meet" : "apart";
     decided_by_ = answer.decided_by;
     decided_text_ = std::move(decided_text);
     cost_ = answer.cost;
@@ -113,6 +104,8 @@ class PairQuestion {
   // Is it kept, and how far are they apart, about? 0: they meet.
   static Fact clearance(double least, bool is_kept, const Interval& distance);
 
+  Origin origin() const { return origin_of(files_.talk, files_.read, files_.left_out.texts()); }
+
   // A certificate about two bodies: write adds the statements about those of these numbers.
   using Write = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;
   std::string certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
@@ -120,12 +113,12 @@ class PairQuestion {
 
   PairObject a_, b_;
   const PairFiles& files_;
-  bool meet_ = false;
-  std::string verdict_, decided_text_;  // for people
+  bool meet_ = false, is_yes_ = false;         // is_yes_: is the exit code 1?
+  std::string word_, verdict_, decided_text_;  // word_: the answer; the others are for people
   Contact contact_ = Contact::none;
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
-  std::vector<Fact> facts_;
+  std::vector<Fact> facts_;  // their texts stand under their keys
   std::vector<std::string> not_proved_;
 };
 

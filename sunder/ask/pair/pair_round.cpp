@@ -40,24 +40,21 @@ class RoundPair : public PairQuestion {
     }
   }
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
-  const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
-  // What is undecided is not known to be apart.
-  bool yes() const { return least_ > 0 ? !clearance_.kept() : answer_.verdict() != Verdict::apart; }
-
   void ask() {
     answer_ = round_round(placed_a_, placed_b_);
     take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-76 of their size"
                                       : decided_text(answer_.decided_by));
-    if (answer_.undecided()) verdict_ = "undecided";
+    if (answer_.undecided()) verdict_ = word_ = "undecided";
+    is_yes_ = answer_.verdict() != Verdict::apart;  // what is undecided is not known to be apart
     if (call.classify && meet_) {
       found_ = round_round_contact(placed_a_, placed_b_, answer_.evidence);
       contact_ = found_.contact.value_or(Contact::none);
     }
     if (call.distance || least_ > 0) distance_ = round_distance(placed_a_, placed_b_);
-    if (least_ > 0) clearance_ = round_clearance(placed_a_, placed_b_, least_);
+    if (least_ > 0) {
+      clearance_ = round_clearance(placed_a_, placed_b_, least_);
+      is_yes_ = !clearance_.kept();
+    }
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
     const bool is_said_of_hulls =
@@ -89,7 +86,7 @@ class RoundPair : public PairQuestion {
       throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
                   "--certificate");
     }
-    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+    return claims_text(origin(), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       file.say(a_.said);
       const std::uint32_t a = add_round(pairs, a_.name, placed_a_);
@@ -179,14 +176,14 @@ PairObject PlacedRoundBody::object_of() const {
   return result;
 }
 
-int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   if (a.flat || b.flat) {
     throw Error(ErrorCode::bad_call,
                 "a body with a radius is asked about with what is bounded; give no line, ray or plane");
   }
   const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
   RoundPair question(call, of_a, of_b, files);
-  return ask::answer(question);
+  return ask::answer(question, files.talk);
 }
 
 }  // namespace sunder::ask

@@ -35,19 +35,14 @@ class RoundMotionPair : public PairQuestion {
     tell_motion(of_b_, b_);
   }
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
-  const char* answer() const { return answer_.undecided() ? "undecided" : PairQuestion::answer(); }
-  // What is undecided is not known to be apart.
-  bool yes() const { return answer_.verdict != Verdict::apart; }
-
   void ask() {
     answer_ = round_round_sweep(round_a_.body, of_a_, round_b_.body, of_b_);
     take(answer_, answer_.undecided()
                       ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"
                       : decided_text(answer_.decided_by));
-    const bool is_said_of_hulls = answer_.verdict != Verdict::apart && (round_a_.is_hull() || round_b_.is_hull());
+    if (answer_.undecided()) word_ = "undecided";
+    is_yes_ = answer_.verdict != Verdict::apart;  // what is undecided is not known to be apart
+    const bool is_said_of_hulls = is_yes_ && (round_a_.is_hull() || round_b_.is_hull());
     verdict_ = answer_.undecided() ? "undecided whether they meet on the way"
                : !meet_            ? "apart all the way"
                : is_said_of_hulls  ? "meet on the way, as hulls"
@@ -69,7 +64,7 @@ class RoundMotionPair : public PairQuestion {
       throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
                   "--certificate");
     }
-    return claims_text(origin_of(files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+    return claims_text(origin(), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const PlacedRoundBody& body, const Translation& motion) {
         file.say(object.said);
@@ -130,7 +125,7 @@ class RoundMotionPair : public PairQuestion {
 
 }  // namespace
 
-int run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+Report run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_motion_alone(call);
   for (const auto& [input, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) {
     if (input->bounded) require_no_frame(*input->bounded, *side);
@@ -138,7 +133,7 @@ int run_round_motion_pair(const PairCall& call, const SpaceInput& a, const Space
   }
   const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
   RoundMotionPair question(call, of_a, of_b, files);
-  return ask::answer(question);
+  return ask::answer(question, files.talk);
 }
 
 }  // namespace sunder::ask

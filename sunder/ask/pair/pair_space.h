@@ -78,18 +78,18 @@ SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFile
 // Throws Error where a frame is given, and no polygon was projected on it.
 void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInput& b);
 
-// Where one of them is not bounded: answers; returns the exit code. Throws Error for --distance and --clearance.
-int run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+// Where one of them is not bounded: answers. Throws Error for --distance and --clearance.
+Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // Where one of them has a radius. Throws Error where the other is not bounded, and for a certificate of what is
 // undecided.
-int run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // Where one of them moves, or both: --to-a, --to-b. Throws Error for what turns, and for options of bodies at rest.
-int run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
+Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
 
 // The same where one of them has a radius, or both. Throws Error, also for a certificate of what is undecided.
-int run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+Report run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // What these two share: where the side goes, told with its object; throw Error for what turns, for a polygon in a frame
 // that moves, for options of bodies at rest.
@@ -106,10 +106,10 @@ std::string depth_told(const Interval& depth, const WorldDirection& from_a_to_b)
 Json depth_report(const Interval& depth, const WorldDirection& from_a_to_b);
 
 // A body and a plane, a body and a line or ray.
-int run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
-                   const PairFiles& files);
-int run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
-                  const PairFiles& files);
+Report run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
+                      const PairFiles& files);
+Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
+                     const PairFiles& files);
 
 // Their methods, for help texts.
 std::string plane_method_names();

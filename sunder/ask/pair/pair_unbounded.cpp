@@ -120,7 +120,7 @@ class UnboundedPair : public PairQuestion {
       : PairQuestion(asked, mixed.body_is_a ? mixed.body.object : mixed.object,
                      mixed.body_is_a ? mixed.object : mixed.body.object, files),
         mixed_(mixed) {
-    if (!body_.remark.empty()) note(body_.remark);
+    if (!body_.remark.empty()) files.talk.note(body_.remark);
   }
 
   std::uint64_t drawn() const { return std::uint64_t{body_.given} + 2; }
@@ -239,7 +239,7 @@ class UnboundedPair : public PairQuestion {
 
 }  // namespace
 
-int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarInput& b, const PairFiles& files) {
+Report run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarInput& b, const PairFiles& files) {
   if (a.object.unbounded() && b.object.unbounded()) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
@@ -251,7 +251,7 @@ int run_unbounded_pair(const PairCall& call, const PlanarInput& a, const PlanarI
   }
   const Mixed mixed(call, a, b);
   UnboundedPair question(call, mixed, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 std::string planar_line_method_names() { return method_names(unbounded_methods); }

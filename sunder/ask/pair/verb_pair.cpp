@@ -54,9 +54,6 @@ class SolidPair : public PairQuestion {
         of_b_(b),
         least_(least_clearance(asked)) {}
 
-  static std::uint64_t drawn() { return 0; }
-  static std::string picture() { return ""; }  // of planar pairs only
-
   void ask() {
     const solid::ConvexPolyhedron &a = of_a_.mesh.hull, &b = of_b_.mesh.hull;
     answer_ = method_(a, of_a_.pose, b, of_b_.pose);
@@ -64,7 +61,10 @@ class SolidPair : public PairQuestion {
     if (call.classify && meet_) contact_ = solid::polyhedron_polyhedron_contact(a, of_a_.pose, b, of_b_.pose);
     if (call.distance || least_ > 0) {
       distance_ = solid::polyhedron_polyhedron_distance(a, of_a_.pose, b, of_b_.pose);
-      if (least_ > 0) is_kept_ = compare_distance(distance_, least_) != Sign::negative;
+      if (least_ > 0) {
+        is_kept_ = compare_distance(distance_, least_) != Sign::negative;
+        is_yes_ = !is_kept_;
+      }
     }
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for; that they meet, or
     // are no further apart, does not.
@@ -87,10 +87,9 @@ class SolidPair : public PairQuestion {
     facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
     if (!is_kept_) facts_.back().text += of_hulls;
   }
-  bool yes() const { return least_ > 0 ? !is_kept_ : meet_; }
 
   std::string certificate() const {
-    return claims_text(origin_of(files_.read, files_.left_out.texts()), [this](ClaimsWriter& file) {
+    return claims_text(origin(), [this](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object) {
         file.say(object.said);
@@ -172,11 +171,11 @@ PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedB
 }
 
 // Of standard input, the other one tells.
-int run(const PairCall& call) {
+Report run(const PairCall& call, Talk& talk) {
   if (are_polytopes(call)) {
     require_at_rest(call, "polytopes");
     require_no_depth(call, "polytopes");
-    return run_polytope_pair(call);
+    return run_polytope_pair(call, talk);
   }
   for (const auto& [is_given, option] : {std::pair(call.hyperplanes, "--hyperplanes"),
                                          {call.a.half_spaces, "--half-spaces-a"},
@@ -206,7 +205,7 @@ int run(const PairCall& call) {
     }
     require_at_rest(call, "planar objects");
     require_no_depth(call, "planar objects");
-    return run_planar_pair(call);
+    return run_planar_pair(call, talk);
   }
   for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
                                          {call.mend, "--mend"},
@@ -219,7 +218,7 @@ int run(const PairCall& call) {
   }
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
-  PairFiles files(call);
+  PairFiles files(call, talk);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
   std::vector<const MeshBody*> bodies;
@@ -227,7 +226,7 @@ int run(const PairCall& call) {
     if (input->bounded) bodies.push_back(&input->bounded->mesh);
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
   }
-  note_hulls(bodies);
+  note_hulls(talk, bodies);
   if (a.flat || b.flat) require_at_rest(call, "others");
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
   if (is_motion && (a.round || b.round)) return run_round_motion_pair(call, a, b, files);
@@ -238,7 +237,7 @@ int run(const PairCall& call) {
   }
   if (is_motion) return run_motion_pair(call, *a.bounded, *b.bounded, files);
   SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
-  return answer(question);
+  return answer(question, files.talk);
 }
 
 }  // namespace
@@ -314,7 +313,7 @@ Verb pair_verb() {
        {"--svg", &call->svg, "planar: draw the objects and the evidence to FILE", "FILE"},
        title_option(call->title),
        svg_limit_option(call->svg_limit)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

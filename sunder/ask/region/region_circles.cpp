@@ -1,5 +1,4 @@
 // sunder region --of circles: with their insides.
-#include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/io/text/triples.h>
@@ -42,8 +41,10 @@ class CirclesQuestion final : public RegionQuestion {
  public:
   static constexpr const char* drawn_noun = "circle";
 
-  explicit CirclesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked), method_(method_by(asked.method, circles_methods)), read_(read(asked, origin_)) {
+  CirclesQuestion(const RegionCall& asked, Talk& told)
+      : RegionQuestion(asked, told),
+        method_(method_by(asked.method, circles_methods)),
+        read_(read(asked, told, origin_)) {
     system_ = {io::system_beside(asked.file, asked.proves() ? &origin_.inputs : nullptr), {}};
     systems_.add(asked.file, std::span(&system_, 1));
   }
@@ -74,16 +75,13 @@ class CirclesQuestion final : public RegionQuestion {
   }
   std::string certificate() const { return planar::certificate_text(circles_, part_, origin()); }
 
-  std::string text() const {
+  Report report() const {
+    Report report = RegionQuestion::report();
     const bool is_one_circle = is_region() && corners_.empty();
-    return RegionQuestion::text() + (is_one_circle ? fmt::format("  all of {}\n", thing_text(part_.arcs[0])) : "") +
-           systems_line(systems_);
-  }
-
-  void add_to(Json& json) const {
-    RegionQuestion::add_to(json);
-    add_systems(systems_, json);
-    json["deepest"] = {{"point", {deepest_.x, deepest_.y}}, {"circles", part_.deepest.basis()}};
+    if (is_one_circle) report.tell(fmt::format("  all of {}\n", thing_text(part_.arcs[0])));
+    report.add(facts_of(systems_));
+    report.add("deepest", {{"point", {deepest_.x, deepest_.y}}, {"circles", part_.deepest.basis()}});
+    return report;
   }
 
   std::string picture() const {
@@ -107,16 +105,15 @@ class CirclesQuestion final : public RegionQuestion {
 
  private:
   Origin origin() const {
-    Origin origin = by_this_call(origin_);
+    Origin origin = by_this_call(talk, origin_);
     const Said said = said_of_file(Said::Source::circles, origin.inputs, call.file);
     origin.said = said_of_rows("circles", circles_.size(), said_in(std::span(&system_, 1), said));
     return origin;
   }
 
-  static io::CirclesFile read(const RegionCall& call, Origin& origin) {
-    Progress progress("reading");
+  static io::CirclesFile read(const RegionCall& call, const Talk& talk, Origin& origin) {
     return io::read_circles(call.file,
-                            {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
+                            {.progress = talk.progress("reading"), .inputs = call.proves() ? &origin.inputs : nullptr});
   }
   bool is_region() const { return part_.kind == DiscIntersectionKind::region; }
   const std::string& name(std::uint32_t k) const { return read_.file.name[k]; }
@@ -183,9 +180,9 @@ class CirclesQuestion final : public RegionQuestion {
 
 }  // namespace
 
-int run_region_circles(const RegionCall& call) {
-  CirclesQuestion question(call);
-  return answer(question);
+Report run_region_circles(const RegionCall& call, Talk& talk) {
+  CirclesQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 std::string circle_method_names() { return method_names(circles_methods); }

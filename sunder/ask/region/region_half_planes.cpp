@@ -1,5 +1,4 @@
 // sunder region: of half-planes.
-#include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
@@ -36,10 +35,9 @@ constexpr std::array<Named<HalfPlanesMethod>, 4> half_planes_methods{
      {"division", planar::half_plane_intersection_by_division<Constraints>},
      {"scan", planar::half_plane_intersection_by_scan<Constraints>}}};
 
-io::TripleFile read_half_planes(const RegionCall& call, Origin& origin) {
-  Progress progress("reading");
+io::TripleFile read_half_planes(const RegionCall& call, const Talk& talk, Origin& origin) {
   return io::read_triples(call.file, io::half_plane_rows,
-                          {.progress = progress.reporter(), .inputs = call.proves() ? &origin.inputs : nullptr});
+                          {.progress = talk.progress("reading"), .inputs = call.proves() ? &origin.inputs : nullptr});
 }
 
 Constraints constraints_of(const io::TripleFile& file, const std::string& name) {
@@ -90,11 +88,11 @@ class HalfPlanesQuestion final : public RegionQuestion {
  public:
   static constexpr const char* drawn_noun = "half-plane";
 
-  explicit HalfPlanesQuestion(const RegionCall& asked)
-      : RegionQuestion(asked),
+  HalfPlanesQuestion(const RegionCall& asked, Talk& told)
+      : RegionQuestion(asked, told),
         method_(method_by(asked.method, half_planes_methods)),
         objective_(objective_of(asked.maximize)),
-        file_(read_half_planes(asked, origin_)),
+        file_(read_half_planes(asked, told, origin_)),
         constraints_(constraints_of(file_, asked.file)) {}
 
   std::uint64_t drawn() const { return constraints_.size(); }
@@ -129,23 +127,20 @@ class HalfPlanesQuestion final : public RegionQuestion {
                       : planar::certificate_text(constraints_, region_, origin());
   }
 
-  std::string text() const {
-    return RegionQuestion::text() +
-           (is_empty_ ? "  certain positive multiples of them add up to 0 <= a negative number\n" : "") +
-           (objective_ ? best_text() : "");
-  }
-
-  void add_to(Json& json) const {
-    RegionQuestion::add_to(json);
-    if (!objective_) return;
-    json["best"] = {{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.outcome)}};
+  Report report() const {
+    Report report = RegionQuestion::report();
+    if (is_empty_) report.tell("  certain positive multiples of them add up to 0 <= a negative number\n");
+    if (!objective_) return report;
+    Json best{{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.outcome)}};
     for (const auto& [key, k] : tight()) {
-      if (k != planar::no_half_plane && best_.outcome != planar::Optimum::all) json["best"][key] = k;
+      if (k != planar::no_half_plane && best_.outcome != planar::Optimum::all) best[key] = k;
     }
     if (best_.feasible()) {
       const Point2 p = best_point();
-      json["best"]["point"] = {p.x, p.y};
+      best["point"] = {p.x, p.y};
     }
+    report.add("best", std::move(best), best_text());
+    return report;
   }
 
   std::string picture() const {
@@ -161,7 +156,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
  private:
   Origin origin() const {
-    Origin origin = by_this_call(origin_);
+    Origin origin = by_this_call(talk, origin_);
     origin.said = said_of_rows("half_planes", constraints_.size(),
                                said_of_file(Said::Source::half_planes, origin.inputs, call.file));
     return origin;
@@ -223,9 +218,9 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
 }  // namespace
 
-int run_region_half_planes(const RegionCall& call) {
-  HalfPlanesQuestion question(call);
-  return answer(question);
+Report run_region_half_planes(const RegionCall& call, Talk& talk) {
+  HalfPlanesQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 std::string half_plane_method_names() { return method_names(half_planes_methods); }

@@ -1,5 +1,4 @@
 // sunder region: of half-spaces of two to six dimensions.
-#include <sunder/ask/progress.h>
 #include <sunder/ask/region/region_question.h>
 
 #include <sunder/base/error.h>
@@ -36,7 +35,6 @@ constexpr std::array<Named<ProgramMethod>, 3> program_methods{{{"automatic", pol
                                                                {"scan", polytope::linear_program_by_scan}}};
 
 Polytope read_half_spaces(const RegionCall& call, Origin& origin) {
-  Progress progress("reading");
   Polytope polytope = io::read_polytope(call.file, call.proves() ? &origin.inputs : nullptr);
   if (polytope.is_of_points()) {
     throw Error(ErrorCode::bad_file,
@@ -103,8 +101,8 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   static constexpr const char* verb = "region";
   static constexpr const char* drawn_noun = "half-space";
 
-  explicit HalfSpacesQuestion(const RegionCall& asked)
-      : FeasibilityQuestion(asked),
+  HalfSpacesQuestion(const RegionCall& asked, Talk& told)
+      : FeasibilityQuestion(asked, told),
         method_(method_by(asked.method, program_methods, ", for half-spaces")),
         half_spaces_(read_half_spaces(asked, origin_)),
         d_(half_spaces_.dimension()),
@@ -134,7 +132,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   }
 
   std::string certificate() const {
-    return claims_text(by_this_call(origin_), [&](ClaimsWriter& file) {
+    return claims_text(by_this_call(talk, origin_), [&](ClaimsWriter& file) {
       const std::string name = std::filesystem::path(call.file).stem().string();
       file.say(said_of_file(Said::Source::half_spaces, origin_.inputs, call.file));
       if (objective_.empty()) {
@@ -145,26 +143,34 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
     });
   }
 
-  std::string text() const {
-    const std::string text = fmt::format("{}: {} of dimension {}\n", io::one_line(call.file),
-                                         count_of(half_spaces_.size(), "half-space"), d_);
+  Report report() const {
+    Report report = FeasibilityQuestion::report();
+    report.objects.push_back({{"file", io::one_line(call.file)},
+                              {"format", "CSV"},
+                              {"half_spaces", half_spaces_.size()},
+                              {"dimension", d_}});
+    report.tell(fmt::format("{}: {} of dimension {}\n", io::one_line(call.file),
+                            count_of(half_spaces_.size(), "half-space"), d_));
     if (is_empty_) {
-      return text + "empty: these contradict each other\n" + rows_text("") +
-             "  certain positive multiples of them add up to 0 <= a negative number\n";
+      report.tell("empty: these contradict each other\n" + rows_text("") +
+                  "  certain positive multiples of them add up to 0 <= a negative number\n");
     }
-    return text + (objective_.empty() ? region_text() : best_text());
+    if (objective_.empty()) {
+      report.add("region", region_json(), is_empty_ ? "" : region_text());
+    } else {
+      report.add("best", best_json(), is_empty_ ? "" : best_text());
+    }
+    return report;
   }
 
-  void add_to(Json& json) const {
-    json["objects"] = Json::array({{{"file", io::one_line(call.file)},
-                                    {"format", "CSV"},
-                                    {"half_spaces", half_spaces_.size()},
-                                    {"dimension", d_}}});
-    if (!objective_.empty()) {
-      json["best"] = {{"objective", objective_}, {"outcome", name_of(best_.outcome)}, {"rows", rows_}};
-      if (best_.feasible()) json["best"]["point"] = point_of(best_.point);
-      return;
-    }
+ private:
+  Json best_json() const {
+    Json best{{"objective", objective_}, {"outcome", name_of(best_.outcome)}, {"rows", rows_}};
+    if (best_.feasible()) best["point"] = point_of(best_.point);
+    return best;
+  }
+
+  Json region_json() const {
     Json extents = Json::array(), points = Json::array();
     for (std::size_t c = 0; c < d_ && !is_empty_; ++c) {
       const auto number = [](const std::optional<double>& x) {
@@ -174,12 +180,12 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
       extents.push_back({number(region_.extents[c].least), number(region_.extents[c].greatest)});
     }
     for (const ExactPointN& point : region_.points) points.push_back(point_of(point));
-    json["region"] = {{"kind", name_of(region_.kind)}, {"rows", rows_}, {"points", points}, {"extents", extents}};
-    if (!is_empty_) json["region"]["dimension"] = region_.dimension;
-    if (!region_.direction.empty()) json["region"]["direction_about"] = direction_about(region_.direction);
+    Json region{{"kind", name_of(region_.kind)}, {"rows", rows_}, {"points", points}, {"extents", extents}};
+    if (!is_empty_) region["dimension"] = region_.dimension;
+    if (!region_.direction.empty()) region["direction_about"] = direction_about(region_.direction);
+    return region;
   }
 
- private:
   static std::vector<double> point_of(const ExactPointN& place) { return nearest(place.numbers, place.denominator); }
 
   std::string rows_text(const char* before) const {
@@ -252,10 +258,10 @@ bool is_of_half_spaces(const RegionCall& call) {
   return call.of == "half-spaces" || (call.of == "half-planes" && io::names_polytope(call.file));
 }
 
-int run_region_half_spaces(const RegionCall& call) {
+Report run_region_half_spaces(const RegionCall& call, Talk& talk) {
   if (!call.svg.empty()) throw Error(ErrorCode::bad_call, "is for the plane; leave it out", "--svg");
-  HalfSpacesQuestion question(call);
-  return answer(question);
+  HalfSpacesQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 std::string half_space_method_names() { return method_names(program_methods); }

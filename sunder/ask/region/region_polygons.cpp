@@ -103,15 +103,15 @@ class PolygonsQuestion final : public RegionQuestion {
  public:
   static constexpr const char* drawn_noun = "edge";
 
-  explicit PolygonsQuestion(const RegionCall& asked)
-      : RegionQuestion(asked),
+  PolygonsQuestion(const RegionCall& asked, Talk& told)
+      : RegionQuestion(asked, told),
         method_(method_by(asked.method, part_methods)),
-        input_(read_with_progress(asked.request())),
+        input_(read_with_progress(told, asked.request())),
         polygons_(convex_polygons(asked, input_, changed_)) {}
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
-    note_systems(input_.systems);
+    talk.note_all(input_.systems.remarks());
     part_ = method_(polygons_);
     for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
     corner_count_ = corners_.size();
@@ -127,15 +127,14 @@ class PolygonsQuestion final : public RegionQuestion {
     std::sort(named_.begin(), named_.end());
     named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
   }
-  std::string certificate() const { return planar::certificate_text(polygons_, by_this_call(origin())); }
+  std::string certificate() const { return planar::certificate_text(polygons_, by_this_call(talk, origin())); }
 
-  std::string text() const { return RegionQuestion::text() + tell(input_) + systems_line(input_.systems); }
-
-  void add_to(Json& json) const {
-    RegionQuestion::add_to(json);
-    if (is_empty_) json["contradiction"] = named_;
-    tell(input_, json);
-    add_systems(input_.systems, json);
+  Report report() const {
+    Report report = RegionQuestion::report();
+    if (is_empty_) report.add("contradiction", named_);
+    report.add(facts_of(input_));
+    report.add(facts_of(input_.systems));
+    return report;
   }
 
   std::string picture() const {
@@ -211,9 +210,9 @@ class PolygonsQuestion final : public RegionQuestion {
 
 }  // namespace
 
-int run_region_polygons(const RegionCall& call) {
-  PolygonsQuestion question(call);
-  return answer(question);
+Report run_region_polygons(const RegionCall& call, Talk& talk) {
+  PolygonsQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 std::string polygon_method_names() { return method_names(part_methods); }

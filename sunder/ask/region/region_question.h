@@ -28,14 +28,11 @@ struct RegionCall : QuestionCall {
 class FeasibilityQuestion {
  public:
   const RegionCall& call;
+  Talk& talk;
 
-  explicit FeasibilityQuestion(const RegionCall& asked) : call(asked) {}
+  FeasibilityQuestion(const RegionCall& asked, Talk& told) : call(asked), talk(told) {}
 
-  bool yes() const { return is_empty_; }
-  const char* answer() const { return is_empty_ ? "infeasible" : "feasible"; }
-  const Cost& cost() const { return cost_; }
-  const std::vector<std::string>& not_proved() const { return not_proved_; }
-  std::string cost_text() const { return count_of(cost_.probes, counted_); }
+  Report report() const;
 
  protected:
   bool is_empty_ = false;
@@ -51,8 +48,7 @@ class RegionQuestion : public FeasibilityQuestion {
 
   using FeasibilityQuestion::FeasibilityQuestion;
 
-  std::string text() const;
-  void add_to(Json& json) const;
+  Report report() const;
 
  protected:
   ~RegionQuestion() = default;
@@ -96,11 +92,11 @@ std::string half_space_method_names();
 std::string circle_method_names();
 std::string polygon_method_names();
 
-// Each answers about a kind of things; returns the exit code. Throws Error for bad input, also where a polygon is not
+// Each answers about a kind of things. Throws Error for bad input, also where a polygon is not
 // convex.
-int run_region_half_planes(const RegionCall& call);
-int run_region_half_spaces(const RegionCall& call);
-int run_region_circles(const RegionCall& call);
-int run_region_polygons(const RegionCall& call);
+Report run_region_half_planes(const RegionCall& call, Talk& talk);
+Report run_region_half_spaces(const RegionCall& call, Talk& talk);
+Report run_region_circles(const RegionCall& call, Talk& talk);
+Report run_region_polygons(const RegionCall& call, Talk& talk);
 
 }  // namespace sunder::ask

@@ -49,10 +49,10 @@ class KernelQuestion : public FeasibilityQuestion {
  public:
   static constexpr const char *verb = "kernel", *drawn_noun = "edge";
 
-  explicit KernelQuestion(const RegionCall& asked)
-      : FeasibilityQuestion(asked),
+  KernelQuestion(const RegionCall& asked, Talk& told)
+      : FeasibilityQuestion(asked, told),
         method_(method_by(asked.method, methods)),
-        input_(read_with_progress(request_of(asked))) {
+        input_(read_with_progress(told, request_of(asked))) {
     for (std::uint32_t i = 0; i < input_.polygons.size(); ++i) {
       if (!call.feature.empty() && input_.name(i) != call.feature) continue;
       if (input_.polygons[i].ring_count() > 1) {
@@ -76,7 +76,7 @@ class KernelQuestion : public FeasibilityQuestion {
                            [this](std::uint64_t sum, const KernelResult& r) { return sum + polygon(r).size(); });
   }
   void ask() {
-    note_systems(input_.systems);
+    talk.note_all(input_.systems.remarks());
     for (KernelResult& result : results_) {
       const PolygonSides sides(polygon(result));
       result.kernel = method_(sides, {call.proves()});
@@ -92,22 +92,14 @@ class KernelQuestion : public FeasibilityQuestion {
     }
   }
   std::string certificate() const {
-    Origin origin = by_this_call(input_.origin());
+    Origin origin = by_this_call(talk, input_.origin());
     if (input_.mended.empty()) origin.left_out.clear();  // a proof about one polygon speaks of no others
     origin.said = said_of_rows("rings", 1, said_of_ring());
     return planar::certificate_text(PolygonSides(polygon(results_[0])), results_[0].kernel, origin);
   }
 
-  std::string text() const {
-    std::string text;
-    for (const KernelResult& result : results_) {
-      text += fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result));
-    }
-    text += fmt::format("{}: {}\n", io::one_line(call.file), verdict());
-    return text + tell(input_) + systems_line(input_.systems);
-  }
-
-  void add_to(Json& json) const {
+  Report report() const {
+    Report report = FeasibilityQuestion::report();
     for (const KernelResult& result : results_) {
       const PolygonSource& source = input_.source[result.polygon];
       Json object = {{"file", io::one_line(call.file)},
@@ -118,10 +110,13 @@ class KernelQuestion : public FeasibilityQuestion {
                      {"sides", result.kernel.sides},
                      {"corners", Json::array()}};
       for (const Point2& p : result.corners) object["corners"].push_back({{"point", {p.x, p.y}}});
-      json["objects"].push_back(object);
+      report.objects.push_back(std::move(object));
+      report.tell(fmt::format("feature {}: {}", input_.name(result.polygon), text_of(result)));
     }
-    tell(input_, json);
-    add_systems(input_.systems, json);
+    report.tell(fmt::format("{}: {}\n", io::one_line(call.file), verdict()));
+    report.add(facts_of(input_));
+    report.add(facts_of(input_.systems));
+    return report;
   }
 
   std::string picture() const {
@@ -198,9 +193,9 @@ class KernelQuestion : public FeasibilityQuestion {
   std::vector<KernelResult> results_;
 };
 
-int run_kernel(const RegionCall& call) {
-  KernelQuestion question(call);
-  return answer(question);
+Report run_kernel(const RegionCall& call, Talk& talk) {
+  KernelQuestion question(call, talk);
+  return answer(question, talk);
 }
 
 }  // namespace
@@ -224,7 +219,7 @@ Verb kernel_verb() {
            {"--drop-z", &call->polygons.drop_z, "ignore the third coordinate of each point"},
            {"--mixed-crs", &call->polygons.mixed_crs, mixed_crs_help},
            json_option(call->json)},
-          [call] { return run_kernel(*call); }};
+          [call](Talk& talk) { return run_kernel(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -14,7 +14,7 @@ namespace sunder::ask {
 
 namespace {
 
-int run_region(const RegionCall& call) {
+Report run_region(const RegionCall& call, Talk& talk) {
   const bool of_half_planes = call.of == "half-planes", of_polygons = call.of == "polygons";
   const bool of_half_spaces = is_of_half_spaces(call);
   if (!of_half_planes && !of_half_spaces && !of_polygons && call.of != "circles") {
@@ -35,10 +35,10 @@ int run_region(const RegionCall& call) {
                                       {!call.polygons.name.empty(), "--name"}}) {
     if (given && !of_polygons) throw Error(ErrorCode::bad_call, "is for polygons; leave it out", option);
   }
-  return of_half_spaces   ? run_region_half_spaces(call)
-         : of_half_planes ? run_region_half_planes(call)
-         : of_polygons    ? run_region_polygons(call)
-                          : run_region_circles(call);
+  return of_half_spaces   ? run_region_half_spaces(call, talk)
+         : of_half_planes ? run_region_half_planes(call, talk)
+         : of_polygons    ? run_region_polygons(call, talk)
+                          : run_region_circles(call, talk);
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ Verb region_verb() {
        {"--drop-z", &call->polygons.drop_z, "polygons: ignore the third coordinate of each point"},
        {"--mixed-crs", &call->polygons.mixed_crs, fmt::format("polygons: {}", mixed_crs_help)},
        json_option(call->json)},
-      [call] { return run_region(*call); }};
+      [call](Talk& talk) { return run_region(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -1,6 +1,5 @@
 #include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
-#include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/between.h>
 
@@ -125,9 +124,10 @@ struct FoundSteps {
 
 class Between {
  public:
-  Between(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
+  Between(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
           const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed)
-      : call_(call),
+      : talk_(talk),
+        call_(call),
         allowed_(allowed),
         inputs_(inputs),
         cell_(cell),
@@ -137,15 +137,14 @@ class Between {
         bodies_(cell.place()),
         lines_(cell, bodies_),
         steps_(table.rows() - 1),
-        files_(call) {
+        files_(call, talk) {
     question_.every_pair = call.parted;
   }
 
   int run() {
     files_.write(
         {"", header_line(cell_, question_, bodies_, table_, allowed_, call_, true), "step,answer,meeting,pairs\n"});
-    Progress progress("placements");
-    const auto report = progress.reporter();
+    const auto report = talk_.progress("placements");
     asked_ = scene::run_timeline<FoundSteps>(
         scene::StepFollower(bodies_, question_), rows_, scene::thread_count(call_.threads),
         [&](std::size_t k, scene::SweptAnswer answer, FoundSteps& found) { return take(k, std::move(answer), found); },
@@ -158,7 +157,7 @@ class Between {
         });
     if (!call_.meeting_certificate.empty()) write_certificate();
     files_.commit();
-    print_for_people(summary());
+    talk_.print_for_people(summary());
     return totals_.some + totals_.unknown > 0 ? exit_code::yes : exit_code::no;
   }
 
@@ -192,8 +191,8 @@ class Between {
     const scene::SaidOfScene said{said_of(cell_, inputs_), reason_of_each(allowed_),
                                   [&](std::size_t row) { return joint_values_note(table_, row, inputs_); }};
     write_motion_certificate(bodies_, asked_, step, question_,
-                             origin_of(inputs_, left_out_texts(cell_.left_out(), allowed_)), files_.certificate(),
-                             said);
+                             origin_of(talk_, inputs_, left_out_texts(cell_.left_out(), allowed_)),
+                             files_.certificate(), said);
   }
 
   std::string summary() const {
@@ -216,6 +215,7 @@ class Between {
            not_proved_line(not_proved(call_));
   }
 
+  Talk& talk_;
   const PlacementsCall& call_;
   const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
@@ -234,7 +234,7 @@ class Between {
 
 }  // namespace
 
-int answer_between(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
+int answer_between(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
                    const io::JointTable& table, const InputFiles& inputs, std::span<const AllowedPair> allowed) {
   if (question.contacts) {
     throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; leave out --classify and --allow touch",
@@ -243,7 +243,7 @@ int answer_between(const PlacementsCall& call, const robot::Cell& cell, const sc
   if (table.rows() < 2) {
     throw Error(ErrorCode::bad_call, "is for two placements or more; there is one, so leave it out", between_option);
   }
-  return Between(call, cell, question, table, inputs, allowed).run();
+  return Between(talk, call, cell, question, table, inputs, allowed).run();
 }
 
 }  // namespace sunder::ask

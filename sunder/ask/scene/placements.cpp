@@ -1,6 +1,5 @@
 #include <sunder/ask/call_words.h>
 #include <sunder/ask/list_stream.h>
-#include <sunder/ask/progress.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/placements.h>
 #include <sunder/ask/scene/scene_report.h>
@@ -43,7 +42,7 @@ std::vector<std::string> split_at_commas(std::string_view text) {
 }
 
 // Values beyond the limits are asked about as they are, and said.
-void note_rows_beyond_limits(const io::JointTable& table, const io::RobotMotion& motion) {
+void note_rows_beyond_limits(Talk& talk, const io::JointTable& table, const io::RobotMotion& motion) {
   std::uint64_t beyond = 0;
   std::string first;
   for (std::size_t k = 0; k < table.rows(); ++k) {
@@ -57,9 +56,9 @@ void note_rows_beyond_limits(const io::JointTable& table, const io::RobotMotion&
     }
   }
   if (beyond == 0) return;
-  note(fmt::format("{} out of the limits, asked about as {}; the first: {}",
-                   beyond == 1 ? "1 value is" : fmt::format("{} values are", beyond),
-                   beyond == 1 ? "it is" : "they are", first));
+  talk.note(fmt::format("{} out of the limits, asked about as {}; the first: {}",
+                        beyond == 1 ? "1 value is" : fmt::format("{} values are", beyond),
+                        beyond == 1 ? "it is" : "they are", first));
 }
 
 // What lines say of a part, made once.
@@ -223,10 +222,11 @@ struct FoundPlacements {
 
 class Placements {
  public:
-  Placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
+  Placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
              const io::JointTable& table, const InputFiles& inputs, const scene::NearnessQuestion& near,
              std::span<const AllowedPair> allowed)
-      : call_(call),
+      : talk_(talk),
+        call_(call),
         allowed_(allowed),
         inputs_(inputs),
         near_(near),
@@ -237,8 +237,8 @@ class Placements {
         bodies_(cell.place()),
         lines_(cell, question, bodies_),
         near_lines_(near, cell, bodies_),
-        files_(call) {
-    note_rows_beyond_limits(table, rows_.motion());
+        files_(call, talk) {
+    note_rows_beyond_limits(talk, table, rows_.motion());
   }
 
   PlacementsAnswer run() {
@@ -247,8 +247,7 @@ class Placements {
     near_lines_.add_json_header(header.json);
     near_lines_.add_csv_header(header.csv);
     files_.write(header);
-    Progress progress("placements");
-    const auto report = progress.reporter();
+    const auto report = talk_.progress("placements");
     answer_.asked = scene::run_timeline<FoundPlacements>(
         practised(scene::MomentFollower(bodies_, question_, near_), rows_), rows_, scene::thread_count(call_.threads),
         [&](std::size_t k, const scene::Moment& moment, FoundPlacements& found) { return take(k, moment, found); },
@@ -322,7 +321,7 @@ class Placements {
     };
     const auto joints_in = [&](std::size_t row) { return joint_values_note(table_, row, inputs_); };
     scene::SaidOfScene said{said_of(cell_, inputs_), reason_of_each(allowed_), joints_in};
-    const Origin origin = origin_of(inputs_, left_out_texts(cell_.left_out(), allowed_));
+    const Origin origin = origin_of(talk_, inputs_, left_out_texts(cell_.left_out(), allowed_));
     if (call_.parted) {
       const auto any = [&](std::size_t k) {
         const auto met =
@@ -338,6 +337,7 @@ class Placements {
     scene::write_meeting_certificate(bodies_, met_.size(), placement, question_, origin, files_.certificate(), said);
   }
 
+  Talk& talk_;
   const PlacementsCall& call_;
   const std::span<const AllowedPair> allowed_;
   const InputFiles& inputs_;
@@ -364,20 +364,22 @@ void PlacementsCounts::add(const PlacementsCounts& other) {
   closer += other.closer;
 }
 
-LineFiles::LineFiles(const PlacementsCall& call)
-    : call_(call), has_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()) {
-  if (!call.json_lines.empty()) json_.emplace(call.json_lines);
-  if (!call.csv.empty()) csv_.emplace(call.csv);
+LineFiles::LineFiles(const PlacementsCall& call, Talk& talk)
+    : call_(call),
+      talk_(talk),
+      has_text_(call.json_lines.empty() && call.csv.empty() && call.meeting_certificate.empty()) {
+  if (!call.json_lines.empty()) json_.emplace(call.json_lines, talk.instead(call.json_lines));
+  if (!call.csv.empty()) csv_.emplace(call.csv, talk.instead(call.csv));
 }
 
 void LineFiles::write(const LineTexts& lines) {
-  if (has_text_) print_for_people(lines.text);
+  if (has_text_) talk_.print_for_people(lines.text);
   if (json_) json_->write(lines.json);
   if (csv_) csv_->write(lines.csv);
 }
 
 TextSink LineFiles::certificate() {
-  certificate_.emplace(call_.meeting_certificate);
+  certificate_.emplace(call_.meeting_certificate, talk_.instead(call_.meeting_certificate));
   return [&](std::string_view text) { certificate_->write(text); };
 }
 
@@ -432,14 +434,14 @@ std::vector<std::string> not_proved(const PlacementsCall& call) {
   return words;
 }
 
-io::JointTable read_placements(const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs) {
+io::JointTable read_placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs) {
   const io::Robot& robot = cell.robot(placements_option);
   io::JointTable table = io::read_joint_table(call.table, inputs, scene::thread_count(call.threads));
   if (!table.joints.empty()) {
     if (!call.joint_names.empty()) {
       throw Error(ErrorCode::bad_call, "the file names its joints itself; leave it out", names_option);
     }
-    noting([&](auto& remarks) { io::fit_joint_table(robot, table, remarks); });
+    noting(talk, [&](auto& remarks) { io::fit_joint_table(robot, table, remarks); });
   } else {
     table.joints = call.joint_names.empty() ? io::movable_joints(robot) : split_at_commas(call.joint_names);
     if (table.joints.size() != table.columns) {
@@ -483,10 +485,11 @@ std::vector<io::JointValues> extremes_of(const io::JointTable& table) {
   return {least, greatest};
 }
 
-PlacementsAnswer answer_placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs,
-                                   const scene::NearnessQuestion& near, std::span<const AllowedPair> allowed) {
-  return Placements(call, cell, question, table, inputs, near, allowed).run();
+PlacementsAnswer answer_placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell,
+                                   const scene::Question& question, const io::JointTable& table,
+                                   const InputFiles& inputs, const scene::NearnessQuestion& near,
+                                   std::span<const AllowedPair> allowed) {
+  return Placements(talk, call, cell, question, table, inputs, near, allowed).run();
 }
 
 }  // namespace sunder::ask

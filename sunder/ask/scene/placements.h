@@ -48,14 +48,14 @@ struct PlacementsAnswer : PlacementsCounts {
   int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
 };
 
-// The lines of some rows, and where lines go: to standard output, or to the files that the call names.
+// The lines of some rows, and where lines go: printed, or to the files that the call names.
 struct LineTexts {
   std::string text, json, csv;
 };
 
 class LineFiles {
  public:
-  explicit LineFiles(const PlacementsCall& call);
+  LineFiles(const PlacementsCall& call, Talk& talk);
 
   bool has_text() const { return has_text_; }
   bool has_json() const { return json_.has_value(); }
@@ -67,6 +67,7 @@ class LineFiles {
 
  private:
   const PlacementsCall& call_;
+  Talk& talk_;
   bool has_text_;
   std::optional<io::OutputFile> json_, csv_, certificate_;
 };
@@ -86,7 +87,7 @@ std::vector<std::string> not_proved(const PlacementsCall& call);
 SaidNote joint_values_note(const io::JointTable& table, std::size_t row, const InputFiles& inputs);
 
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.
-io::JointTable read_placements(const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs);
+io::JointTable read_placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs);
 
 // The same as values by name, one placement after another, named by their numbers, from 0.
 std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
@@ -94,12 +95,13 @@ std::vector<io::JointValues> joint_values_of(const io::JointTable& table);
 // The least and the greatest value of each joint.
 std::vector<io::JointValues> extremes_of(const io::JointTable& table);
 
-// Asks the question of each placement, in chains (scene/timeline.h), and writes what comes out: lines of text on standard
-// output, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
+// Asks the question of each placement, in chains (scene/timeline.h), and writes what comes out: lines of text,
+// printed, or the files that are asked for. inputs: what a certificate was made of. near: what else is asked; of the
 // nearest no certificate is written. allowed: the pairs of question.allowed, with their reasons. Throws Error; then no
 // file is written.
-PlacementsAnswer answer_placements(const PlacementsCall& call, const robot::Cell& cell, const scene::Question& question,
-                                   const io::JointTable& table, const InputFiles& inputs = {},
-                                   const scene::NearnessQuestion& near = {}, std::span<const AllowedPair> allowed = {});
+PlacementsAnswer answer_placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell,
+                                   const scene::Question& question, const io::JointTable& table,
+                                   const InputFiles& inputs = {}, const scene::NearnessQuestion& near = {},
+                                   std::span<const AllowedPair> allowed = {});
 
 }  // namespace sunder::ask

@@ -155,7 +155,8 @@ Json clearance_json(const SceneReport& report) {
 
 }  // namespace
 
-std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const robot::Cell& cell,
+std::optional<scene::ClearanceQuestion> clearance_question(Talk& talk, const ClearanceCall& call,
+                                                           const robot::Cell& cell,
                                                            const std::vector<std::array<std::uint32_t, 2>>& allowed) {
   if (call.least.empty() && call.margins.empty()) return std::nullopt;
   scene::ClearanceQuestion question;
@@ -171,7 +172,7 @@ std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& 
                   margin_option);
     }
     if (may_meet.contains(pair)) {
-      note(fmt::format("{} {}: these may meet, so they are not asked about", margin_option, io::one_line(text)));
+      talk.note(fmt::format("{} {}: these may meet, so they are not asked about", margin_option, io::one_line(text)));
     }
     question.margins.push_back(margin);
   }

@@ -24,7 +24,8 @@ struct ClearanceCall {
 
 // What they ask, with the pairs allowed. A note says which margins are of allowed pairs. Nothing where the call has no
 // margin. Throws Error bad_call for what is no distance, bodies that do not exist, and a pair with two margins.
-std::optional<scene::ClearanceQuestion> clearance_question(const ClearanceCall& call, const robot::Cell& cell,
+std::optional<scene::ClearanceQuestion> clearance_question(Talk& talk, const ClearanceCall& call,
+                                                           const robot::Cell& cell,
                                                            const std::vector<std::array<std::uint32_t, 2>>& allowed);
 
 struct Placed;

@@ -28,7 +28,7 @@ bool is_there(const std::string& file) {
 
 }  // namespace
 
-robot::Cell read_cell(const std::vector<std::string>& files, const std::vector<std::string>& poses,
+robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const std::vector<std::string>& poses,
                       const robot::CellOptions& options, InputFiles* inputs) {
   std::vector<robot::CellFile> named;
   for (const std::string& word : files) {
@@ -42,7 +42,7 @@ robot::Cell read_cell(const std::vector<std::string>& files, const std::vector<s
     named.push_back({file, io::one_line(fs::path(file).stem().string()), pose});
   }
   robot::Cell cell =
-      noting([&](std::vector<std::string>& remarks) { return robot::Cell(named, options, inputs, &remarks); });
+      noting(talk, [&](std::vector<std::string>& remarks) { return robot::Cell(named, options, inputs, &remarks); });
   for (const std::string& text : poses) {
     const std::size_t equals = text.rfind('=');
     if (equals == std::string::npos) fail_call(io::quote(text) + " is not of the form NAME=POSE", "--pose");
@@ -53,7 +53,8 @@ robot::Cell read_cell(const std::vector<std::string>& files, const std::vector<s
   return cell;
 }
 
-std::vector<AllowedPair> allowed_by_word(const robot::Cell& cell, const std::string& word, InputFiles* inputs) {
+std::vector<AllowedPair> allowed_by_word(Talk& talk, const robot::Cell& cell, const std::string& word,
+                                         InputFiles* inputs) {
   if (word == "adjacent") return cell.adjacent("--allow adjacent");
   const std::size_t comma = word.find(',');
   if (comma != std::string::npos && !is_there(word)) {
@@ -66,7 +67,7 @@ std::vector<AllowedPair> allowed_by_word(const robot::Cell& cell, const std::str
     fail_call("is no file; give adjacent, touch, NAME,NAME, or a file with two names a line",
               "--allow " + io::one_line(word));
   }
-  return noting([&](std::vector<std::string>& remarks) { return cell.pairs_in(word, inputs, remarks); });
+  return noting(talk, [&](std::vector<std::string>& remarks) { return cell.pairs_in(word, inputs, remarks); });
 }
 
 std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs) {
@@ -92,7 +93,7 @@ std::vector<const MeshBody*> meshes_of(const robot::Cell& cell) {
   return all;
 }
 
-void note_limits(const robot::Cell& cell, const std::vector<io::JointValues>& placements) {
+void note_limits(Talk& talk, const robot::Cell& cell, const std::vector<io::JointValues>& placements) {
   if (!cell.has_robot()) return;
   std::string first;
   std::size_t count = 0;
@@ -102,8 +103,8 @@ void note_limits(const robot::Cell& cell, const std::vector<io::JointValues>& pl
     }
   }
   if (count == 0) return;
-  note(first + (count > 1 ? fmt::format("; and {} more values are beyond limits", count - 1) : "") +
-       ": it is asked about all the same");
+  talk.note(first + (count > 1 ? fmt::format("; and {} more values are beyond limits", count - 1) : "") +
+            ": it is asked about all the same");
 }
 
 }  // namespace sunder::ask

@@ -17,31 +17,29 @@ namespace sunder::ask {
 
 // Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME that of a file without folder and ending. inputs: as
 // of io::read_file. Notes what the cell remarks. Throws Error.
-robot::Cell read_cell(const std::vector<std::string>& files, const std::vector<std::string>& poses,
+robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const std::vector<std::string>& poses,
                       const robot::CellOptions& options, InputFiles* inputs);
 
 // Pairs of bodies out of a word of --allow: "adjacent", "NAME,NAME", or a file with two names a line. Throws Error.
-std::vector<AllowedPair> allowed_by_word(const robot::Cell& cell, const std::string& word, InputFiles* inputs);
+std::vector<AllowedPair> allowed_by_word(Talk& talk, const robot::Cell& cell, const std::string& word,
+                                         InputFiles* inputs);
 
 // What a function of the cell, or of what belongs to it, returns, called with where it adds remarks, which are noted.
 template <class Function>
-auto noting(const Function& function) {
+auto noting(Talk& talk, const Function& function) {
   std::vector<std::string> remarks;
-  const auto note_all = [&] {
-    for (const std::string& remark : remarks) note(remark);
-  };
   if constexpr (std::is_void_v<decltype(function(remarks))>) {
     function(remarks);
-    note_all();
+    talk.note_all(remarks);
   } else {
     auto result = function(remarks);
-    note_all();
+    talk.note_all(remarks);
     return result;
   }
 }
 
 // Notes which of these values are beyond the limits of their joints: one note, however many there are.
-void note_limits(const robot::Cell& cell, const std::vector<io::JointValues>& placements);
+void note_limits(Talk& talk, const robot::Cell& cell, const std::vector<io::JointValues>& placements);
 
 // What a proof says that each part of each body is made of.
 std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs);

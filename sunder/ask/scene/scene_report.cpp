@@ -408,8 +408,8 @@ std::vector<std::string> picture_notes(const SceneReport& report, const Placed& 
   return lines;
 }
 
-Json scene_json(const SceneReport& report) {
-  Json json = envelope("scene", std::string(report.verdict()), report.method);
+Json scene_json(const Talk& talk, const SceneReport& report) {
+  Json json = envelope(talk, "scene", std::string(report.verdict()), report.method);
   json["decided_by"] = decided_by(report);
   json["objects"] = Json::array();
   for (const io::BodyPart* part : report.cell.parts()) json["objects"].push_back(object_json(*part));

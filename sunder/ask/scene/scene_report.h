@@ -57,6 +57,6 @@ std::string scene_text(const SceneReport& report);
 // The lines of the text that a picture of the placement has below its answer: what is allowed to meet, and does, and
 // what was left out.
 std::vector<std::string> picture_notes(const SceneReport& report, const Placed& placed);
-Json scene_json(const SceneReport& report);
+Json scene_json(const Talk& talk, const SceneReport& report);
 
 }  // namespace sunder::ask

@@ -18,10 +18,7 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <chrono>
-#include <cstdlib>
 #include <memory>
 #include <string_view>
 
@@ -53,8 +50,8 @@ bool wants_lines(const SceneCall& call) {
 }
 
 // table: what --placements names, to be held; srdf, cell: for --state.
-std::vector<io::JointValues> joints_of(const SceneCall& call, const io::JointTable& table, const io::Srdf& srdf,
-                                       const robot::Cell& cell, InputFiles* inputs) {
+std::vector<io::JointValues> joints_of(Talk& talk, const SceneCall& call, const io::JointTable& table,
+                                       const io::Srdf& srdf, const robot::Cell& cell, InputFiles* inputs) {
   if (table.rows() > most_held) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("{} are too many for --json, --certificate and --svg, which hold at most {}; leave these "
@@ -67,10 +64,10 @@ std::vector<io::JointValues> joints_of(const SceneCall& call, const io::JointTab
   for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
   for (const std::string& text : call.states) {
     const io::Robot& robot = cell.robot("--state");
-    all.push_back(noting([&](auto& remarks) { return io::state_values(srdf, robot, text, "--state", remarks); }));
+    all.push_back(noting(talk, [&](auto& remarks) { return io::state_values(srdf, robot, text, "--state", remarks); }));
   }
   if (all.empty()) all.emplace_back();
-  note_limits(cell, all);
+  note_limits(talk, cell, all);
   return all;
 }
 
@@ -93,7 +90,7 @@ Placed ask(const SceneReport& report, const io::JointValues& joints, const std::
 }
 
 // What the call names is compared before anything is read; what a robot's file names, here.
-void require_apart(const SceneCall& call, const robot::Cell& cell) {
+void require_apart(Talk& talk, const SceneCall& call, const robot::Cell& cell) {
   std::vector<NamedFile> meshes, outputs;
   for (const std::filesystem::path& mesh : cell.meshes_read()) meshes.push_back({"", mesh});
   if (!call.certificate.empty()) outputs.push_back({"--certificate", call.certificate});
@@ -104,7 +101,7 @@ void require_apart(const SceneCall& call, const robot::Cell& cell) {
   if (!call.placements.meeting_certificate.empty()) {
     outputs.push_back({"--meeting-certificate", call.placements.meeting_certificate});
   }
-  ask::require_apart(meshes, outputs);
+  ask::require_apart(talk, meshes, outputs);
 }
 
 void require_drawable(const SceneCall& call, const robot::Cell& cell, std::size_t placements) {
@@ -128,7 +125,8 @@ std::optional<SaidNote> joint_values_note(const std::map<std::string, double>& j
 
 // Of all pairs but the allowed and the undecided; returns how many. Throws Error bad_call where there is none: such a
 // file would state nothing.
-std::size_t write_certificate(const std::string& name, const SceneReport& report, const InputFiles& inputs) {
+std::size_t write_certificate(const Talk& talk, const std::string& name, const SceneReport& report,
+                              const InputFiles& inputs) {
   std::vector<scene::Placement> placements;
   std::size_t pairs = 0, undecided = 0;
   for (const Placed& placed : report.placements) {
@@ -147,45 +145,45 @@ std::size_t write_certificate(const std::string& name, const SceneReport& report
   const scene::SaidOfScene said{
       said_of(report.cell, inputs), reason_of_each(report.allowed),
       [&](std::size_t placement) { return joint_values_note(report.placements[placement].joints); }};
-  io::OutputFile file(name);
+  io::OutputFile file(name, talk.instead(name));
   scene::write_certificate(
-      placements, report.question, origin_of(inputs, left_out_texts(report.cell.left_out(), report.allowed)),
+      placements, report.question, origin_of(talk, inputs, left_out_texts(report.cell.left_out(), report.allowed)),
       [&](std::string_view text) { file.write(text); }, report.clearance.value_or(scene::ClearanceQuestion()), said);
   file.commit();
   return pairs;
 }
 
-void draw(const SceneCall& call, const SceneReport& report) {
+void draw(const Talk& talk, const SceneCall& call, const SceneReport& report) {
   std::vector<picture::ScenePanel> panels;
   const auto is_hull = [&](std::uint32_t body, std::uint32_t part) { return report.cell.is_hull(body, part); };
   for (const Placed& placed : report.placements) {
     panels.push_back({placed.title, placed.bodies, placed.answer, is_hull, picture_notes(report, placed)});
   }
-  if (!call.svg.empty()) io::write_file_atomically(call.svg, picture::scene_svg(panels, call.title));
+  if (!call.svg.empty()) talk.write_file(call.svg, picture::scene_svg(panels, call.title));
   if (call.gltf.empty()) return;
   const bool is_binary = io::ending_of(call.gltf) == ".glb";
-  io::write_file_atomically(
-      call.gltf, picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
+  talk.write_file(call.gltf,
+                  picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
-int run(const SceneCall& call) {
+Report run(const SceneCall& call, Talk& talk) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
-  robot::Cell cell = read_cell(call.files, call.poses,
-                               {call.require_convex, call.leave_out, packages_of(call.packages),
+  robot::Cell cell = read_cell(talk, call.files, call.poses,
+                               {call.require_convex, call.leave_out, packages_of(talk, call.packages),
                                 call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects},
                                inputs);
   if (!call.groups_of_links.empty()) {
-    noting([&](auto& remarks) { cell.keep_groups(srdf, call.groups_of_links, "--group", remarks); });
+    noting(talk, [&](auto& remarks) { cell.keep_groups(srdf, call.groups_of_links, "--group", remarks); });
   }
-  require_apart(call, cell);
+  require_apart(talk, call, cell);
   io::JointTable table;
-  if (!call.placements.table.empty()) table = read_placements(call.placements, cell, inputs);
+  if (!call.placements.table.empty()) table = read_placements(talk, call.placements, cell, inputs);
   const bool is_by_lines = table.rows() > 0 && wants_lines(call);
   std::vector<io::JointValues> placements;
-  if (!is_by_lines) placements = joints_of(call, table, srdf, cell, inputs);
+  if (!is_by_lines) placements = joints_of(talk, call, table, srdf, cell, inputs);
   require_drawable(call, cell, placements.size());
 
   SceneReport report{cell, call.method};
@@ -197,19 +195,19 @@ int run(const SceneCall& call) {
     if (word == "touch") {
       question.touching_allowed = question.contacts = true;
     } else {
-      add_allowed(allowed_by_word(cell, word, inputs), report.allowed);
+      add_allowed(allowed_by_word(talk, cell, word, inputs), report.allowed);
       report.allowed_because.push_back(word);
     }
   }
   if (!call.srdf.empty()) {
-    add_allowed(noting([&](auto& remarks) { return cell.disabled(srdf, call.srdf, "--srdf", remarks); }),
+    add_allowed(noting(talk, [&](auto& remarks) { return cell.disabled(srdf, call.srdf, "--srdf", remarks); }),
                 report.allowed);
     report.allowed_because.push_back(call.srdf);
   }
   add_allowed(cell.allowed_by_files(), report.allowed);
   question.allowed = bodies_of(report.allowed);
   for (const std::string& file : cell.scene_files()) report.allowed_because.push_back(io::one_line(file));
-  report.clearance = clearance_question(call.clearance, cell, question.allowed);
+  report.clearance = clearance_question(talk, call.clearance, cell, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
   const bool is_one = !is_by_lines && placements.size() == 1;
   report.checks_allowed = !report.allowed.empty() && !call.no_check_allowed && (call.check_allowed || is_one);
@@ -227,27 +225,27 @@ int run(const SceneCall& call) {
                   "--distance, or give --certificate, for all",
                   "--meeting-certificate");
     }
-    note_limits(cell, extremes_of(table));
-    note_hulls(meshes_of(cell));
-    if (call.between) return answer_between(call.placements, cell, question, table, files, report.allowed);
+    note_limits(talk, cell, extremes_of(table));
+    note_hulls(talk, meshes_of(cell));
+    if (call.between) return told(answer_between(talk, call.placements, cell, question, table, files, report.allowed));
     const scene::NearnessQuestion near{report.clearance, report.asks_for_nearest, question.allowed};
     const PlacementsAnswer answer =
-        answer_placements(call.placements, cell, question, table, files, near, report.allowed);
-    print_for_people(answer.summary);
-    return answer.code();
+        answer_placements(talk, call.placements, cell, question, table, files, near, report.allowed);
+    talk.print_for_people(answer.summary);
+    return told(answer.code());
   }
-  report.colour = isatty(STDOUT_FILENO) == 1 && std::getenv("NO_COLOR") == nullptr;
+  report.colour = talk.sinks().has_colours;
   for (const io::JointValues& joints : placements) {
     const std::string number = placements.size() == 1 ? "as given" : std::to_string(report.placements.size() + 1);
     report.placements.push_back(ask(report, joints, number));
   }
 
   report.is_proved = call.proves();
-  const std::size_t proved = call.proves() ? write_certificate(call.certificate, report, files) : 0;
-  draw(call, report);
-  note_hulls(meshes_of(cell));
+  const std::size_t proved = call.proves() ? write_certificate(talk, call.certificate, report, files) : 0;
+  draw(talk, call, report);
+  note_hulls(talk, meshes_of(cell));
   if (call.json) {
-    print(to_text(scene_json(report)));
+    talk.print(to_text(scene_json(talk, report)));
   } else {
     std::string text = scene_text(report);
     if (call.proves()) {
@@ -257,9 +255,9 @@ int run(const SceneCall& call) {
     }
     if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
     if (!call.gltf.empty()) text += fmt::format("model: {}\n", io::one_line(call.gltf));
-    report.colour ? print(text) : print_for_people(text);  // colours are control bytes
+    report.colour ? talk.print(text) : talk.print_for_people(text);  // colours are control bytes
   }
-  return report.none_meet() && report.is_kept() ? exit_code::no : exit_code::yes;
+  return told(report.none_meet() && report.is_kept() ? exit_code::no : exit_code::yes);
 }
 
 }  // namespace
@@ -372,7 +370,7 @@ Verb scene_verb() {
        {"--title", &call->title, "the title written on the picture"},
        svg_limit_option(call->svg_limit),
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -73,7 +73,7 @@ std::string geojson_text(const ContactRow& row, std::uint64_t number);
 // The file is whole, or not there.
 class ContactTable {
  public:
-  explicit ContactTable(const std::string& name) : file_(name) {}
+  ContactTable(const Talk& talk, const std::string& name) : file_(name, talk.instead(name)) {}
   void add(const ContactRow& row);
   void close();
 

@@ -83,7 +83,7 @@ TEST(ContactRow, PropertiesThatWereAskedFor) {
   EXPECT_EQ(json::parse(report_text(row))["properties"], expected);
   EXPECT_EQ(json::parse(geojson_text(row, 1))["properties"]["properties"], expected);
   const std::string file = testing::TempDir() + "contact_row_fields_test.csv";
-  ContactTable table(file);
+  ContactTable table(Talk(Sinks{}), file);
   table.add(row);
   table.close();
   EXPECT_EQ(read_text(file),
@@ -94,7 +94,7 @@ TEST(ContactRow, PropertiesThatWereAskedFor) {
 
 TEST(ContactRow, AsATable) {
   const std::string file = testing::TempDir() + "contact_row_test.csv";
-  ContactTable table(file);
+  ContactTable table(Talk(Sinks{}), file);
   ContactRow row = crossing();
   row.properties[0].values[1] = "a \"b\", c";
   row.properties.push_back({"shown_by", {"a vertex inside"}});
@@ -105,7 +105,7 @@ TEST(ContactRow, AsATable) {
             "i,j,contact,x,y,name_i,name_j,line_i,line_j,shown_by\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n"
             "0,1,crossing,1,1,A,\"a \"\"b\"\", c\",1,,a vertex inside\r\n");
-  ContactTable empty(file);
+  ContactTable empty(Talk(Sinks{}), file);
   empty.close();
   EXPECT_EQ(read_text(file), "i,j,contact,x,y\r\n");
   std::filesystem::remove(file);

@@ -2,13 +2,12 @@
 //   Of::Members, Of::verb, Of::noun     the set, for cover_statement.h too; "circles", "circle"
 //   Of::all_methods, Of::any_methods    by name; where there are none, set_answers.h
 //   Of::about_verb, Of::file_help       in a sentence each
-//   read(call, inputs)                  MembersFile<Members>; throws Error
+//   read(call, talk, inputs)                 MembersFile<Members>; throws Error
 //   about(member), place(a, b)          a member in words; a point of both, rounded
 //   draw(picture, member, ink)
 // Members are full, and meet as discs do: of their contacts all count, or all but touching ones.
 #pragma once
 
-#include <sunder/ask/progress.h>
 #include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
@@ -50,8 +49,11 @@ class MembersSet {
     method_by(call.method, methods());
   }
 
-  explicit MembersSet(const Call& call)
-      : call_(call), file_(Of::read(call, call.proves() ? &origin_.inputs : nullptr)), members_(file_.members) {
+  MembersSet(const Call& call, Talk& talk)
+      : call_(call),
+        talk_(talk),
+        file_(Of::read(call, talk, call.proves() ? &origin_.inputs : nullptr)),
+        members_(file_.members) {
     system_ = {io::system_beside(call.files[0], call.proves() ? &origin_.inputs : nullptr), {}};
     systems_.add(call.files[0], std::span(&system_, 1));
     options_.allowed = allowed_by(call.allow, may_be_allowed);
@@ -63,9 +65,8 @@ class MembersSet {
 
   void ask(Result& result) const {
     const auto with_progress = [this](const auto& ask_it) {
-      Progress progress("comparing");
       SetOptions options = options_;
-      options.progress = progress.reporter();
+      options.progress = talk_.progress("comparing");
       return ask_it(options);
     };
     if (!call_.counts()) {
@@ -92,7 +93,7 @@ class MembersSet {
     const auto source = verb == "circles" ? Said::Source::circles : Said::Source::boxes;
     const Said said = said_in(std::span(&system_, 1), said_of_file(source, origin.inputs, call_.files[0]));
     origin.said = said_of_rows(verb.data(), members_.size(), said);
-    write_proof(call_.certificate, origin, [&](ClaimsWriter& claims) { write_statements(claims, result); });
+    write_proof(talk_, call_.certificate, origin, [&](ClaimsWriter& claims) { write_statements(claims, result); });
     return {call_.certificate};
   }
 
@@ -179,6 +180,7 @@ class MembersSet {
   }
 
   const Call& call_;
+  Talk& talk_;
   Origin origin_;
   MembersFile<Members> file_;
   const Members& members_;

@@ -1,4 +1,3 @@
-#include <sunder/ask/progress.h>
 #include <sunder/ask/said_of.h>
 #include <sunder/ask/set/polygons_input.h>
 
@@ -26,9 +25,8 @@ constexpr std::array<Change, 4> changes{
 
 }  // namespace
 
-PolygonsInput read_with_progress(PolygonsRequest request) {
-  Progress progress("reading");
-  request.progress = progress.reporter();
+PolygonsInput read_with_progress(const Talk& talk, PolygonsRequest request) {
+  request.progress = talk.progress("reading");
   return io::read_polygons(request);
 }
 
@@ -68,47 +66,46 @@ Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std
   return origin;
 }
 
-std::string tell(const PolygonsInput& input) {
+std::vector<Fact> facts_of(const PolygonsInput& input) {
   constexpr std::size_t most_listed = 20;
-  std::string text;
+  std::vector<Fact> facts;
+  // what(f, json): in words; adds to what the report has of the feature.
   const auto add = [&](const char* title, const auto& features, const auto& what) {
-    for (std::size_t k = 0; k < features.size() && k < most_listed; ++k) {
+    if (features.empty()) return;
+    Fact& fact = facts.emplace_back(Fact{title, Json::array(), ""});
+    for (std::size_t k = 0; k < features.size(); ++k) {
       const auto& f = features[k];
-      const std::string file = input.files.size() > 1 ? io::one_line(input.names[f.file]) + ": " : "";
-      text += titled(title, fmt::format("{}feature {}: {}", file, input.feature_text(f.file, f.feature), what(f)));
+      const std::string name = io::one_line(input.names[f.file]), file = input.files.size() > 1 ? name + ": " : "";
+      Json json{{"file", name}, {"feature", f.feature + 1}, {"name", input.files[f.file].features[f.feature]}};
+      const std::string words = what(f, json);
+      fact.json.push_back(std::move(json));
+      if (k >= most_listed) continue;
+      fact.text += titled(title, fmt::format("{}feature {}: {}", file, input.feature_text(f.file, f.feature), words));
     }
     if (features.size() <= most_listed) return;
-    text += titled("", fmt::format("and {} more; --json has all", features.size() - most_listed));
+    fact.text += titled("", fmt::format("and {} more; --json has all", features.size() - most_listed));
   };
-  add("skipped", input.skipped, [](const io::SkippedFeature& f) { return f.why; });
-  add("mended", input.mended,
-      [](const io::MendedFeature& f) { return text_of(f.changes) + (f.is_empty ? "; nothing is left of it" : ""); });
-  if (!input.left_out.empty()) text += titled("left out", input.left_out.text());
+  add("skipped", input.skipped, [](const io::SkippedFeature& f, Json& json) {
+    json["why"] = f.why;
+    return f.why;
+  });
+  add("mended", input.mended, [](const io::MendedFeature& f, Json& json) {
+    for (const Change& change : changes) json[change.key] = f.changes.*change.count;
+    json["empty"] = f.is_empty;
+    return text_of(f.changes) + (f.is_empty ? "; nothing is left of it" : "");
+  });
+  if (!input.left_out.empty()) {
+    facts.push_back({"left_out", to_json(input.left_out), titled("left out", input.left_out.text())});
+  }
+  Fact remarks{"remarks", Json::array(), ""};
   for (const io::LineFile& file : input.files) {
-    for (const std::string& remark : file.remarks) text += titled("remark", remark);
+    for (const std::string& remark : file.remarks) {
+      remarks.json.push_back(remark);
+      remarks.text += titled("remark", remark);
+    }
   }
-  return text;
-}
-
-void tell(const PolygonsInput& input, Json& report) {
-  const auto feature = [&](const auto& f) {
-    return Json{{"file", io::one_line(input.names[f.file])},
-                {"feature", f.feature + 1},
-                {"name", input.files[f.file].features[f.feature]}};
-  };
-  for (const io::SkippedFeature& f : input.skipped) {
-    report["skipped"].push_back(feature(f));
-    report["skipped"].back()["why"] = f.why;
-  }
-  for (const io::MendedFeature& f : input.mended) {
-    report["mended"].push_back(feature(f));
-    for (const Change& change : changes) report["mended"].back()[change.key] = f.changes.*change.count;
-    report["mended"].back()["empty"] = f.is_empty;
-  }
-  if (!input.left_out.empty()) report["left_out"] = to_json(input.left_out);
-  for (const io::LineFile& file : input.files) {
-    for (const std::string& remark : file.remarks) report["remarks"].push_back(remark);
-  }
+  if (!remarks.text.empty()) facts.push_back(std::move(remarks));
+  return facts;
 }
 
 }  // namespace sunder::ask

@@ -6,6 +6,7 @@
 #include <sunder/io/plane/polygons.h>
 
 #include <string>
+#include <vector>
 
 namespace sunder::ask {
 
@@ -20,20 +21,17 @@ inline constexpr const char* mend_help =
     "close open rings, and remove spikes and rings without area; the output lists the changes";
 inline constexpr const char* name_help = "the property that holds the names of features (default: name, NAME or id)";
 
-// As io::read_polygons, with a bar of progress.
-PolygonsInput read_with_progress(PolygonsRequest request);
+// As io::read_polygons, telling of the progress.
+PolygonsInput read_with_progress(const Talk& talk, PolygonsRequest request);
 
 // "2 repeated vertices left out, 1 spike cut off, 1 ring closed".
 std::string text_of(const planar::MendedRings& mended);
 
-// "  skipped ...", "  mended ...", "  left out ...", "  remark ...": lines for people, at most 20 of a kind.
-std::string tell(const PolygonsInput& input);
+// "skipped", "mended", "left_out", "remarks", as far as there are any: to people at most 20 of a kind.
+std::vector<Fact> facts_of(const PolygonsInput& input);
 
 // The origin of a proof whose table of this name has an entry for each polygon, and besides so many `entries` of each
 // file, where these are given.
 Origin origin_of(const PolygonsInput& input, const char* table, bool drop_z, std::vector<std::uint64_t> entries = {});
-
-// Adds "skipped", "mended", "left_out", "remarks" to a report, as far as there are any.
-void tell(const PolygonsInput& input, Json& report);
 
 }  // namespace sunder::ask

@@ -5,7 +5,7 @@
 //   Set::Call, Set::Contact              SetCall or what derives from it; what a contact is
 //   Set::verb, Set::noun, Set::kinds     "circles", "circle", all kinds but none, the strongest first
 //   static check(call)                   what can be told before a file is read; throws Error
-//   Set(call)                            reads; throws Error
+//   Set(call, talk)                      reads; throws Error
 //   systems()                            io::CoordinateSystems of what was read
 //   drawn(), drawn_noun                  how many things a picture shows
 //   ask(result)                          answers
@@ -22,7 +22,6 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/certificate/claims.h>
-#include <sunder/io/text/file.h>
 #include <sunder/near/contacts_in_order.h>
 #include <sunder/near/set_question.h>
 #include <sunder/picture/plane.h>
@@ -186,7 +185,9 @@ std::string human_text(const SetCall& call, const Set& set, const SetFacts& fact
   if (call.lists() && result.pairs() > listed.size()) {
     text += fmt::format("  and {} more; --json, --csv, --geojson or --svg have all\n", result.pairs() - listed.size());
   }
-  text += facts.tail + systems_line(set.systems()) + titled("cost", count_of(result.cost.probes, "comparison"));
+  text += facts.tail;
+  for (const Fact& fact : facts_of(set.systems())) text += fact.text;
+  text += titled("cost", count_of(result.cost.probes, "comparison"));
   for (const std::string& proof : result.proofs) text += file_line("proof", proof);
   if (call.proves()) text += not_proved_line(facts.not_proved);
   return text + file_line("contacts", call.geojson) + file_line("table", call.csv) + file_line("picture", call.svg);
@@ -194,14 +195,15 @@ std::string human_text(const SetCall& call, const Set& set, const SetFacts& fact
 
 // All but the contacts.
 template <class Set>
-Json report(const SetCall& call, const Set& set, const SetFacts& facts, const SetResult<Set>& result) {
-  Json json = envelope(Set::verb, result.some() ? "some" : "none", call.method);
+Json report(const Talk& talk, const SetCall& call, const Set& set, const SetFacts& facts,
+            const SetResult<Set>& result) {
+  Json json = envelope(talk, Set::verb, result.some() ? "some" : "none", call.method);
   json["cost"] = to_json(result.cost);
   json.update(facts.first);
   json["allowed"] = call.allow;
   if (!call.group.empty()) json["group"] = call.group;
   json.update(facts.last);
-  add_systems(set.systems(), json);
+  for (const Fact& fact : facts_of(set.systems())) json[fact.key] = fact.json;
   if (call.proves()) json["not_proved"] = facts.not_proved;
   if (!call.counts()) return json;
   json["count"] = result.pairs();
@@ -260,16 +262,16 @@ std::string picture_of_members(const SetCall& call, const SetResult<Set>& result
 
 // Goes through the contacts once, and writes all that was asked for.
 template <class Set>
-void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result) {
+void write_set(Talk& talk, const SetCall& call, const Set& set, const SetResult<Set>& result) {
   constexpr std::size_t most_listed = 20;
-  note_systems(set.systems());
+  talk.note_all(set.systems().remarks());
   const SetFacts facts = set.facts(result);
   std::optional<ContactTable> table;
-  if (!call.csv.empty()) table.emplace(call.csv);
+  if (!call.csv.empty()) table.emplace(talk, call.csv);
   std::optional<GeojsonFile> geojson;
-  if (!call.geojson.empty()) geojson.emplace(call.geojson, set.systems());
+  if (!call.geojson.empty()) geojson.emplace(talk, call.geojson, set.systems());
   std::optional<ListReport> json;
-  if (call.json) json.emplace(report(call, set, facts, result), "contacts");
+  if (call.json) json.emplace(talk, report(talk, call, set, facts, result), "contacts");
   std::vector<typename Set::Contact> listed, drawn;
   result.visit([&](const typename Set::Contact& contact) {
     if (table || geojson || json) {
@@ -285,16 +287,16 @@ void write_set(const SetCall& call, const Set& set, const SetResult<Set>& result
   if (table) table->close();
   if (geojson) geojson->close();
   if (!call.svg.empty())
-    io::write_file_atomically(call.svg, set.picture(result, drawn, picture_text(call, facts, result.pairs())));
-  json ? json->close() : print_for_people(human_text(call, set, facts, result, listed));
+    talk.write_file(call.svg, set.picture(result, drawn, picture_text(call, facts, result.pairs())));
+  json ? json->close() : talk.print_for_people(human_text(call, set, facts, result, listed));
 }
 
-// The verb: answers, proves, writes. Returns the exit code.
+// The verb: answers, proves, writes.
 template <class Set>
-int run_set(const typename Set::Call& call) {
+Report run_set(const typename Set::Call& call, Talk& talk) {
   Set::check(call);
   require_different(call.properties);
-  Set set(call);
+  Set set(call, talk);
   const auto require_drawable = [&](std::uint64_t contacts) {
     if (!call.svg.empty()) ask::require_drawable(set.drawn(), Set::drawn_noun, contacts, call.svg_limit);
   };
@@ -303,13 +305,14 @@ int run_set(const typename Set::Call& call) {
   set.ask(result);
   require_drawable(result.pairs());
   if (call.proves()) result.proofs = set.prove(result);
-  write_set(call, set, result);
-  return result.some() ? exit_code::yes : exit_code::no;
+  write_set(talk, call, set, result);
+  return told(result.some() ? exit_code::yes : exit_code::no);
 }
 
 template <class Set>
 Verb set_verb(std::shared_ptr<typename Set::Call> call, const SetHelp& help) {
-  return {help.verb, help.about, codes_of_sets, set_options(*call, help), [call] { return run_set<Set>(*call); }};
+  return {help.verb, help.about, codes_of_sets, set_options(*call, help),
+          [call](Talk& talk) { return run_set<Set>(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -16,7 +16,7 @@ struct Boxes {
   static constexpr const char* file_help =
       "boxes: CSV, one in each row: x1,y1,x2,y2 (two opposite corners), and optionally a name";
 
-  static MembersFile<Members> read(const SetCall& call, InputFiles* inputs) {
+  static MembersFile<Members> read(const SetCall& call, const Talk&, InputFiles* inputs) {
     io::LineFile file = io::read_lines(
         call.files[0], {.group = call.group, .name = call.name, .properties = call.properties, .inputs = inputs});
     if (file.format != "CSV") io::fail_file(call.files[0], "has no boxes; give CSV, x1,y1,x2,y2");

@@ -28,12 +28,11 @@ struct Circles {
                                                                           {"sweep", planar::discs_all_by_sweep},
                                                                           {"scan", planar::discs_all_by_scan}}};
 
-  static MembersFile<Discs> read(const SetCall& call, InputFiles* inputs) {
-    Progress progress("reading");
+  static MembersFile<Discs> read(const SetCall& call, const Talk& talk, InputFiles* inputs) {
     auto [file, circles] = io::read_circles(call.files[0], {.group = call.group,
                                                             .name = call.name,
                                                             .properties = call.properties,
-                                                            .progress = progress.reporter(),
+                                                            .progress = talk.progress("reading"),
                                                             .inputs = inputs});
     return {std::move(circles),    std::move(file.name),   std::move(file.line),
             std::move(file.group), std::move(file.groups), std::move(file.properties)};

@@ -1,5 +1,4 @@
 // sunder polygons FILE: do any two polygons meet? Which? How many?
-#include <sunder/ask/progress.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/set/set_verb.h>
 
@@ -46,11 +45,11 @@ constexpr std::uint64_t most_numbers = 100'000'000;      // of a sweep: at most 
 }
 
 // The sweep that proves all answers but `some`.
-planar::SweepEvents sweep_of(const PolygonsInput& input, std::uint64_t pairs) {
+planar::SweepEvents sweep_of(const Talk& talk, const PolygonsInput& input, std::uint64_t pairs) {
   if (pairs > most_proved_pairs) {
     refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved_pairs), 2 * pairs);
   }
-  Progress progress("proving");
+  const auto progress = talk.progress("proving");
   const std::uint64_t most = std::max(most_numbers, 8 * input.edges());  // six for an edge, where none cross
   std::optional<planar::SweepEvents> events = planar::polygon_events(input.polygons, most);
   if (!events) refuse_proof(input, fmt::format("the sweep over all edges has more than {} numbers", most), most);
@@ -120,7 +119,8 @@ class PolygonsSet {
     require_other_than_scan(call);
   }
 
-  explicit PolygonsSet(const PolygonsCall& call) : call_(call), input_(read_with_progress(request_of(call))) {
+  PolygonsSet(const PolygonsCall& call, Talk& talk)
+      : call_(call), talk_(talk), input_(read_with_progress(talk, request_of(call))) {
     options_.allowed = allowed_by(call.allow);
     options_.groups = input_.groups;
   }
@@ -129,9 +129,8 @@ class PolygonsSet {
   std::uint64_t drawn() const { return input_.edges(); }
 
   void ask(Result& result) const {
-    Progress progress("comparing");
     SetOptions options = options_;
-    options.progress = progress.reporter();
+    options.progress = talk_.progress("comparing");
     if (!call_.counts()) {
       const planar::PolygonsAnswer answer = method_by(call_.method, polygons_any_methods)(input_.polygons, options);
       result.cost = answer.cost;
@@ -153,8 +152,8 @@ class PolygonsSet {
   std::vector<std::string> prove(const Result& result) const {
     const planar::PolygonsAsked asked{input_.polygons, options_.allowed, options_.groups};
     const bool is_some = !call_.counts() && result.some();
-    const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(input_, result.pairs());
-    write_proof(call_.certificate, origin_of(input_, "polygons", call_.drop_z), [&](ClaimsWriter& claims) {
+    const planar::SweepEvents events = is_some ? planar::SweepEvents() : sweep_of(talk_, input_, result.pairs());
+    write_proof(talk_, call_.certificate, origin_of(input_, "polygons", call_.drop_z), [&](ClaimsWriter& claims) {
       if (is_some) {
         result.for_each([&](const PolygonsContact& c) { write_some(claims, asked, c); });
       } else if (call_.lists()) {
@@ -194,8 +193,10 @@ class PolygonsSet {
     if (!without.empty()) {
       facts.clause = fmt::format(", among {} only: {}", count_of(input_.polygons.size(), "feature"), without);
     }
-    facts.tail = tell(input_);
-    tell(input_, facts.last);
+    for (const auto& [key, json, told] : facts_of(input_)) {
+      facts.tail += told;
+      facts.last[key] = json;
+    }
     return facts;
   }
 
@@ -276,6 +277,7 @@ class PolygonsSet {
   }
 
   const PolygonsCall& call_;
+  Talk& talk_;
   PolygonsInput input_;
   SetOptions options_;
 };

@@ -1,6 +1,5 @@
 // sunder segments FILE: do any two segments meet? Which? How many?
 #include <sunder/ask/outputs.h>
-#include <sunder/ask/progress.h>
 #include <sunder/ask/said_of.h>
 #include <sunder/ask/set/set_verb.h>
 
@@ -144,7 +143,7 @@ std::filesystem::path certificate_of(const SegmentsCall& call, const Sheet& shee
 }
 
 // The names of certificates are known by now.
-void require_apart(const SegmentsCall& call, const std::vector<Sheet>& sheets) {
+void require_apart(const SegmentsCall& call, Talk& talk, const std::vector<Sheet>& sheets) {
   std::vector<NamedFile> outputs;
   if (call.certificate == "-" && !sheets[0].layer.empty()) {
     throw Error(ErrorCode::bad_call,
@@ -157,7 +156,7 @@ void require_apart(const SegmentsCall& call, const std::vector<Sheet>& sheets) {
   for (const Sheet& sheet : sheets) {
     if (!call.certificate.empty()) outputs.push_back({"--certificate", certificate_of(call, sheet)});
   }
-  ask::require_apart({{"", call.files[0]}}, outputs);
+  ask::require_apart(talk, {{"", call.files[0]}}, outputs);
 }
 
 SegmentsContact in_file(const Sheet& sheet, const SegmentsContact& c) {
@@ -214,11 +213,10 @@ std::string source_of(const io::LineFile& file, std::uint32_t i) {
   return place;
 }
 
-io::LineFile read(const SegmentsCall& call, InputFiles* inputs) {
-  Progress progress("reading");
+io::LineFile read(const SegmentsCall& call, const Talk& talk, InputFiles* inputs) {
   return io::read_lines(call.files[0], {.drop_z = call.drop_z,
                                         .group = call.group,
-                                        .progress = progress.reporter(),
+                                        .progress = talk.progress("reading"),
                                         .leave_out = call.leave_out,
                                         .name = call.name,
                                         .properties = call.properties,
@@ -247,13 +245,13 @@ class SegmentsSet {
     require_other_than_scan(call);
   }
 
-  explicit SegmentsSet(const SegmentsCall& call)
-      : call_(call), file_(read(call, call.proves() ? &origin_.inputs : nullptr)) {
+  SegmentsSet(const SegmentsCall& call, Talk& talk)
+      : call_(call), talk_(talk), file_(read(call, talk, call.proves() ? &origin_.inputs : nullptr)) {
     check_centre_lines(call, file_);
     systems_ = io::CoordinateSystems(call.mixed_crs);
     systems_.add(call.files[0], file_.systems);
     sheets_ = sheets_of(call, file_);
-    require_apart(call, sheets_);
+    require_apart(call, talk, sheets_);
     options_.allowed = allowed_by(call.allow);
     options_.transcript = call.proves();
     if (is_board(file_)) {
@@ -287,7 +285,7 @@ class SegmentsSet {
       const std::string layer = layer_of(proof.sheet);
       if (!layer.empty() && file_.layers.size() > 1) origin.left_out.push_back("all layers but " + layer);
       origin.said = said_of_rows("segments", proof.sheet.segments.size(), said_of_layer(layer));
-      write_proof(proof.file, origin, proof.write);
+      write_proof(talk_, proof.file, origin, proof.write);
       files.push_back(proof.file);
     }
     return files;
@@ -373,12 +371,11 @@ class SegmentsSet {
   }
 
  private:
-  // ask(options): of a sheet, with a bar of progress.
+  // ask(options): of a sheet, telling of the progress.
   template <class Ask>
   auto of_sheet(const Sheet& sheet, const Ask& ask) const {
-    Progress progress("comparing");
     SetOptions options = options_;
-    options.progress = progress.reporter();
+    options.progress = talk_.progress("comparing");
     options.groups = sheet.groups;
     return ask(options);
   }
@@ -481,6 +478,7 @@ class SegmentsSet {
   }
 
   const SegmentsCall& call_;
+  Talk& talk_;
   Origin origin_;
   io::LineFile file_;
   io::CoordinateSystems systems_;

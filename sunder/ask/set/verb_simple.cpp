@@ -102,7 +102,7 @@ Json at_json(const PolygonDefect& defect) {
 
 class ValidQuestion {
  public:
-  explicit ValidQuestion(const SimpleCall& call) : call_(call) {
+  ValidQuestion(const SimpleCall& call, Talk& talk) : call_(call), talk_(talk) {
     input_.systems = io::CoordinateSystems(call.mixed_crs);
     input_.read_file(call.file,
                      {.drop_z = call.drop_z,
@@ -121,10 +121,10 @@ class ValidQuestion {
     require_drawable();
     if (asked_ == 0) io::fail_file(call_.file, "no polygon has all its rings, so nothing is left to ask about");
     if (call_.proves()) prove();
-    note_systems(input_.systems);
+    talk_.note_all(input_.systems.remarks());
     if (!call_.geojson.empty()) write_geojson();
-    if (!call_.svg.empty()) io::write_file_atomically(call_.svg, picture());
-    call_.json ? print_report() : print_for_people(text());
+    if (!call_.svg.empty()) talk_.write_file(call_.svg, picture());
+    call_.json ? print_report() : talk_.print_for_people(text());
     return valid_ == asked_ ? exit_code::no : exit_code::yes;
   }
 
@@ -229,7 +229,7 @@ class ValidQuestion {
     std::uint64_t entries = 0;
     for_each_feature([&](const SimpleResult&, const auto& parts, const VisitDefects&) { entries += parts.size(); });
     write_proof(
-        call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
+        talk_, call_.certificate, origin_of(input_, "polygons", call_.drop_z, {entries}), [this](ClaimsWriter& claims) {
           claims.begin_table("polygons");
           for_each_feature([&](const SimpleResult&, const auto& parts, const VisitDefects&) {
             if (!parts.empty()) planar::write_parts(claims, parts);
@@ -327,13 +327,14 @@ class ValidQuestion {
 
   // Prints the report, each feature and each defect as it comes.
   void print_report() const {
-    Json json = envelope("simple", call_.answer(valid_ == asked_), call_.method);
-    json["cost"] = to_json(cost_);
-    json["rule"] = call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid";
-    tell(input_, json);
-    add_systems(input_.systems, json);
-    if (call_.proves()) json["not_proved"] = not_proved();
-    ListReport objects(json, "objects");
+    Report report{.verb = "simple", .answer = call_.answer(valid_ == asked_), .method = call_.method, .cost = cost_};
+    report.notes = talk_.notes();
+    report.add("rule", call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid");
+    report.add(facts_of(input_));
+    report.add(facts_of(input_.systems));
+    report.is_proved = call_.proves();
+    report.not_proved = not_proved();
+    ListReport objects(talk_, json_of(report), "objects");
     for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       const auto& rings = result.rings_of_part;
       Json object = {{"file", io::one_line(call_.file)},
@@ -361,7 +362,7 @@ class ValidQuestion {
 
   // Each defect as a point, or a line where a piece is in common; a line of the text for each.
   void write_geojson() const {
-    GeojsonFile geojson(call_.geojson, input_.systems);
+    GeojsonFile geojson(talk_, call_.geojson, input_.systems);
     for_each_feature([&](const SimpleResult& result, const auto&, const VisitDefects& visit) {
       const auto add = [&](const auto& defect) {
         const Json at = at_json(defect);
@@ -408,6 +409,7 @@ class ValidQuestion {
   }
 
   const SimpleCall& call_;
+  Talk& talk_;
   PolygonsInput input_;  // without the polygons themselves
   std::vector<SimpleResult> results_;
   std::uint64_t asked_ = 0, valid_ = 0, edges_ = 0, defects_ = 0;
@@ -416,10 +418,10 @@ class ValidQuestion {
 
 constexpr const char* simple_methods = "automatic, scan";
 
-int run(const SimpleCall& call) {
+Report run(const SimpleCall& call, Talk& talk) {
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, simple_methods);
   require_different(call.properties);
-  return ValidQuestion(call).answer();
+  return told(ValidQuestion(call, talk).answer());
 }
 
 }  // namespace
@@ -456,7 +458,7 @@ Verb simple_verb() {
        {"--drop-z", &call->drop_z, "ignore the third coordinate of each point"},
        {"--mixed-crs", &call->mixed_crs, mixed_crs_help},
        json_option(call->json)},
-      [call] { return run(*call); }};
+      [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

@@ -154,8 +154,7 @@ TEST(CoordinateSystemTest, BesideFilesAreInputs) {
   EXPECT_EQ(inputs.size(), 2u);
 
   const std::string line = "LINESTRING (0 0, 1 1)", declared = "SRID=4326;" + line, prj = "EPSG:7";
-  const GivenFiles given({{"a.wkt", &line}, {"a.prj", &prj}, {"b.wkt", &declared}, {"b.prj", &prj}, {"c.wkt", &line}},
-                         [](const std::filesystem::path&, std::string_view) {});
+  const GivenFiles given({{"a.wkt", &line}, {"a.prj", &prj}, {"b.wkt", &declared}, {"b.prj", &prj}, {"c.wkt", &line}});
   const auto read = [](const char* name, std::size_t files) {
     InputFiles of_lines, of_objects;
     const Texts systems = ids(read_lines(name, {.inputs = &of_lines}));

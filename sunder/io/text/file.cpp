@@ -65,11 +65,11 @@ struct Unfinished {
 std::array<Unfinished, 16> unfinished;
 constexpr std::size_t no_slot = unfinished.size();
 
-const GivenFiles* given_files = nullptr;
+thread_local const GivenFiles* given_files = nullptr;
 
 }  // namespace
 
-GivenFiles::GivenFiles(std::vector<File> files, Write write) : files_(std::move(files)), write_(std::move(write)) {
+GivenFiles::GivenFiles(std::vector<File> files) : files_(std::move(files)) {
   SUNDER_REQUIRE(given_files == nullptr);
   given_files = this;
 }
@@ -166,9 +166,10 @@ void OutputFile::Slot::set(const std::string& name) {
   unfinished[number_].named = true;
 }
 
-OutputFile::OutputFile(const fs::path& path) : path_(path) {
+OutputFile::OutputFile(const fs::path& path, std::function<void(std::string_view)> instead)
+    : path_(path), instead_(std::move(instead)) {
   if (path.empty()) fail_path("(no name)", "the name of the file is empty; give one");
-  if (given_files != nullptr) return;
+  if (instead_) return;
   if (path == "-") {
     errno = 0;
     if (const int copy = dup(STDOUT_FILENO); copy >= 0) file_.reset(fdopen(copy, "wb"));
@@ -216,14 +217,14 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view text) {
-  if (given_files != nullptr) return given_files->write(path_, text);
+  if (instead_) return instead_(text);
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size()) return;
   fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));
 }
 
 void OutputFile::commit() {
-  if (given_files != nullptr) return;
+  if (instead_) return;
   errno = 0;
   if (std::fclose(file_.release()) != 0) {
     fail_path(path_, fmt::format("cannot be written ({}); check where it goes and the space there", reason(errno)));
@@ -236,8 +237,8 @@ void OutputFile::commit() {
   temporary_.clear();
 }
 
-void write_file_atomically(const fs::path& path, std::string_view text) {
-  OutputFile file(path);
+void write_file_atomically(const fs::path& path, std::string_view text, std::function<void(std::string_view)> instead) {
+  OutputFile file(path, std::move(instead));
   file.write(text);
   file.commit();
 }

@@ -29,19 +29,17 @@ void require_regular(const std::filesystem::path& path);
 // Is there a regular file of this name?
 bool is_file(const std::filesystem::path& path);
 
-// While one of these is alive, files have other names: read_file and is_file know the names given here, and no others;
-// and what an OutputFile takes goes to `write` with its name, and to no file. So an answer is made again from files
-// that are elsewhere now, and nothing else is read or written.
-// One at a time. Threads that read and write meanwhile are started, and waited for, within its life.
+// While one of these is alive, files have other names on this thread: read_file and is_file know the names given here,
+// and no others. So an answer is made again from files that are elsewhere now, and nothing else is read.
+// One at a time on a thread; other threads read what they read before.
 class GivenFiles {
  public:
   struct File {
     std::string name;          // "-": standard input
     const std::string* bytes;  // which outlive it
   };
-  using Write = std::function<void(const std::filesystem::path& name, std::string_view text)>;
 
-  GivenFiles(std::vector<File> files, Write write);
+  explicit GivenFiles(std::vector<File> files);
   ~GivenFiles();
   GivenFiles(const GivenFiles&) = delete;
   GivenFiles& operator=(const GivenFiles&) = delete;
@@ -54,11 +52,9 @@ class GivenFiles {
   // The name that ends with these folders and this file: "robots/arm/link.stl" ends with "arm/link.stl". Empty where
   // none does, or several do.
   std::filesystem::path name_with_end(const std::filesystem::path& end) const;
-  void write(const std::filesystem::path& name, std::string_view text) const { write_(name, text); }
 
  private:
   std::vector<File> files_;
-  Write write_;
 };
 
 // A file that is written piece by piece and takes its name at the end: all of it, or, when anything fails, nothing
@@ -71,7 +67,8 @@ class GivenFiles {
 // Each throws Error bad_file: "FILE: what is wrong; remedy".
 class OutputFile {
  public:
-  explicit OutputFile(const std::filesystem::path& path);
+  // instead: where given, what takes the text, and no file is made.
+  explicit OutputFile(const std::filesystem::path& path, std::function<void(std::string_view)> instead = nullptr);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -102,11 +99,13 @@ class OutputFile {
   std::filesystem::path path_, target_, temporary_;  // as given; what takes the text; the new file, if there is one
   std::filesystem::perms permissions_ = std::filesystem::perms::unknown;  // to be kept
   Slot slot_;
+  std::function<void(std::string_view)> instead_;
   std::unique_ptr<std::FILE, Close> file_;
 };
 
 // Puts the text under this name, as OutputFile does.
-void write_file_atomically(const std::filesystem::path& path, std::string_view text);
+void write_file_atomically(const std::filesystem::path& path, std::string_view text,
+                           std::function<void(std::string_view)> instead = nullptr);
 
 // Removes the new files that are being written by this process, at this moment. For handlers of signals that end the
 // process: it calls nothing but unlink().

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <thread>
 
 namespace sunder::io {
 namespace {
@@ -171,11 +172,7 @@ TEST_F(File, GivenFilesHaveTheirNamesAndNoOthers) {
   const std::string first = "one", second = "two";
   std::string written;
   {
-    const GivenFiles given({{"a/b/link.stl", &first}, {"-", &second}, {"c/link.stl", &second}},
-                           [&](const fs::path& name, std::string_view text) {
-                             EXPECT_EQ(name, folder_ / "out");
-                             written += text;
-                           });
+    const GivenFiles given({{"a/b/link.stl", &first}, {"-", &second}, {"c/link.stl", &second}});
     InputFiles inputs;
     EXPECT_EQ(read_file("a/b/link.stl", &inputs), "one");
     EXPECT_EQ(read_file("/dev/stdin", &inputs), "two");
@@ -189,7 +186,11 @@ TEST_F(File, GivenFilesHaveTheirNamesAndNoOthers) {
     EXPECT_EQ(given.name_with_end("b/link.stl"), "a/b/link.stl");
     EXPECT_EQ(given.name_with_end("link.stl"), "");    // of two
     EXPECT_EQ(given.name_with_end("x/link.stl"), "");  // of none
-    OutputFile out(folder_ / "out");
+    std::thread([&] {
+      EXPECT_EQ(GivenFiles::now(), nullptr);
+      EXPECT_EQ(read_file(folder_ / "there"), "on the disk");
+    }).join();
+    OutputFile out(folder_ / "out", [&](std::string_view text) { written += text; });
     out.write("a ");
     out.write("proof");
     out.commit();
