@@ -18,6 +18,7 @@
 
 #include <sunder/ask/report.h>
 #include <sunder/ask/scene/placements.h>
+#include <sunder/ask/talk.h>
 #include <sunder/base/random.h>
 #include <sunder/io/robot/robot_motion.h>
 
@@ -134,15 +135,17 @@ struct Arm {
   std::uint64_t run(std::size_t threads) const {
     sunder::ask::PlacementsCall asked = call;
     asked.threads = threads;
-    const sunder::io::JointTable table = read_placements(asked, cell, nullptr);
-    return answer_placements(asked, cell, question, table).meeting;
+    sunder::ask::Talk talk({});
+    const sunder::io::JointTable table = read_placements(talk, asked, cell, nullptr);
+    return answer_placements(talk, asked, cell, question, table).meeting;
   }
 };
 
 // Of each placement by itself, and by all boxes.
 std::uint64_t truth_of(const Arm& arm) {
   std::uint64_t meeting = 0;
-  for (const auto& joints : sunder::ask::joint_values_of(read_placements(arm.call, arm.cell, nullptr))) {
+  sunder::ask::Talk talk({});
+  for (const auto& joints : sunder::ask::joint_values_of(read_placements(talk, arm.call, arm.cell, nullptr))) {
     meeting += sunder::scene::meeting_pairs(arm.cell.place(joints.values), arm.question).counts.meeting;
   }
   return meeting;

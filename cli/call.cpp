@@ -2,6 +2,7 @@
 #include <cli/words.h>
 
 #include <sunder/ask/outputs.h>
+#include <sunder/ask/scene/scene_input.h>
 #include <sunder/base/error.h>
 #include <sunder/io/text/text.h>
 
@@ -103,9 +104,6 @@ using ask::NamedFile;
 
 constexpr std::string_view standard_stream = "-";
 
-// "cube.obj" of "cube.obj@1,0,0".
-std::string without_pose(const std::string& word) { return word.substr(0, word.rfind('@')); }
-
 bool is_there(const std::string& file) {
   std::error_code problem;
   return fs::exists(file, problem);
@@ -170,7 +168,8 @@ void require_apart(const CLI::App& verb, ask::Talk& talk) {
       if (is_in(output_options, name)) {
         outputs.push_back({name, value});
       } else if (reads_files(*option) && !(option->get_type_name() == "WHAT" && is_allowed_kind(value))) {
-        const std::string file = name.empty() && !is_there(value) ? without_pose(value) : value;
+        const bool may_have_a_name = name.empty() || name == "--srdf";
+        const std::string file = may_have_a_name && !is_there(value) ? ask::file_word(value).file : value;
         if (!file.empty()) inputs.push_back({name, file});
       }
     }
@@ -203,7 +202,7 @@ bool prints_over_input(std::span<const std::string> words) {
   for (std::size_t k = 0; k < words.size(); ++k) {
     const bool is_output = k > 0 && (words[k - 1] == "-o" || is_in(output_options, words[k - 1]));
     if (is_output) continue;
-    for (const std::string& file : {words[k], without_pose(words[k])}) {
+    for (const std::string& file : {words[k], ask::file_word(words[k]).file}) {
       if (!file.empty() && ask::overwrites(standard_stream, file)) return true;
     }
   }

@@ -156,6 +156,7 @@ scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
+scene left=cases/scene/primitives.urdf right=cases/scene/primitives.urdf@4,0,0 cases/mesh/cube.obj --attach cube=left/load --joints right/hoist=1
 scene cases/scene/primitives.urdf --joints hoist=1.125 --classify --certificate OUT
 scene cases/panda/panda.urdf --allow adjacent --joints-file cases/scene/folded.joints --joints-file cases/scene/ready.joints --clearance 0.01 --margin panda_link5,panda_link7=0.02 --distance
 scene cases/scene/nearly.urdf --joints way=1 --clearance 1e-33 --distance

@@ -52,11 +52,10 @@ class Robot {
   Robot(const std::string& file, const Names& packages, const std::string& srdf, const std::string& scene,
         const Names& groups, bool require_convex, bool leave_out)
       : cell_(files_of(file, scene), options_of(packages, require_convex, leave_out), &inputs_) {
-    const io::Srdf given = srdf.empty() ? io::Srdf{} : io::read_srdf(srdf, &inputs_);
     Names remarks;
-    if (!groups.empty()) cell_.keep_groups(given, groups, "groups", remarks);
-    add_allowed(cell_.disabled(given, srdf, "srdf", remarks), allowed_);
-    add_allowed(cell_.allowed_by_files(), allowed_);
+    if (!srdf.empty()) cell_.add_srdf(io::read_srdf(srdf, &inputs_), srdf, "", "srdf");
+    if (!groups.empty()) cell_.keep_groups(groups, "groups", remarks);
+    add_allowed(cell_.allowed(remarks), allowed_);
   }
 
   void allow(const std::string& a, const std::string& b) {

@@ -3,45 +3,18 @@
 #include <sunder/io/robot/scene_file.h>
 #include <sunder/io/text/text.h>
 #include <sunder/robot/cell.h>
+#include <sunder/robot/named_internal.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
 namespace sunder::robot {
 
 namespace {
-
-[[noreturn]] void fail_call(const std::string& text, const std::string& place) {
-  throw Error(ErrorCode::bad_call, text, place);
-}
-
-template <class Named>  // std::vector of what has a name
-std::string names_of(const Named& all) {
-  std::string names;
-  for (const auto& each : all) names += (names.empty() ? "" : ", ") + each.name;
-  return names;
-}
-
-template <class Named>
-auto named(const std::string& name, Named& all) {
-  return std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == name; });
-}
-
-void add_once(const std::string& name, std::vector<std::string>& names) {
-  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-}
-
-// The first few, and how many more.
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 5;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > most ? fmt::format("{} and {} more", list, names.size() - most) : list;
-}
 
 std::array<std::uint32_t, 2> in_order(const AllowedPair& pair) {
   const auto [low, high] = std::minmax(pair.bodies[0], pair.bodies[1]);
@@ -77,35 +50,114 @@ bool is_urdf(const std::string& file) {
 Cell::Cell(std::span<const CellFile> files, const CellOptions& options, InputFiles* inputs,
            std::vector<std::string>* remarks)
     : left_out_(options.leave_out) {
+  std::vector<std::pair<std::string, std::vector<io::LeftOut>>> told;  // without consent: so, when all is read
   for (const CellFile& given : files) {
-    const std::string name = given.name.empty() ? "" : unused_name(given.name);
-    files_.push_back({given.file, name, given.pose});
+    files_.push_back(given);
     if (is_urdf(given.file)) {
-      add_robot(options, inputs);
+      told.emplace_back(given.file, add_robot(options, inputs));
     } else if (io::is_scene_file(given.file)) {
       add_scene(options, inputs);
     } else {
       add_mesh(options, inputs);
     }
   }
-  // Told without consent. So far nothing is left out where there is none.
-  tell(robot_bodies_.told);
+  give_names();
+  join_robots();
+  for (const auto& [file, left_out] : told) tell(file, left_out);
   require_some_body(remarks);
 }
 
+// Names are given in the order of the files: to a file, then to its bodies. `wish`, or wish#2, wish#3, ...: no input or
+// body has it.
+void Cell::give_names() {
+  std::map<std::string, int> links, joints;  // how many robots have them
+  for (const CellRobot& robot : robots_) {
+    for (const io::Link& link : robot.model.links) ++links[link.name];
+    for (const io::Joint& joint : robot.model.joints) ++joints[joint.name];
+  }
+  std::set<std::string> of_files, of_bodies, of_robots;
+  const auto unused = [](const std::string& wish, const auto& is_taken) {
+    std::string name = wish;
+    for (int number = 2; is_taken(name); ++number) name = fmt::format("{}#{}", wish, number);
+    return name;
+  };
+  const auto is_taken = [&](const std::string& name) { return of_files.contains(name) || of_bodies.contains(name); };
+  auto body = bodies_.begin();
+  auto robot = robots_.begin();
+  for (std::size_t f = 0; f < files_.size(); ++f) {
+    CellFile& file = files_[f];
+    if (!file.name.empty()) of_files.insert(file.name = unused(file.name, is_taken));
+    if (robot != robots_.end() && robot->file == f) {
+      robot->name =
+          unused(file.name.empty() ? io::one_line(std::filesystem::path(file.file).stem().string()) : file.name,
+                 [&](const std::string& name) { return of_robots.contains(name); });
+      of_robots.insert(robot->name);
+      const auto name = [&](const std::string& of, const auto& times) {
+        return times.at(of) > 1 ? robot->name + "/" + of : of;
+      };
+      for (const io::Link& link : robot->model.links) robot_.links.push_back({name(link.name, links), link.shapes});
+      for (io::Joint joint : robot->model.joints) {
+        joint.name = name(joint.name, joints);
+        joint.parent += robot->first_link;
+        joint.child += robot->first_link;
+        if (joint.mimic) joint.mimic->joint += robot->first_joint;
+        robot_.joints.push_back(std::move(joint));
+      }
+      ++robot;
+    }
+    for (; body != bodies_.end() && body->file == f; ++body) {
+      if (body->link) {
+        body->name = unused(robot_.links[*body->link].name, is_taken);
+      } else if (io::is_scene_file(file.file)) {  // as in the file, unless another body has it
+        if (of_bodies.contains(body->name)) body->name = unused(body->name, is_taken);
+      } else {
+        body->name = file.name;
+      }
+      of_bodies.insert(body->name);
+    }
+  }
+}
+
+void Cell::join_robots() {
+  for (std::uint32_t r = 0; r < robots_.size(); ++r) {
+    robot_of_link_.insert(robot_of_link_.end(), robots_[r].model.links.size(), r);
+  }
+  if (robots_.empty()) return;
+  const io::Robot& first = robots_[0].model;
+  robot_.name = first.name;
+  robot_.root = first.root;
+  robot_.folder = first.folder;
+  const auto require_once = [&](const auto& all, const char* what) {
+    std::set<std::string> names;
+    for (const auto& each : all) {
+      if (!names.insert(each.name).second) {
+        fail_call(fmt::format("two {} would be named {}; give the robots other names", what, io::quote(each.name)),
+                  robots_[0].name);
+      }
+    }
+  };
+  require_once(robot_.links, "links");
+  require_once(robot_.joints, "joints");
+}
+
 CellFile& Cell::file_named(const std::string& name, const std::string& place) {
+  return files_[file_number(name, place)];
+}
+
+std::size_t Cell::file_number(const std::string& name, const std::string& place) const {
+  const auto robot = named(name, robots_);
+  if (robot != robots_.end()) return robot->file;
   const auto file = named(name, files_);
-  if (file != files_.end()) return *file;
+  if (file != files_.end()) return static_cast<std::size_t>(file - files_.begin());
   fail_call("nothing is named " + io::quote(name) + "; names are " + names_of(files_), place);
 }
 
-// Of the robot.
-void Cell::tell(std::span<const io::LeftOut> left_out) {
+void Cell::tell(const std::string& file, std::span<const io::LeftOut> left_out) {
   if (left_out.empty()) return;
   if (left_out_.consent()) {
-    left_out_.add(robot_file_, left_out, "");
+    left_out_.add(file, left_out, "");
   } else {
-    left_out_ = io::LeftOutList(robot_file_, left_out);
+    left_out_ = io::LeftOutList(file, left_out);
   }
 }
 
@@ -114,9 +166,12 @@ void Cell::tell(std::span<const io::LeftOut> left_out) {
 // none.)
 void Cell::require_some_body(std::vector<std::string>* remarks) const {
   if (!bodies_.empty()) return;
-  if (robot_ && left_out_.consent() && !io::has_collision_shapes(*robot_)) {
-    if (remarks != nullptr) {
-      remarks->push_back("no link of " + io::one_line(robot_file_) + " has a collision shape, so nothing can meet");
+  const auto is_bare = [](const CellRobot& robot) { return !io::has_collision_shapes(robot.model); };
+  if (has_robot() && left_out_.consent() && std::all_of(robots_.begin(), robots_.end(), is_bare)) {
+    for (const CellRobot& robot : robots_) {
+      if (remarks == nullptr) break;
+      remarks->push_back("no link of " + io::one_line(files_[robot.file].file) +
+                         " has a collision shape, so nothing can meet");
     }
     return;
   }
@@ -126,17 +181,8 @@ void Cell::require_some_body(std::vector<std::string>* remarks) const {
             files_.back().name.empty() ? io::one_line(files_.back().file) : files_.back().name);
 }
 
-// `wish`, or wish#2, wish#3, ...: no input or body has it.
-std::string Cell::unused_name(const std::string& wish) const {
-  std::string name = wish;
-  const auto taken = [&] { return named(name, files_) != files_.end() || named(name, bodies_) != bodies_.end(); };
-  for (int number = 2; taken(); ++number) name = fmt::format("{}#{}", wish, number);
-  return name;
-}
-
 void Cell::add_mesh(const CellOptions& options, InputFiles* inputs) {
   CellBody body;
-  body.name = files_.back().name;
   body.file = files_.size() - 1;
   for (io::MeshBody& object :
        io::read_bodies(files_.back().file, options.require_convex, left_out_, inputs, options.parts)) {
@@ -146,18 +192,27 @@ void Cell::add_mesh(const CellOptions& options, InputFiles* inputs) {
   bodies_.push_back(std::move(body));
 }
 
-void Cell::add_robot(const CellOptions& options, InputFiles* inputs) {
+std::vector<io::LeftOut> Cell::add_robot(const CellOptions& options, InputFiles* inputs) {
   const std::string& file = files_.back().file;
-  if (robot_) fail_call("a second robot; give one URDF file in a call", io::one_line(file));
-  robot_ = io::read_urdf(file, inputs);
-  robot_file_ = file;
-  robot_bodies_ = io::read_robot_bodies(*robot_, file, options.require_convex, left_out_, inputs, options.packages);
-  meshes_.insert(meshes_.end(), robot_bodies_.meshes.begin(), robot_bodies_.meshes.end());
-  take_unit("m");
-  for (io::LinkBody& body : robot_bodies_.bodies) {
-    bodies_.push_back(
-        {unused_name(robot_->links[body.link].name), files_.size() - 1, body.link, std::move(body.parts)});
+  CellRobot robot;
+  robot.file = files_.size() - 1;
+  robot.model = io::read_urdf(file, inputs);
+  if (has_robot()) {
+    const CellRobot& last = robots_.back();
+    robot.first_link = last.first_link + static_cast<std::uint32_t>(last.model.links.size());
+    robot.first_joint = last.first_joint + static_cast<std::uint32_t>(last.model.joints.size());
   }
+  io::RobotBodies read =
+      io::read_robot_bodies(robot.model, file, options.require_convex, left_out_, inputs, options.packages);
+  meshes_.insert(meshes_.end(), read.meshes.begin(), read.meshes.end());
+  take_unit("m");
+  for (io::LinkBody& body : read.bodies) {
+    const std::uint32_t link = robot.first_link + body.link;
+    bodies_.push_back({"", robot.file, link, std::move(body.parts)});
+    robot_bodies_.bodies.push_back({link, {}});
+  }
+  robots_.push_back(std::move(robot));
+  return std::move(read.told);
 }
 
 void Cell::add_scene(const CellOptions& options, InputFiles* inputs) {
@@ -167,9 +222,7 @@ void Cell::add_scene(const CellOptions& options, InputFiles* inputs) {
   auto all = io::read_scene_parts(scene, file, options.require_convex, left_out_, inputs, &meshes_, options.parts);
   const auto first = static_cast<std::uint32_t>(bodies_.size());
   for (std::size_t b = 0; b < all.size(); ++b) {
-    const std::string& name = scene.bodies[b].name;  // as in the file, unless another body has it
-    const bool is_taken = named(name, bodies_) != bodies_.end();
-    bodies_.push_back({is_taken ? unused_name(name) : name, files_.size() - 1, {}, std::move(all[b])});
+    bodies_.push_back({scene.bodies[b].name, files_.size() - 1, {}, std::move(all[b])});
   }
   for (const auto& [a, b] : scene.allowed) allowed_by_files_.push_back({{first + a, first + b}, io::one_line(file)});
   if (!scene.allowed.empty()) scene_files_.push_back(file);
@@ -187,17 +240,26 @@ void Cell::take_unit(const std::string& unit) {
 }
 
 std::vector<scene::Body> Cell::place(const std::map<std::string, double>& joints) const {
-  std::vector<solid::Pose> links;
-  if (robot_) {
-    links = io::link_poses(*robot_, joints);
+  std::vector<Affine3> links(robot_.links.size());
+  if (has_robot()) {
+    std::vector<std::string> names;
+    std::vector<double> values;
+    for (const auto& [name, value] : joints) {
+      names.push_back(name);
+      values.push_back(value);
+    }
+    io::RobotMotion(robot_, names).place(values, links);
   } else if (!joints.empty()) {
     (void)robot("joints");
   }
   std::vector<scene::Body> placed;
   for (const CellBody& body : bodies_) {
-    const solid::Pose& base = files_[body.file].pose;
     try {
-      placed.push_back(io::placed_body(body.name, body.parts, body.link ? compose(base, links[*body.link]) : base));
+      const Affine3 frame = body.link       ? link_frame(*body.link, links)
+                            : body.attached ? mounted(*body.attached, links, {})
+                                            : files_[body.file].pose.affine();
+      placed.push_back(
+          io::placed_body(body.name, body.parts, solid::Pose::from_matrix(frame.linear, frame.translation)));
     } catch (const Error& error) {
       throw Error(error.code(), error.what(), body.name);
     }
@@ -206,8 +268,8 @@ std::vector<scene::Body> Cell::place(const std::map<std::string, double>& joints
 }
 
 const io::Robot& Cell::robot(const std::string& place) const {
-  if (!robot_) fail_call("there is no robot to move; name a URDF file", place);
-  return *robot_;
+  if (!has_robot()) fail_call("there is no robot to move; name a URDF file", place);
+  return robot_;
 }
 
 bool Cell::is_hull(std::uint32_t body, std::uint32_t part) const {
@@ -225,19 +287,96 @@ std::vector<const io::BodyPart*> Cell::parts() const {
 std::uint32_t Cell::body_named(const std::string& name, const std::string& place) const {
   const auto found = named(name, bodies_);
   if (found != bodies_.end()) return static_cast<std::uint32_t>(found - bodies_.begin());
-  fail_call("no body is named " + io::quote(name) + "; bodies are " + names_of(bodies_), place);
+  fail_unknown("body", name, bodies_, place);
+}
+
+std::uint32_t Cell::link_named(const std::string& name, const std::string& place) const {
+  const auto found = named(name, robot(place).links);
+  if (found != robot_.links.end()) return static_cast<std::uint32_t>(found - robot_.links.begin());
+  fail_unknown("link", name, robot_.links, place);
+}
+
+// Pairs of bodies.
+std::vector<std::array<std::uint32_t, 2>> Cell::neighbours(const io::Robot& robot,
+                                                           const io::RobotBodies& bodies) const {
+  // Of all links, so that those on both sides of one that is left out are not taken for neighbours.
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  const auto body_of = [&](std::uint32_t of) -> std::optional<std::uint32_t> {
+    const std::uint32_t link = bodies.bodies[of].link;
+    return link < robot_.links.size() ? body_of_link(link) : attached_bodies()[link - robot_.links.size()];
+  };
+  for (const auto& [a, b] : io::adjacent_bodies(robot, bodies)) {
+    const auto body_a = body_of(a), body_b = body_of(b);
+    if (body_a && body_b) pairs.push_back({*body_a, *body_b});
+  }
+  return pairs;
+}
+
+// Those that are no links.
+std::vector<std::uint32_t> Cell::attached_bodies() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
+    if (bodies_[b].attached) all.push_back(b);
+  }
+  return all;
 }
 
 std::vector<AllowedPair> Cell::adjacent(const std::string& place) const {
-  if (!robot_) fail_call("there is no robot whose links could be adjacent; name a URDF file", place);
-  // Of all links, so that those on both sides of one that is left out are not taken for neighbours.
+  if (!has_robot()) fail_call("there is no robot whose links could be adjacent; name a URDF file", place);
   std::vector<AllowedPair> pairs;
-  for (const auto& [a, b] : io::adjacent_bodies(*robot_, robot_bodies_)) {
-    const auto body_a = body_of_link(robot_->links[robot_bodies_.bodies[a].link].name),
-               body_b = body_of_link(robot_->links[robot_bodies_.bodies[b].link].name);
-    if (body_a && body_b) pairs.push_back({{*body_a, *body_b}, "adjacent"});
+  for (const auto& bodies : neighbours(robot_, robot_bodies_)) pairs.push_back({bodies, "adjacent"});
+  return pairs;
+}
+
+std::vector<AllowedPair> Cell::attached() const {
+  io::Robot joined = robot_;
+  io::RobotBodies links = robot_bodies_;
+  const auto join = [&](std::uint32_t parent, std::uint32_t child) {
+    io::Joint& joint = joined.joints.emplace_back();
+    joint.parent = parent;
+    joint.child = child;
+  };
+  for (const CellRobot& robot : robots_) {
+    if (robot.attached) join(robot.attached->link, robot.first_link + robot.model.root);
+  }
+  for (const std::uint32_t body : attached_bodies()) {
+    const auto link = static_cast<std::uint32_t>(joined.links.size());
+    joined.links.emplace_back();
+    links.bodies.push_back({link, {}});
+    join(bodies_[body].attached->link, link);
+  }
+  const auto known = neighbours(robot_, robot_bodies_);
+  std::vector<AllowedPair> pairs;
+  for (const auto& bodies : neighbours(joined, links)) {
+    if (std::find(known.begin(), known.end(), bodies) == known.end()) pairs.push_back({bodies, "attached"});
   }
   return pairs;
+}
+
+void Cell::attach(const std::string& name, const std::string& link, const std::string& place,
+                  const std::optional<solid::Pose>& pose) {
+  const std::uint32_t to = link_named(link, place);
+  const auto set = [&](std::optional<Attachment>& attached, std::size_t file) {
+    if (attached) fail_call(io::quote(name) + " is attached to a link already; attach it to one", place);
+    attached = {to, pose.value_or(files_[file].pose)};
+  };
+  if (const auto body = named(name, bodies_); body != bodies_.end()) {
+    if (body->link) fail_call(io::quote(name) + " is a link; attach a mesh, a body of a scene file, or a robot", place);
+    set(body->attached, body->file);
+    return;
+  }
+  const std::size_t file = file_number(name, place);
+  for (CellBody& body : bodies_) {
+    if (body.file == file && !body.link) set(body.attached, file);
+  }
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    if (robots_[r].file != file) continue;
+    for (std::size_t on = robot_of_link_[to];; on = robot_of_link_[robots_[on].attached->link]) {
+      if (on == r) fail_call(io::quote(name) + " would hang on itself; attach it to a link of another robot", place);
+      if (!robots_[on].attached) break;
+    }
+    set(robots_[r].attached, file);
+  }
 }
 
 std::vector<AllowedPair> Cell::pairs_in(const std::string& file, InputFiles* inputs,
@@ -247,8 +386,9 @@ std::vector<AllowedPair> Cell::pairs_in(const std::string& file, InputFiles* inp
   for (const auto& [place, names] : io::read_name_pairs(file, inputs)) {
     bool both = true;
     for (const std::string& name : names) {
-      if (named(name, bodies_) != bodies_.end() || !is_link(name)) continue;
-      if (!is_outside(name)) add_once(name, shapeless);
+      const auto link = named(name, robot_.links);
+      if (named(name, bodies_) != bodies_.end() || link == robot_.links.end()) continue;
+      if (!is_outside(static_cast<std::uint32_t>(link - robot_.links.begin()))) add_once(name, shapeless);
       both = false;
     }
     if (both) pairs.push_back({{body_named(names[0], place), body_named(names[1], place)}, io::one_line(file)});
@@ -260,82 +400,15 @@ std::vector<AllowedPair> Cell::pairs_in(const std::string& file, InputFiles* inp
   return pairs;
 }
 
-bool Cell::is_link(const std::string& name) const {
-  return robot_ && named(name, robot_->links) != robot_->links.end();
+bool Cell::is_outside(std::uint32_t link) const {
+  return std::find(outside_.begin(), outside_.end(), link) != outside_.end();
 }
 
-bool Cell::is_outside(const std::string& name) const {
-  return std::find(outside_.begin(), outside_.end(), name) != outside_.end();
-}
-
-std::optional<std::uint32_t> Cell::body_of_link(const std::string& name) const {
+std::optional<std::uint32_t> Cell::body_of_link(std::uint32_t link) const {
   for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-    if (bodies_[b].link && robot_->links[*bodies_[b].link].name == name) return b;
+    if (bodies_[b].link == link) return b;
   }
   return std::nullopt;
-}
-
-std::vector<AllowedPair> Cell::disabled(const io::Srdf& srdf, const std::string& file, const std::string& place,
-                                        std::vector<std::string>& remarks) const {
-  if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", place);
-  std::set<std::array<std::uint32_t, 2>> known;
-  std::vector<AllowedPair> pairs;
-  std::vector<io::Srdf::Pair> taken;
-  std::vector<std::string> shapeless, unknown;
-  for (const io::Srdf::Pair& pair : srdf.disabled) {
-    std::array<std::optional<std::uint32_t>, 2> both;
-    for (std::size_t i = 0; i < 2; ++i) {
-      both[i] = body_of_link(pair.links[i]);
-      if (both[i] || is_outside(pair.links[i])) continue;
-      add_once(pair.links[i], is_link(pair.links[i]) ? shapeless : unknown);
-    }
-    if (!both[0] || !both[1]) continue;
-    if (!known.insert({std::min(*both[0], *both[1]), std::max(*both[0], *both[1])}).second) continue;
-    taken.push_back(pair);
-    pairs.push_back({{std::min(*both[0], *both[1]), std::max(*both[0], *both[1])},
-                     pair.reason.empty() ? "without a reason" : pair.reason});
-  }
-  const std::string shown = io::one_line(file);
-  remarks.push_back(fmt::format("{} allows {}", shown, io::reasons_text(taken)));
-  if (!shapeless.empty()) {
-    remarks.push_back(fmt::format("{}: pairs of links without a shape are passed over: {}", shown, listed(shapeless)));
-  }
-  if (!unknown.empty()) {
-    remarks.push_back(
-        fmt::format("{}: pairs of links that the robot does not have are passed over: {}", shown, listed(unknown)));
-  }
-  std::sort(pairs.begin(), pairs.end(), [](const AllowedPair& p, const AllowedPair& q) { return p.bodies < q.bodies; });
-  return pairs;
-}
-
-void Cell::keep_groups(const io::Srdf& srdf, std::span<const std::string> names, const std::string& place,
-                       std::vector<std::string>& remarks) {
-  if (!robot_) fail_call("there is no robot that this could be about; name a URDF file", place);
-  const std::vector<std::uint32_t> links = io::group_links(srdf, *robot_, names, place, remarks);
-  std::vector<io::LeftOut> left_out;
-  std::vector<std::uint32_t> numbers(bodies_.size());  // of the bodies that stay
-  std::uint32_t kept = 0, kept_links = 0;
-  for (std::uint32_t b = 0; b < bodies_.size(); ++b) {
-    CellBody& body = bodies_[b];
-    if (body.link && !std::binary_search(links.begin(), links.end(), *body.link)) {
-      left_out.push_back({"shape", body.name, body.parts.size()});
-      outside_.push_back(robot_->links[*body.link].name);
-      continue;
-    }
-    if (body.link) ++kept_links;
-    numbers[b] = kept;
-    if (kept != b) bodies_[kept] = std::move(body);
-    ++kept;
-  }
-  if (kept_links == 0) fail_call("no link of the group has a shape, so there is nothing to ask about", place);
-  bodies_.resize(kept);
-  for (AllowedPair& pair : allowed_by_files_) {  // of bodies of scene files, which stay
-    for (std::uint32_t& body : pair.bodies) body = numbers[body];
-  }
-  const auto all = static_cast<std::uint32_t>(kept_links + left_out.size());
-  remarks.push_back(fmt::format("of the robot {} of {} links with shapes are asked about, those of {} {}", kept_links,
-                                all, place, fmt::join(names, ", ")));
-  tell(left_out);
 }
 
 }  // namespace sunder::robot

@@ -6,8 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,27 +88,28 @@ TEST(Cell, HasWhatItsFilesHave) {
 TEST(Cell, TellsWhatAnSrdfAllows) {
   Names remarks;
   Cell cell(std::vector<CellFile>{{arm_file}}, {.leave_out = true});
-  const io::Srdf srdf = io::read_srdf(srdf_file);
-  EXPECT_EQ(words_of(cell, cell.disabled(srdf, "arm.srdf", "--srdf", remarks)),
-            (Names{"base upper Adjacent", "base lower Never"}));
+  cell.add_srdf(io::read_srdf(srdf_file), "arm.srdf", "", "--srdf");
+  EXPECT_EQ(words_of(cell, cell.disabled(remarks)), (Names{"base upper Adjacent", "base lower Never"}));
   EXPECT_EQ(remarks, (Names{"arm.srdf allows 2 pairs: 1 Adjacent, 1 Never",
                             "arm.srdf: pairs of links without a shape are passed over: tool, finger",
                             "arm.srdf: pairs of links that the robot does not have are passed over: gone"}));
 
-  const io::Srdf twice = io::parse_srdf(
+  Cell other(std::vector<CellFile>{{arm_file}}, {.leave_out = true});
+  io::Srdf twice = io::parse_srdf(
       "<robot name='arm'><disable_collisions link1='base' link2='lower'/>"
       "<disable_collisions link1='lower' link2='base' reason='Never'/></robot>",
       "s");
-  EXPECT_EQ(words_of(cell, cell.disabled(twice, "s", "--srdf", remarks)), (Names{"base lower without a reason"}));
+  other.add_srdf(std::move(twice), "s", "", "--srdf");
+  EXPECT_EQ(words_of(other, other.disabled(remarks)), (Names{"base lower without a reason"}));
 
   remarks.clear();
-  cell.keep_groups(srdf, Names{"upper_arm"}, "--group", remarks);
+  cell.keep_groups(Names{"upper_arm"}, "--group", remarks);
   EXPECT_EQ(body_names(cell), (Names{"upper", "lower"}));
   EXPECT_EQ(remarks, (Names{"of the robot 2 of 3 links with shapes are asked about, those of --group upper_arm"}));
   EXPECT_EQ(cell.left_out().texts(), (Names{"1 ellipsoid of base", "1 shape of base"}));
-  EXPECT_EQ(words_of(cell, cell.disabled(srdf, "arm.srdf", "--srdf", remarks)), Names{});
+  EXPECT_EQ(words_of(cell, cell.disabled(remarks)), Names{});
   EXPECT_EQ(words_of(cell, cell.adjacent("")), (Names{"upper lower adjacent"}));
-  EXPECT_EQ(cell_error([&] { cell.keep_groups(srdf, Names{"hand"}, "--group", remarks); }),
+  EXPECT_EQ(cell_error([&] { cell.keep_groups(Names{"hand"}, "--group", remarks); }),
             "--group: no link of the group has a shape, so there is nothing to ask about");
 }
 
@@ -116,7 +120,8 @@ TEST(Cell, GroupsKeepWhatFilesAllow) {
   Cell cell(std::vector<CellFile>{{arm_file}, {scene.string()}}, {.leave_out = true});
   const Names allowed{"floor post " + scene.string()};
   EXPECT_EQ(words_of(cell, cell.allowed_by_files()), allowed);
-  cell.keep_groups(io::read_srdf(srdf_file), Names{"upper_arm"}, "--group", remarks);
+  cell.add_srdf(io::read_srdf(srdf_file), srdf_file, "", "--srdf");
+  cell.keep_groups(Names{"upper_arm"}, "--group", remarks);
   EXPECT_EQ(body_names(cell), (Names{"upper", "lower", "floor", "post"}));
   EXPECT_EQ(words_of(cell, cell.allowed_by_files()), allowed);
 }
@@ -170,6 +175,130 @@ TEST(Cell, PlacesRowsAsValuesByName) {
       cell_error([&] { (void)cell.file_named("leg", "--pose"); }).starts_with("--pose: nothing is named 'leg'"));
 }
 
+// Two of one kind, and a third one: what several have is named after its robot, in whatever order they come.
+TEST(Cell, HasSeveralRobots) {
+  const fs::path tool = write_file("tool.urdf",
+                                   "<robot name='tool'><link name='lower'><collision><geometry><sphere radius='1'/>"
+                                   "</geometry></collision></link><link name='jaw'/><joint name='grasp' "
+                                   "type='continuous'><parent link='lower'/><child link='jaw'/></joint></robot>");
+  Names remarks;
+  const solid::Pose aside = solid::Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {50, 0, 0});
+  Cell cell(std::vector<CellFile>{{arm_file, "left"}, {arm_file, "right", aside}, {tool.string()}},
+            {.leave_out = true});
+  EXPECT_EQ(body_names(cell),
+            (Names{"left/base", "left/upper", "left/lower", "right/base", "right/upper", "right/lower", "tool/lower"}));
+  EXPECT_EQ(cell.left_out().texts(), Names{"2 ellipsoids of base"});
+  const Names joints = io::movable_joints(cell.robot(""));
+  EXPECT_EQ(std::set<std::string>(joints.begin(), joints.end()),
+            (std::set<std::string>{"left/shoulder", "left/elbow", "left/slide", "right/shoulder", "right/elbow",
+                                   "right/slide", "grasp"}));
+  EXPECT_EQ(words_of(cell, cell.adjacent("")),
+            (Names{"left/base left/upper adjacent", "left/upper left/lower adjacent", "right/base right/upper adjacent",
+                   "right/upper right/lower adjacent"}));
+
+  // Each moves by its own values, as it does alone.
+  Cell alone(std::vector<CellFile>{{arm_file, "arm", aside}}, {.leave_out = true});
+  const std::vector<scene::Body> both = cell.place({{"left/elbow", -2}, {"right/elbow", -1.5}, {"right/slide", 1}}),
+                                 one = alone.place({{"elbow", -1.5}, {"slide", 1}});
+  for (std::size_t b = 0; b < one.size(); ++b) {
+    EXPECT_EQ(both[3 + b].parts[0].pose.affine(), one[b].parts[0].pose.affine());
+  }
+  EXPECT_NE(both[2].parts[0].pose.affine().linear, both[5].parts[0].pose.affine().linear);
+  EXPECT_EQ(cell_error([&] { (void)cell.place({{"elbow", -2}}); }),
+            "joint 'elbow': the robots have no joint of this name, but left/elbow and right/elbow; give one of these");
+  EXPECT_EQ(cell_error([&] { (void)cell.body_named("upper", "--allow"); }),
+            "--allow: no body is named 'upper', but left/upper and right/upper; give one of these");
+
+  // An SRDF is about the robots that it names, or about the one that the call names.
+  cell.add_srdf(io::read_srdf(srdf_file), "arm.srdf", "", "--srdf");
+  EXPECT_EQ(words_of(cell, cell.disabled(remarks)),
+            (Names{"left/base left/upper Adjacent", "left/base left/lower Never", "right/base right/upper Adjacent",
+                   "right/base right/lower Never"}));
+  EXPECT_EQ(remarks[0], "arm.srdf allows 4 pairs: 2 Adjacent, 2 Never");
+  using Values = std::map<std::string, double>;
+  EXPECT_EQ(cell.state("right/up", "--state", remarks).values, (Values{{"right/elbow", -1.5}, {"right/shoulder", 1}}));
+  EXPECT_EQ(cell.state("up, left/hand/open", "--state", remarks).values, (Values{{"left/elbow", -1.5},
+                                                                                 {"left/shoulder", 1},
+                                                                                 {"left/slide", 1.5},
+                                                                                 {"right/elbow", -1.5},
+                                                                                 {"right/shoulder", 1}}));
+  EXPECT_TRUE(cell_error([&] {
+                (void)cell.state("tool/up", "--state", remarks);
+              }).starts_with("--state: no SRDF is given that could have 'tool/up'"));
+  EXPECT_TRUE(cell_error([&] { (void)cell.state("down", "--state", remarks); }).starts_with("--state: there is no st"));
+  io::Srdf crane;
+  crane.name = "crane";
+  EXPECT_EQ(cell_error([&] { cell.add_srdf(crane, "c.srdf", "", "--srdf"); }),
+            "--srdf: c.srdf is about the robot 'crane', and no URDF file has this name; give NAME=c.srdf, where names "
+            "are left, right, tool");
+  EXPECT_EQ(cell_error([&] { cell.add_srdf(crane, "c.srdf", "up", "--srdf"); }),
+            "--srdf: no robot is named 'up'; robots are left, right, tool");
+  remarks.clear();
+  cell.keep_groups(Names{"right/upper_arm"}, "--group", remarks);
+  EXPECT_EQ(body_names(cell),
+            (Names{"left/base", "left/upper", "left/lower", "right/upper", "right/lower", "tool/lower"}));
+  EXPECT_EQ(remarks, (Names{"of right 2 of 3 links with shapes are asked about, those of --group right/upper_arm"}));
+
+  const Cell unnamed(std::vector<CellFile>{{arm_file}, {arm_file}}, {.leave_out = true});
+  EXPECT_EQ(unnamed.robots()[1].name, "arm#2");
+}
+
+// What is attached moves with its link, in every placement, and may meet what holds it.
+TEST(Cell, AttachesToLinks) {
+  const fs::path scene = write_file("cell_parts.json", scene_of("m", "lid"));
+  const std::string cube = (cases / "mesh" / "cube.obj").string();
+  const fs::path tool = write_file("cell_hand.urdf",
+                                   "<robot name='tool'><link name='mount'/><link name='palm'><collision><geometry>"
+                                   "<sphere radius='1'/></geometry></collision></link><joint name='turn' "
+                                   "type='continuous'><parent link='mount'/><child link='palm'/></joint></robot>");
+  const solid::Pose ahead = solid::Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 2});
+  Cell cell(std::vector<CellFile>{{arm_file, "arm", solid::Pose::from_quaternion(1, 2, 3, 4, {5, 6, 7})},
+                                  {cube, "cup", ahead},
+                                  {scene.string(), "parts"},
+                                  {tool.string(), "hand", ahead}},
+            {.leave_out = true});
+  cell.attach("cup", "lower", "--attach");
+  cell.attach("hand", "tool", "--attach");
+  cell.attach("lid", "palm", "--attach", ahead);
+  EXPECT_EQ(words_of(cell, cell.attached()), (Names{"lower palm attached", "lower cup attached", "palm lid attached"}));
+  EXPECT_EQ(words_of(cell, cell.adjacent("")), (Names{"base upper adjacent", "upper lower adjacent"}));
+
+  const std::map<std::string, double> values{{"shoulder", 0.25}, {"elbow", -2}, {"slide", 1}, {"turn", 3}};
+  const std::vector<scene::Body> placed = cell.place(values);
+  std::vector<Affine3> links(cell.robot("").links.size());
+  io::RobotMotion(cell.robot(""), Names{"shoulder", "elbow", "slide", "turn"})
+      .place(std::vector<double>{0.25, -2, 1, 3}, links);
+  const auto moved = [&](const char* link, const solid::Pose& by) {
+    const auto& all = cell.robot("").links;
+    const auto number = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.name == link; });
+    const Affine3 frame = cell.link_frame(static_cast<std::uint32_t>(number - all.begin()), links);
+    return compose(solid::Pose::from_matrix(frame.linear, frame.translation), by).affine();
+  };
+  EXPECT_EQ(placed[cell.body_named("cup", "")].parts[0].pose.affine(), moved("lower", ahead));
+  EXPECT_EQ(moved("mount", {}), moved("tool", ahead));
+  EXPECT_EQ(placed[cell.body_named("palm", "")].parts[0].pose.affine(), moved("palm", {}));
+  EXPECT_EQ(placed[cell.body_named("lid", "")].parts[0].pose.affine(), moved("palm", ahead));
+  EXPECT_EQ(placed[cell.body_named("post", "")].parts[0].pose.affine(), solid::Pose().affine()) << "it stands";
+
+  const Names joints{"turn", "shoulder", "slide", "elbow"};
+  const std::vector<double> row{3, 0.25, 1, -2};
+  const Rows rows(cell, joints, row, 1);
+  RowBodies by_row(rows, cell.place());
+  for (std::size_t b = 0; b < placed.size(); ++b) {
+    EXPECT_EQ(by_row.at(0)[b].parts[0].pose.affine(), placed[b].parts[0].pose.affine()) << placed[b].name;
+  }
+
+  const auto error = [&](const char* name, const char* link) {
+    return cell_error([&] { cell.attach(name, link, "--attach"); });
+  };
+  EXPECT_EQ(error("cup", "base"), "--attach: 'cup' is attached to a link already; attach it to one");
+  EXPECT_EQ(error("upper", "base"), "--attach: 'upper' is a link; attach a mesh, a body of a scene file, or a robot");
+  EXPECT_EQ(error("arm", "palm"), "--attach: 'arm' would hang on itself; attach it to a link of another robot");
+  EXPECT_EQ(error("hand", "palm"), "--attach: 'hand' would hang on itself; attach it to a link of another robot");
+  EXPECT_TRUE(error("post", "wrist").starts_with("--attach: no link is named 'wrist'; links are base, upper,"));
+  EXPECT_TRUE(error("pot", "base").starts_with("--attach: nothing is named 'pot'; names are arm, cup"));
+}
+
 TEST(Cell, RefusesWhatCannotBeOne) {
   Names remarks;
   const auto error = [&](const std::vector<CellFile>& files, const CellOptions& options = {}) {
@@ -178,7 +307,6 @@ TEST(Cell, RefusesWhatCannotBeOne) {
   const std::string feet = write_file("cell_feet.json", scene_of("ft", "floor")).string();
   const std::string crane = (cases / "scene" / "primitives.urdf").string();
   EXPECT_EQ(error({{crane}, {feet}}), feet + ": is in ft, but '" + crane + "' is in m; scale one of them");
-  EXPECT_EQ(error({{crane}, {crane}}), crane + ": a second robot; give one URDF file in a call");
   EXPECT_NE(error({{arm_file}}).find("--leave-out"), std::string::npos);
   const std::string bare = write_file("cell_bare.urdf", "<robot name='r'><link name='a'/></robot>").string();
   EXPECT_TRUE(error({{bare}}).starts_with(bare + ": no link has a shape"));
@@ -190,7 +318,7 @@ TEST(Cell, RefusesWhatCannotBeOne) {
   EXPECT_EQ(still.place().size(), 2u);
   for (const std::string& text :
        {cell_error([&] { (void)still.place({{"j", 0}}); }), cell_error([&] { (void)still.adjacent("joints"); }),
-        cell_error([&] { (void)still.disabled({}, "", "joints", remarks); })}) {
+        cell_error([&] { Cell(still).add_srdf({}, "", "", "joints"); })}) {
     EXPECT_TRUE(text.starts_with("joints: there is no robot")) << text;
   }
 }

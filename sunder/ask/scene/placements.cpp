@@ -406,6 +406,7 @@ std::string header_line(const robot::Cell& cell, const scene::Question& question
   json["allowed_pairs"] = Json::array();
   for (const auto& [a, b] : question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
   json["allowed_reasons"] = allowed_json(allowed);
+  if (Json attached = attached_json(cell); !attached.empty()) json["attached"] = std::move(attached);
   if (!cell.left_out().empty()) json["left_out"] = to_json(cell.left_out());
   if (!call.meeting_certificate.empty()) json["not_proved"] = not_proved(call);
   return json.on_one_line() + "\n";

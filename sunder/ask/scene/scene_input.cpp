@@ -28,18 +28,26 @@ bool is_there(const std::string& file) {
 
 }  // namespace
 
+FileWord file_word(const std::string& word) {
+  FileWord of{"", word, ""};
+  if (const std::size_t at = word.rfind('@'); at != std::string::npos && !is_there(word)) {
+    of.file = word.substr(0, at);
+    of.pose = word.substr(at + 1);
+  }
+  const std::size_t equals = of.file.find('=');
+  if (equals == std::string::npos || equals == 0 || is_there(of.file)) return of;
+  const std::string name = of.file.substr(0, equals);
+  if (name.find('/') != std::string::npos) return of;
+  return {io::one_line(name), of.file.substr(equals + 1), of.pose};
+}
+
 robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const std::vector<std::string>& poses,
                       const robot::CellOptions& options, InputFiles* inputs) {
   std::vector<robot::CellFile> named;
   for (const std::string& word : files) {
-    std::string file = word;
-    solid::Pose pose;
-    const std::size_t at = word.rfind('@');
-    if (at != std::string::npos && !is_there(word)) {
-      file = word.substr(0, at);
-      pose = parse_pose(std::string_view(word).substr(at + 1), io::one_line(word));
-    }
-    named.push_back({file, io::one_line(fs::path(file).stem().string()), pose});
+    const FileWord of = file_word(word);
+    named.push_back({of.file, of.name.empty() ? io::one_line(fs::path(of.file).stem().string()) : of.name,
+                     of.pose.empty() ? solid::Pose() : parse_pose(of.pose, io::one_line(word))});
   }
   robot::Cell cell =
       noting(talk, [&](std::vector<std::string>& remarks) { return robot::Cell(named, options, inputs, &remarks); });
@@ -51,6 +59,28 @@ robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const s
     file.pose = parse_pose(std::string_view(text).substr(equals + 1), "--pose " + io::one_line(name));
   }
   return cell;
+}
+
+void attach(const std::vector<std::string>& words, robot::Cell& cell) {
+  const std::string place = "--attach";
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('='), at = word.find('@', equals);
+    if (equals == std::string::npos) fail_call(io::quote(word) + " is not of the form NAME=LINK", place);
+    const std::string link = word.substr(equals + 1, at == std::string::npos ? at : at - equals - 1);
+    std::optional<solid::Pose> pose;
+    if (at != std::string::npos) pose = parse_pose(std::string_view(word).substr(at + 1), place);
+    cell.attach(word.substr(0, equals), link, place, pose);
+  }
+}
+
+Json attached_json(const robot::Cell& cell) {
+  Json json = Json::array();
+  const auto add = [&](const std::string& name, const std::optional<robot::Attachment>& attached) {
+    if (attached) json.push_back({{"name", name}, {"link", cell.robot("").links[attached->link].name}});
+  };
+  for (const robot::CellRobot& robot : cell.robots()) add(robot.name, robot.attached);
+  for (const robot::CellBody& body : cell.bodies()) add(body.name, body.attached);
+  return json;
 }
 
 std::vector<AllowedPair> allowed_by_word(Talk& talk, const robot::Cell& cell, const std::string& word,

@@ -15,10 +15,23 @@
 
 namespace sunder::ask {
 
-// Each name is a file, or FILE@POSE. poses: "NAME=POSE" each, NAME that of a file without folder and ending. inputs: as
-// of io::read_file. Notes what the cell remarks. Throws Error.
+// A word of a call that names a file: FILE, FILE@POSE, NAME=FILE or NAME=FILE@POSE. The whole, or what is before the last
+// '@', is the file where there is one of this name.
+struct FileWord {
+  std::string name, file, pose;  // name, pose: empty where none is given
+};
+FileWord file_word(const std::string& word);
+
+// Each file is as of file_word; its name is, where none is given, that of the file without folder and ending. poses:
+// "NAME=POSE" each. inputs: as of io::read_file. Notes what the cell remarks. Throws Error.
 robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const std::vector<std::string>& poses,
                       const robot::CellOptions& options, InputFiles* inputs);
+
+// "NAME=LINK" or "NAME=LINK@POSE" each (Cell::attach). Throws Error.
+void attach(const std::vector<std::string>& words, robot::Cell& cell);
+
+// What is attached: [{"name": "gripper", "link": "tool0"}, ..]
+Json attached_json(const robot::Cell& cell);
 
 // Pairs of bodies out of a word of --allow: "adjacent", "NAME,NAME", or a file with two names a line. Throws Error.
 std::vector<AllowedPair> allowed_by_word(Talk& talk, const robot::Cell& cell, const std::string& word,

@@ -417,6 +417,8 @@ Json scene_json(const Talk& talk, const SceneReport& report) {
   if (!report.cell.left_out().empty()) json["left_out"] = to_json(report.cell.left_out());
   if (!report.cell.unit().empty()) json["unit"] = report.cell.unit();
 
+  if (Json attached = attached_json(report.cell); !attached.empty()) json["attached"] = std::move(attached);
+
   json["bodies"] = Json::array();
   const std::vector<scene::Body>& bodies = report.placements.front().bodies;
   std::size_t object = 0;

@@ -29,8 +29,8 @@ namespace {
 struct SceneCall : QuestionCall {
   SceneCall() { svg_limit = 200'000; }  // facets
 
-  std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links;
-  std::string srdf, gltf;
+  std::vector<std::string> files, poses, joints, joints_files, allow, states, packages, groups_of_links, srdf, attach;
+  std::string gltf;
   bool classify = false;
   bool check_allowed = false, no_check_allowed = false;
   bool groups = false;
@@ -49,9 +49,9 @@ bool wants_lines(const SceneCall& call) {
   return !call.json && !call.proves() && call.svg.empty() && call.gltf.empty();
 }
 
-// table: what --placements names, to be held; srdf, cell: for --state.
+// table: what --placements names, to be held; cell: for --state.
 std::vector<io::JointValues> joints_of(Talk& talk, const SceneCall& call, const io::JointTable& table,
-                                       const io::Srdf& srdf, const robot::Cell& cell, InputFiles* inputs) {
+                                       const robot::Cell& cell, InputFiles* inputs) {
   if (table.rows() > most_held) {
     throw Error(ErrorCode::bad_call,
                 fmt::format("{} are too many for --json, --certificate and --svg, which hold at most {}; leave these "
@@ -63,8 +63,7 @@ std::vector<io::JointValues> joints_of(Talk& talk, const SceneCall& call, const 
   for (const std::string& file : call.joints_files) all.push_back(io::read_joint_values(file, inputs));
   for (const std::string& text : call.joints) all.push_back(io::parse_joint_values(text, "--joints"));
   for (const std::string& text : call.states) {
-    const io::Robot& robot = cell.robot("--state");
-    all.push_back(noting(talk, [&](auto& remarks) { return io::state_values(srdf, robot, text, "--state", remarks); }));
+    all.push_back(noting(talk, [&](auto& remarks) { return cell.state(text, "--state", remarks); }));
   }
   if (all.empty()) all.emplace_back();
   note_limits(talk, cell, all);
@@ -170,20 +169,26 @@ Report run(const SceneCall& call, Talk& talk) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
-  const io::Srdf srdf = call.srdf.empty() ? io::Srdf{} : io::read_srdf(call.srdf, inputs);
+  std::vector<io::Srdf> srdfs;
+  for (const std::string& word : call.srdf) srdfs.push_back(io::read_srdf(file_word(word).file, inputs));
   robot::Cell cell = read_cell(talk, call.files, call.poses,
                                {call.require_convex, call.leave_out, packages_of(talk, call.packages),
                                 call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects},
                                inputs);
+  for (std::size_t k = 0; k < srdfs.size(); ++k) {
+    const FileWord word = file_word(call.srdf[k]);
+    cell.add_srdf(std::move(srdfs[k]), word.file, word.name, "--srdf");
+  }
+  attach(call.attach, cell);
   if (!call.groups_of_links.empty()) {
-    noting(talk, [&](auto& remarks) { cell.keep_groups(srdf, call.groups_of_links, "--group", remarks); });
+    noting(talk, [&](auto& remarks) { cell.keep_groups(call.groups_of_links, "--group", remarks); });
   }
   require_apart(talk, call, cell);
   io::JointTable table;
   if (!call.placements.table.empty()) table = read_placements(talk, call.placements, cell, inputs);
   const bool is_by_lines = table.rows() > 0 && wants_lines(call);
   std::vector<io::JointValues> placements;
-  if (!is_by_lines) placements = joints_of(talk, call, table, srdf, cell, inputs);
+  if (!is_by_lines) placements = joints_of(talk, call, table, cell, inputs);
   require_drawable(call, cell, placements.size());
 
   SceneReport report{cell, call.method};
@@ -199,12 +204,9 @@ Report run(const SceneCall& call, Talk& talk) {
       report.allowed_because.push_back(word);
     }
   }
-  if (!call.srdf.empty()) {
-    add_allowed(noting(talk, [&](auto& remarks) { return cell.disabled(srdf, call.srdf, "--srdf", remarks); }),
-                report.allowed);
-    report.allowed_because.push_back(call.srdf);
-  }
-  add_allowed(cell.allowed_by_files(), report.allowed);
+  add_allowed(noting(talk, [&](auto& remarks) { return cell.allowed(remarks); }), report.allowed);
+  for (const std::string& word : call.srdf) report.allowed_because.push_back(file_word(word).file);
+  if (!call.attach.empty()) report.allowed_because.emplace_back("attached");
   question.allowed = bodies_of(report.allowed);
   for (const std::string& file : cell.scene_files()) report.allowed_because.push_back(io::one_line(file));
   report.clearance = clearance_question(talk, call.clearance, cell, question.allowed);
@@ -270,20 +272,29 @@ Verb scene_verb() {
       codes_of_sets,
       {{"FILE", &call->files,
         "a mesh (one body; the objects in the file are its parts), a scene (JSON: named bodies made of parts), or a "
-        "robot (URDF: its links are the bodies; at most one robot). FILE@POSE also sets the pose",
+        "robot (URDF: its links are the bodies). FILE@POSE also sets the pose, and NAME=FILE the name (default: the "
+        "file's name without folder and ending). Links and joints that several robots have are named ROBOT/LINK and "
+        "ROBOT/JOINT",
         "", true},
        {"--pose", &call->poses,
         std::string("set the pose of the file NAME (its name without folder and ending): ") + pose_forms, "NAME=POSE"},
+       {"--attach", &call->attach,
+        "move NAME (a mesh, a body or all bodies of a scene file, or a robot) with this link of a robot; its pose is "
+        "then "
+        "in the frame of the link. The two may meet",
+        "NAME=LINK[@POSE]"},
        {"--joints", &call->joints,
         "joint values of the robot: name=value,... or LABEL:name=value,... (radians, or metres for sliding joints). "
         "Each --joints is one placement",
         "VALUES"},
        {"--joints-file", &call->joints_files, "the same from a file, one joint on each line", "FILE"},
        {"--srdf", &call->srdf,
-        "read this SRDF file: the pairs that it disables may meet, and --state and --group use its names", "FILE"},
+        "read this SRDF file: the pairs that it disables may meet, and --state and --group use its names. Of several "
+        "robots it is about those whose URDF has its robot's name; NAME=FILE is about the robot NAME",
+        "FILE"},
        {"--state", &call->states,
-        "use the joint values of this state of --srdf: NAME, GROUP/NAME, or several separated by commas", "NAME", false,
-        "--srdf"},
+        "use the joint values of this state of --srdf: NAME, GROUP/NAME, ROBOT/NAME, or several separated by commas",
+        "NAME", false, "--srdf"},
        {"--group", &call->groups_of_links, "ask only about the links of this group of --srdf", "NAME", false, "--srdf"},
        package_option(call->packages),
        {.name = "--placements",

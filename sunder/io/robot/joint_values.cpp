@@ -3,6 +3,7 @@
 #include <sunder/io/text/text.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -77,6 +78,14 @@ std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(
     pairs.push_back({place, {line.substr(0, between), line.substr(second)}});
   }
   return pairs;
+}
+
+std::string longer_names(const std::string& name, std::span<const std::string> names) {
+  std::vector<std::string> longer;
+  for (const std::string& each : names) {
+    if (each.ends_with("/" + name)) longer.push_back(each);
+  }
+  return longer.size() < 2 ? "" : fmt::format("{}", fmt::join(longer, " and "));
 }
 
 }  // namespace sunder::io

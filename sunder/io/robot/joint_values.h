@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,5 +31,8 @@ JointValues read_joint_values(const std::string& file, InputFiles* inputs = null
 // "FILE:7". inputs: as of read_file. Throws Error.
 std::vector<std::pair<std::string, std::array<std::string, 2>>> read_name_pairs(const std::string& file,
                                                                                 InputFiles* inputs = nullptr);
+
+// The names that end in "/name", where there are several, as of several robots: "left/base and right/base"; else nothing.
+std::string longer_names(const std::string& name, std::span<const std::string> names);
 
 }  // namespace sunder::io

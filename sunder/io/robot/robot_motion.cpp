@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/io/robot/joint_values.h>
 #include <sunder/io/robot/robot_motion.h>
 #include <sunder/io/text/text.h>
 #include <sunder/solid/object/affine_product.h>
@@ -66,6 +67,8 @@ std::string no_such_joint(const Robot& robot, const std::string& name) {
         "pi / 180) for {}",
         quote(joint));
   }
+  const std::string longer = longer_names(name, known);
+  if (!longer.empty()) return fmt::format("the robots have no joint of this name, but {}; give one of these", longer);
   std::string names;
   for (std::size_t k = 0; k < std::min(most, known.size()); ++k) names += (k == 0 ? "" : ", ") + known[k];
   if (known.size() > most) names += fmt::format(" and {} more (see sunder info)", known.size() - most);
@@ -75,8 +78,12 @@ std::string no_such_joint(const Robot& robot, const std::string& name) {
 
 }  // namespace
 
-RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints)
-    : joints_(robot.joints), root_(robot.root) {
+RobotMotion::RobotMotion(const Robot& robot, std::span<const std::string> joints) : joints_(robot.joints) {
+  std::vector<bool> is_child(robot.links.size());
+  for (const Joint& joint : joints_) is_child[joint.child] = true;
+  for (std::uint32_t link = 0; link < is_child.size(); ++link) {
+    if (!is_child[link]) roots_.push_back(link);
+  }
   for (const Joint& joint : joints_) {
     origins_.push_back(solid::affine_product(origin_pose(joint.origin).affine(), {}));
     rest_.push_back(joint.type == JointType::fixed ? 0 : std::clamp(0.0, joint.lower, joint.upper));
@@ -134,7 +141,7 @@ void RobotMotion::place(std::span<const double> values, std::span<Affine3> links
   std::vector<double> of_many(joints_.size() > usual ? joints_.size() : 0);
   const std::span<double> all = of_many.empty() ? std::span<double>(of_few).first(joints_.size()) : std::span(of_many);
   fill(values, all);
-  links[root_] = {};
+  for (const std::uint32_t root : roots_) links[root] = {};
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const Joint& joint = joints_[i];
     const Affine3 motion =

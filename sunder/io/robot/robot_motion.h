@@ -27,11 +27,11 @@ namespace sunder::io {
 class RobotMotion {
  public:
   // joints: those that values are given for, in the order of the values; each once. Keeps what it needs of the robot.
-  // Requires a robot with the properties U1 to U4 of urdf.h. Throws Error bad_call that names the joint: there is none
+  // Requires a robot with the properties U1 to U4 of urdf.h, or several of them one after the other, each a tree. Throws Error bad_call that names the joint: there is none
   // of this name, it is fixed, or it follows another one.
   RobotMotion(const Robot& robot, std::span<const std::string> joints);
 
-  // The maps of all links in the frame of the root link, in the order of robot.links; limits are not looked at.
+  // The maps of all links, each in the frame of its root link, in the order of robot.links; limits are not looked at.
   // Requires as many values as joints, and as many maps as links. Allocates nothing for robots of up to 64 joints.
   // Throws Error bad_call where a value is not finite, or a mimic's value overflows, bad_pose where a map does, naming
   // the joint. All numbers of the maps are finite. A map is a product of rotations up to rounding; the constructor of a
@@ -52,7 +52,7 @@ class RobotMotion {
   std::vector<double> rest_;           // values of joints that none is given for
   std::vector<std::uint32_t> given_;   // of each value its joint
   std::vector<std::uint32_t> mimics_;  // joints that follow others, after those that they follow
-  std::uint32_t root_ = 0;             // the link that hangs on none
+  std::vector<std::uint32_t> roots_;   // the links that hang on none
 };
 
 // The poses of all links for these values by name, as RobotMotion has them. Throws Error as it does.
