@@ -137,7 +137,7 @@ struct Arm {
     asked.threads = threads;
     sunder::ask::Talk talk({});
     const sunder::io::JointTable table = read_placements(talk, asked, cell, nullptr);
-    return answer_placements(talk, asked, cell, question, table).meeting;
+    return sunder::ask::answer_placements({talk, asked, cell, question, {}, table, {}, {}}).meeting;
   }
 };
 
@@ -254,7 +254,6 @@ void conclude(const Arm& arm, const std::vector<Row>& rows, std::vector<std::str
 }  // namespace bench
 
 int main(int argc, char** argv) {
-  sunder::ask::be_quiet();
   const auto arm = std::make_shared<bench::Arm>();
   bench::Program program;
   program.name = "bench_placements";

@@ -35,7 +35,7 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "hull left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
+    "": "attached hull left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "

@@ -50,7 +50,7 @@ MUTANTS = [
     (SCENE, "if (pair.counts) ++meeting;", "++meeting;", "scene:Scene files"),
     (SCENE, '.push_back({bodies[a].name, bodies[b].name})', '.push_back({bodies[b].name, bodies[a].name})', "scene:Scene files"),
     ("sunder/ask/scene/placements.cpp", "if (beyond == 0) return;", "if (beyond < 5) return;", "placements:Say"),
-    ("sunder/ask/scene/placements.cpp", "no proofs are written, as nothing", "proofs are written, as nothing", "placements:nothing meets"),
+    ("sunder/ask/scene/row_run.cpp", "no proofs are written, as {}", "proofs are written, as {}", "placements:nothing meets"),
     (SEGMENTS, 'add("lines", false', 'add("line", false', "segments:Some"),
     (SEGMENTS, 'if (!file_.layers.empty()) add("layers"', 'if (file_.layers.empty()) add("layers"', "segments:Of a board"),
     (VERIFY, "if (!file.holds()) outcome.code = std::max(outcome.code, exit_code::yes);", "", "pair:Certificates"),

@@ -229,12 +229,9 @@ Report run(const SceneCall& call, Talk& talk) {
     }
     note_limits(talk, cell, extremes_of(table));
     note_hulls(talk, meshes_of(cell));
-    if (call.between) return told(answer_between(talk, call.placements, cell, question, table, files, report.allowed));
     const scene::NearnessQuestion near{report.clearance, report.asks_for_nearest, question.allowed};
-    const PlacementsAnswer answer =
-        answer_placements(talk, call.placements, cell, question, table, files, near, report.allowed);
-    talk.print_for_people(answer.summary);
-    return told(answer.code());
+    const RowsAsked asked{talk, call.placements, cell, question, near, table, files, report.allowed};
+    return told(call.between ? answer_between(asked) : answer_placements(asked).code());
   }
   report.colour = talk.sinks().has_colours;
   for (const io::JointValues& joints : placements) {
