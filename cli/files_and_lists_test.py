@@ -262,6 +262,20 @@ class Streams(InFolder):
         done = self.run_here("verify", "--quiet", "proof.json")
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"", b""))
 
+    def test_joint_values_are_held_against_the_files(self):
+        robot = os.path.join(CASES, "scene", "primitives.urdf")
+        done = self.run_here("scene", robot, "--joints", "hoist=1.125", "--certificate", "joints.json")
+        self.assertIn(done.returncode, (0, 1), done)
+        proof = self.read("joints.json")
+        files = [word for given in json.loads(proof)["inputs"] for word in ("--against", given["name"])]
+        self.assertEqual(self.run_here("verify", "joints.json", *files).returncode, 0)
+        note = re.search(r'\["hoist", "([^"]*)"\]', proof)
+        self.write("joints.json", proof[:note.start(1)] + "0x1p+0" + proof[note.end(1):])
+        self.assertEqual(self.run_here("verify", "joints.json").returncode, 0)
+        done = self.run_here("verify", "joints.json", *files)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"they do not make the note", done.stdout)
+
     def test_verify_reports_what_it_cannot_read(self):
         self.write("empty", "")
         self.write("words", "no JSON")

@@ -62,7 +62,7 @@ OPTIONAL = {
     "contacts[]": "groups layers files lines properties",
     "best": "before side after point",
     "region": "dimension direction_about",
-    "sections[]": "through",
+    "sections[]": "area_bounds through",
     "sections[].corners[]": "vertex edge",
 }
 

@@ -1,5 +1,6 @@
 // Sections of polyhedra by planes.
 #include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_area.h>
 #include <sunder/solid/section/section_claims.h>
 
 #include "common.h"
@@ -71,6 +72,14 @@ void bind_sections(nb::module_& solid) {
       .def_prop_ro(
           "features", [](const PythonSection& found) { return array_of<std::uint32_t, 2>(found.section.corners); },
           owned, "Of each corner the ends of its edge, above and below the plane; or twice the vertex on it.")
+      .def_prop_ro(
+          "area",
+          [](const PythonSection& found) {
+            const solid::SectionPoints points(found.body, found.pose, found.plane);
+            const auto [low, high] = section_area(found.section, points, found.plane.normal);
+            return std::pair(low, high);
+          },
+          "Two doubles that the area is between, as the certificate says; the second may be infinite.")
       .def("__len__", [](const PythonSection& found) { return found.corners.size(); })
       .def("certificate", &certificate, nb::arg("name") = "body", "The certificate file of this section.");
   solid.def("polyhedron_plane_section", &section, nb::arg("body"), nb::arg("normal"), nb::arg("offset"),

@@ -60,13 +60,13 @@ std::string proof_of_polygons(const Asked<Polygons>& asked, const Write& write) 
 std::string proof_of(const Asked<Polygons>& asked, const planar::PolygonsAllAnswer& answer) {
   return proof_of_polygons(asked, [&](ClaimsWriter& file, const auto& of, const auto& events) {
     write_these(file, of, events, [&](const auto& take) {
-      for (const planar::PolygonsContact& c : answer.contacts) take(c.i, c.j);
+      for (const planar::PolygonsContact& c : answer.contacts) take(c);
     });
   });
 }
 std::string proof_of(const Asked<Polygons>& asked, const planar::PolygonsCountAnswer& answer) {
   return proof_of_polygons(asked, [&](ClaimsWriter& file, const auto& of, const auto& events) {
-    write_count(file, of, events, answer.touching + answer.overlapping);
+    write_count(file, of, events, answer.overlapping, answer.touching);
   });
 }
 

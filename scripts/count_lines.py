@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LONGEST = 120
 CHECKER = "verifier/python/sunder_verify/"
 RULES = tuple(CHECKER + name + ".py" for name in (
-    "arcs", "boundaries", "depths", "hulls", "polygons", "polytopes", "rules", "sections", "vertices"))
+    "arcs", "boundaries", "depths", "hulls", "linear", "polygons", "polytopes", "rules", "sections", "vertices"))
 PROGRAM = ("cli/", "sunder/ask/", "sunder/picture/")
 PARTS = {
     "the library": lambda name: name.startswith("sunder/") and not name.startswith(PROGRAM),

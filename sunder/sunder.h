@@ -85,6 +85,7 @@
 #include <sunder/solid/line/polyhedron_line_claims.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
+#include <sunder/solid/mesh/mesh_claims.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
 #include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/object/convex_polyhedron.h>
@@ -110,6 +111,7 @@
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_claims.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_area.h>
 
 // Any dimension.
 #include <sunder/polytope/hull/convex_hull.h>

@@ -58,7 +58,7 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "number": ["exact"],
     "predicate": ["filter", "point", "line", "disc"],
-    "planar": ["represent", "object", "pair", "sweep", "discs", "region", "segments", "boxes", "polygons"],
+    "planar": ["represent", "object", "pair", "sweep", "discs", "segments", "boxes", "polygons", "region"],
     "solid": ["hull", "represent", "object", "mesh", "search", "exact", "line", "pair", "section", "descent", "drums", "round"],
     "polytope": ["object", "represent", "pair", "hull", "region"],
     "io": ["text", "mesh", "plane", "robot"],

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace sunder::ask {
@@ -47,12 +48,47 @@ std::string_view head_of(std::string_view text) {
   return rest == "]}" || rest == "]}\n" ? text.substr(0, head) : std::string_view();
 }
 
+// The beginnings of the statements of which a file says more, up to their verdicts: what is said, and of what. The
+// writer begins each statement on a line of its own.
+class Notes {
+ public:
+  void take(std::string_view text) {
+    for (std::size_t end; (end = text.find('\n')) != std::string_view::npos; text.remove_prefix(end + 1)) {
+      line_ += text.substr(0, end);
+      end_line();
+    }
+    line_ += text;
+  }
+  void end_line() {
+    if (line_.starts_with(begin) && line_.find("\"said\": [") != std::string::npos) {
+      all_.push_back(line_.substr(0, line_.find("\"verdict\": ")));
+    }
+    line_.clear();
+  }
+
+  // The number of the first of these that the other ones have not; that of all: they have them.
+  std::size_t first_not_in(const Notes& others) const {
+    const std::set<std::string_view> known(others.all_.begin(), others.all_.end());
+    const auto found =
+        std::find_if_not(all_.begin(), all_.end(), [&](const auto& note) { return known.contains(note); });
+    return static_cast<std::size_t>(found - all_.begin());
+  }
+  std::size_t size() const { return all_.size(); }
+  const std::string& operator[](std::size_t k) const { return all_[k]; }
+
+ private:
+  static constexpr std::string_view begin = "  {\"question\": ";
+  std::string line_;
+  std::vector<std::string> all_;
+};
+
 // Takes a file as it is written, and compares its beginning.
 class Comparison {
  public:
   explicit Comparison(std::string_view head) : head_(head) {}
 
   void take(std::string_view text) {
+    notes_.take(text);
     if (differs_) {
       if (instead_.size() < most_shown) instead_ += text.substr(0, most_shown);
       return;
@@ -66,6 +102,7 @@ class Comparison {
   }
 
   bool is_same() const { return at_ == head_.size(); }
+  const Notes& notes() const { return notes_; }
   std::size_t at() const { return at_; }
 
   // "line 7, in tables: it says "0x1p+0"]], and the files "0x1p+1"]]"
@@ -84,6 +121,7 @@ class Comparison {
   static constexpr std::size_t most_shown = 60;
 
   std::string_view head_;
+  Notes notes_;
   std::size_t at_ = 0;  // what is the same so far
   bool differs_ = false;
   std::string instead_;
@@ -130,7 +168,12 @@ std::string difference_made_again(std::string_view text, const InputFiles& input
   if (made.empty()) return "its call makes no proof of them";
   const auto nearest = std::max_element(made.begin(), made.end(),
                                         [](const auto& a, const auto& b) { return a.second.at() < b.second.at(); });
-  return nearest->second.is_same() ? "" : nearest->second.difference();
+  if (!nearest->second.is_same()) return nearest->second.difference();
+  Notes notes;
+  notes.take(text);
+  notes.end_line();
+  const std::size_t other = notes.first_not_in(nearest->second.notes());
+  return other == notes.size() ? "" : fmt::format("they do not make the note {}", io::one_line(notes[other]));
 }
 
 }  // namespace sunder::ask

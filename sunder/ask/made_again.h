@@ -19,8 +19,9 @@ struct GivenInput {
 GivenInput read_given(const std::string& name);
 
 // What shows that the file is not made of these, in words; empty where it is: they are its inputs, each by its SHA-256,
-// in their order, and its call makes a file of them that is the same byte for byte, up to its statements. So is all
-// that it says of itself, but for the statements, which the checker checks.
+// in their order, and its call makes a file of them that is the same byte for byte, up to its statements, and has each
+// note of a statement, as of joint values, on a statement of the same. So is all that it says of itself, but for the
+// statements, which the checker checks.
 // text: a certificate file that is right in form; inputs and call: what it says of itself. The call reads nothing but
 // these files, and writes none.
 // Cost: that of the call.

@@ -9,6 +9,7 @@
 #include <sunder/io/text/file.h>
 #include <sunder/io/text/polytopes.h>
 #include <sunder/io/text/text.h>
+#include <sunder/solid/mesh/mesh_claims.h>
 #include <sunder/solid/object/hull_claims.h>
 
 #include <fmt/format.h>
@@ -35,22 +36,26 @@ Report run(const HullCall& call, Talk& talk) {
   const io::MeshFormat format = call.out.empty() ? io::MeshFormat::obj : io::mesh_format_of_name(call.out);
   LeftOutList left_out(call.leave_out);
   InputFiles inputs;
-  const auto [object, points] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
+  const auto [object, mesh] = io::read_hull(call.file, left_out, call.certificate.empty() ? nullptr : &inputs);
   note_remarks(talk, {&object});
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) talk.write_file(call.out, io::to_text(format, hull));
+  const bool is_convex = object.shape == io::BodyShape::convex, is_proved_convex = is_convex && hull.dimension() == 3;
   if (!call.certificate.empty()) {
     write_proof(talk, call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
       const bool is_of_points = object.shape == io::BodyShape::points;
       claims.say(said_of_file(is_of_points ? Said::Source::points : Said::Source::vertices, inputs, call.file, "",
                               missing_of(object, left_out)));
-      solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, points, hull);
+      solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, mesh.vertices, hull);
+      if (is_proved_convex) {
+        solid::write_convex_mesh(claims, {mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices}, hull);
+      }
     });
   }
 
   Report report{.verb = "hull", .answer = dimension_name(hull.dimension())};
   report.notes = talk.notes();
-  if (object.shape == io::BodyShape::convex) report.not_proved.emplace_back("exactly convex");
+  if (is_convex && !is_proved_convex) report.not_proved.emplace_back("exactly convex");
   if (object.shape == io::BodyShape::hull) report.not_proved.emplace_back("not exactly convex");
   const auto [low, high] = hull.box();
   Json told = to_json(object);
@@ -63,7 +68,7 @@ Report run(const HullCall& call, Talk& talk) {
   report.tell(fmt::format("  vertices  {} of {}\n", hull.vertices().size(), object.mesh_vertices));
   report.tell(fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count()));
   report.tell(fmt::format("  box       {} to {}\n", about(low), about(high)));
-  if (object.shape == io::BodyShape::convex) report.tell("  mesh      exactly convex: it bounds its hull\n");
+  if (is_convex) report.tell("  mesh      exactly convex: it bounds its hull\n");
   if (object.shape == io::BodyShape::hull) {
     report.tell(fmt::format("  mesh      not exactly convex: {}\n", object.why_hull));
   }

@@ -11,6 +11,7 @@
 #include <sunder/io/text/file.h>
 #include <sunder/picture/plane.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>
+#include <sunder/solid/section/section_area.h>
 #include <sunder/solid/section/section_claims.h>
 
 #include <fmt/format.h>
@@ -59,13 +60,6 @@ struct Planes {
   std::string file;  // that has the plane; empty: none
 };
 
-struct SectionResult {
-  Plane plane;
-  std::string name;  // "z = 0.5"
-  PlaneSection section;
-  std::vector<Point3> corners;  // rounded
-};
-
 // Twice the vector of the area.
 Point3 area_vector(const std::vector<Point3>& corners) {
   Point3 sum;
@@ -80,6 +74,18 @@ Point3 area_vector(const std::vector<Point3>& corners) {
 double length_of(const Point3& v) { return std::hypot(v.x, v.y, v.z); }
 
 double area_of(const std::vector<Point3>& corners) { return length_of(area_vector(corners)) / 2; }
+
+struct SectionResult {
+  Plane plane;
+  std::string name;  // "z = 0.5"
+  PlaneSection section;
+  std::vector<Point3> corners;            // rounded
+  std::optional<solid::AreaBounds> area;  // of a proof
+
+  double area_about() const { return is_measured() ? area->middle() : area_of(corners); }
+  bool is_polygon() const { return section.kind == SectionKind::polygon; }
+  bool is_measured() const { return is_polygon() && area && std::isfinite(area->high); }
+};
 
 // Two directions along a plane, of length 1, counter-clockwise seen from where the normal points to.
 std::array<Point3, 2> along(const Point3& normal) {
@@ -126,9 +132,10 @@ class SectionQuestion {
         const double offset = stack.offsets[k];
         Plane plane = stack.plane;
         plane.offset = offset;
-        SectionResult result{plane, title_of(planes, offset), section, {}};
+        SectionResult result{plane, title_of(planes, offset), section, {}, {}};
         points.set_offset(offset);
         for (const SectionCorner& corner : section.corners) result.corners.push_back(points.nearest(corner));
+        if (call.proves()) result.area = section_area(section, points, plane.normal);
         cost_.probes += section.cost.probes;
         cost_.exact += section.cost.exact;
         results_.push_back(std::move(result));
@@ -176,8 +183,12 @@ class SectionQuestion {
     report.cost = cost_;
     report.cost_text = fmt::format("{}, {}", count_of(cost_.probes, "probe"), count_of(cost_.exact, "exact sign"));
     report.objects.push_back(to_json(*body_));
-    const auto is_polygon = [](const SectionResult& result) { return result.section.kind == SectionKind::polygon; };
-    if (std::any_of(results_.begin(), results_.end(), is_polygon)) report.not_proved = {"the area"};
+    const auto is_too_great = [](const SectionResult& result) {
+      return result.is_polygon() && result.area && !result.is_measured();
+    };
+    if (std::any_of(results_.begin(), results_.end(), is_too_great)) {
+      report.not_proved = {"the area, which is beyond doubles"};
+    }
     report.tell(fmt::format("{}: {}{}\n", body_->file, answer_text(), left_out_.clause()));
     report.add("said_of", is_of_hull() ? "hulls" : "bodies");
     report.add(facts_of(left_out_));
@@ -242,8 +253,7 @@ class SectionQuestion {
         return fmt::format("a segment, {} to {}", about(result.corners[0]), about(result.corners[1]));
       case SectionKind::polygon: break;
     }
-    return fmt::format("a polygon of {} corners, area about {}", section.corners.size(),
-                       about(area_of(result.corners)));
+    return fmt::format("a polygon of {} corners, area about {}", section.corners.size(), about(result.area_about()));
   }
 
   static Json section_json(const SectionResult& result) {
@@ -254,8 +264,9 @@ class SectionQuestion {
                  {"side", section.kind != SectionKind::nothing ? Json(nullptr)
                           : section.side == Sign::positive     ? Json("above")
                                                                : Json("below")},
-                 {"area_about", area_of(result.corners)},
+                 {"area_about", result.area_about()},
                  {"corners", Json::array()}};
+    if (result.is_measured()) json["area_bounds"] = Json::array({result.area->low, result.area->high});
     if (result.plane.point != Point3{}) json["through"] = to_json(result.plane.point);
     for (std::size_t k = 0; k < section.corners.size(); ++k) {
       const SectionCorner& corner = section.corners[k];

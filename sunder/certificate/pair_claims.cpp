@@ -126,6 +126,31 @@ void PairClaims::add_combination(const char* claim, const Combination& combinati
   file_.end_claim();
 }
 
+void PairClaims::add_common_part(std::uint32_t a, std::uint32_t b, const CommonPoint& first, const CommonPoint& last,
+                                 const std::array<Dyadic, 3>& before, const std::array<Dyadic, 3>& after) {
+  begin_statement("common_part", a, b, "between");
+  file_.fractions("first", first.at, dimension());
+  file_.fractions("last", last.at, dimension());
+  file_.begin_claims();
+  for (const CommonPoint* point : {&first, &last}) {
+    for (const Combination* of : {&point->of_a, &point->of_b}) add_combination("holds", *of);
+  }
+  file_.begin_claim("no_further");
+  file_.numbers("before", std::span(before).first(dimension()));
+  file_.numbers("after", std::span(after).first(dimension()));
+  file_.end_claim();
+  file_.end_statement();
+}
+
+void PairClaims::add_nearest(std::uint32_t a, std::uint32_t b, std::uint32_t vertex,
+                             const std::array<Dyadic, 3>& direction) {
+  begin_statement("nearest", a, b, "point");
+  file_.index("i", vertex);
+  file_.begin_claims();
+  add_parting("first_along", direction);
+  file_.end_statement();
+}
+
 void PairClaims::add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b) {
   begin_statement("distance", a, b, "closest");
   add_points("slab", from_a, to_b);

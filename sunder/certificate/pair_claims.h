@@ -71,6 +71,15 @@ class PairClaims {
                        const Dyadic& denominator, const CommonPoint& point,
                        const std::array<Dyadic, 3>* first_along = nullptr);
 
+  // That A and B, which is on a line, have in common what is between two points: one of A and B ends at the first along
+  // `before`, and at the last along `after`, the other way of the line. Requires that B is no point.
+  void add_common_part(std::uint32_t a, std::uint32_t b, const CommonPoint& first, const CommonPoint& last,
+                       const std::array<Dyadic, 3>& before, const std::array<Dyadic, 3>& after);
+
+  // That of the points of A none is nearer to B, a hyperplane or half-space, or further within it, than that vertex:
+  // along the direction, which is perpendicular to B, out of a half-space, A begins there.
+  void add_nearest(std::uint32_t a, std::uint32_t b, std::uint32_t vertex, const std::array<Dyadic, 3>& direction);
+
   // That the points are as near to each other as any two of A and B. Requires different ones, and no body with a
   // radius.
   void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);

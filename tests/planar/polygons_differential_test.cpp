@@ -87,12 +87,15 @@ void expect_list_certified(const std::vector<PolygonsContact>& contacts, const s
   const auto is_list = [&](std::size_t length) {
     return is_accepted([&](ClaimsWriter& file) {
       planar::write_these(file, asked, events, [&](const auto& take) {
-        for (std::size_t k = 0; k < length; ++k) take(contacts[k].i, contacts[k].j);
+        for (std::size_t k = 0; k < length; ++k) take(contacts[k]);
       });
     });
   };
+  const auto overlapping = static_cast<std::size_t>(std::count_if(
+      contacts.begin(), contacts.end(), [](const PolygonsContact& c) { return c.contact == Contact::overlapping; }));
   const auto is_number = [&](std::size_t number) {
-    return is_accepted([&](ClaimsWriter& file) { planar::write_count(file, asked, events, number); });
+    return is_accepted(
+        [&](ClaimsWriter& file) { planar::write_count(file, asked, events, overlapping, number - overlapping); });
   };
   ASSERT_TRUE(is_list(contacts.size()));
   ASSERT_TRUE(is_number(contacts.size()));

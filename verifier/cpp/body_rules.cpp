@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -221,6 +222,72 @@ void check_leaves(const Numbers& given, const HullBody& a, const HullBody& b, co
           "along the direction they overlap by more than the stated depth");
 }
 
+// B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way.
+void check_no_further(const Numbers& before, const Numbers& after_last, const HullBody& a, const HullBody& b,
+                      const Numbers& first, const Numbers& last) {
+  const std::vector<Integers>& rows = b.rows();
+  take_steps(2 * rows.size(), 2 * b.given->bits, 2 * b.given->bits);
+  Elimination span(b.dimension());
+  Integers along(b.dimension());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    Integers way = rows[k];
+    for (std::size_t axis = 0; axis < way.size() && !b.is_way(k); ++axis) way[axis] -= rows[0][axis];
+    if (span.rank() == 0 && span.take(way))
+      along = std::move(way);
+    else
+      require(all_zero(span.rest(way)), "no_further", b.quoted + " is not on one line");
+  }
+  require(span.rank() == 1, "no_further", b.quoted + " is a point");
+  int sides = 1;
+  for (const auto& [given, point] : {std::pair(&before, &first), std::pair(&after_last, &last)}) {
+    const Integers direction = common(*given).integers, place = projective(*point);
+    const bool is_end =
+        is_behind(reach(a, direction), direction, place) || is_behind(reach(b, direction), direction, place);
+    require(is_end, "no_further", "both go on beyond a point");
+    sides *= dot(direction, turned(b, along)).sign();
+  }
+  require(sides < 0, "no_further", "the directions are not along " + b.quoted + ", to either side");
+}
+
+// Of a vector, divided by what all of its numbers share.
+Integers shortest(Integers way) {
+  Integer shared = 0;
+  for (const Integer& n : way) shared = gcd(shared, n);
+  for (Integer& n : way) n /= shared;
+  return way;
+}
+
+// Along a direction A begins at its point i; B is the hyperplane across it, or the half-space up to that, and ends
+// before A, if it ends.
+void check_first_along(const Numbers& given, const HullBody& a, const HullBody& b, std::size_t i) {
+  const Integers direction = common(given).integers;
+  const auto [of_a, e] = products(a, direction);
+  const auto [of_b, f] = products(b, direction);
+  const std::vector<Integers>& rows = b.rows();
+  take_steps(2 * (rows.size() - b.count), 2 * b.given->bits, 2 * b.given->bits);
+  std::set<Integers> level;
+  Elimination span(b.dimension());
+  bool is_across = !all_zero(direction), goes_back = false;
+  Integer last = of_b[0];
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (!b.is_way(k)) {
+      last = std::max(last, of_b[k]);
+    } else if (of_b[k] != 0 || all_zero(rows[k])) {
+      is_across = is_across && of_b[k] <= 0;
+      goes_back = goes_back || of_b[k] < 0;
+    } else {
+      level.insert(shortest(rows[k]));
+      span.take(turned(b, rows[k]));
+    }
+  }
+  for (const Integers& way : level) is_across = is_across && level.contains(opposite(way));
+  require(is_across && span.rank() + 1 == b.dimension(), "first_along",
+          b.quoted + " is not all that is across the direction, or up to there");
+  const Integer& first = *std::min_element(of_a.begin(), of_a.end());
+  require(goes_back || compare(last, f, first, e) <= 0, "first_along", a.quoted + " does not begin beyond " + b.quoted);
+  require(of_a[i] == first, "first_along", a.quoted + " begins before its point " + std::to_string(i));
+}
+
 void check_inside(const WeightList& weights, const Numbers& from, const HullBody& body, const Numbers& point) {
   const bool is_nearer = holds(weights, from, body, point);
   const std::vector<Integers>& rows = body.rows();
@@ -376,6 +443,8 @@ const ClaimRows claims_of_bodies{
     {"clear", "direction: point", rule<check_clear>},
     {"nearer", "", rule<check_nearer>},
     {"leaves", "direction: point", rule<check_leaves>},
+    {"first_along", "direction: point", rule<check_first_along>},
+    {"no_further", "before, after: point", rule<check_no_further>},
     {"inside", "weights: weights of subject; from: point", rule<check_inside>},
     {"parted_all_along", "direction: point", rule<check_parted_all_along>},
     {"holds_at", "weights: weights of subject; from: point", rule<check_holds_at>},

@@ -4,6 +4,8 @@
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace sunder_verifier {
@@ -76,6 +78,44 @@ void check_number_counts(const SweepEvents& events, const Value& table, const Gr
   require_number("number_counts", swept(events, table, groups, allowed), number);
 }
 
+// Calls for each two polygons that have common points that count; overlapping are those inside of which some are.
+void visit_kinds(const SweepEvents& events, const PolygonTable& polygons, const Groups& groups,
+                 const AllowedContacts& allowed, const VisitContact& visit) {
+  const AllowedContacts touch{true, true};
+  std::set<std::pair<std::size_t, std::size_t>> overlapping;
+  contacts_of(events, polygons, groups, touch).visit([&](std::size_t i, std::size_t j, const char*) {
+    overlapping.insert({i, j});
+  });
+  contacts_of(events, polygons, groups, allowed).visit([&](std::size_t i, std::size_t j, const char*) {
+    visit(i, j, overlapping.contains({i, j}) ? "overlapping" : "touching");
+  });
+}
+
+void check_these_kinds(const SweepEvents& events, const PolygonTable& polygons, const Groups& groups,
+                       const AllowedContacts& allowed, const StatedContacts& kinds) {
+  require_listed("these_kinds", counted_one_by_one([&](const VisitContact& visit) {
+                   visit_kinds(events, polygons, groups, allowed, visit);
+                 }),
+                 kinds);
+}
+
+void check_kinds_count(const SweepEvents& events, const PolygonTable& polygons, const Groups& groups,
+                       const AllowedContacts& allowed, std::size_t overlapping, std::size_t touching) {
+  std::size_t all = 0, inside = 0;
+  visit_kinds(events, polygons, groups, allowed, [&](std::size_t, std::size_t, std::string_view kind) {
+    ++all;
+    if (kind == "overlapping") ++inside;
+  });
+  require(inside == overlapping && all == overlapping + touching, "kinds_count",
+          std::to_string(inside) + " of " + std::to_string(all) + " contacts are inside of both");
+}
+
+void check_how_two_meet(const SweepEvents& events, const PartTable& pair, const std::string& verdict) {
+  std::string found = "apart";
+  visit_kinds(events, pair.polygons, {}, {}, [&](std::size_t, std::size_t, const char* kind) { found = kind; });
+  require(found == verdict, "how_two_meet", "they are " + found);
+}
+
 void check_cover(const Indices& order, const Value& table, const Groups& groups, const AllowedContacts& allowed,
                  const Value& listed) {
   const auto* const circles = std::get_if<const Circles*>(&table);
@@ -102,6 +142,7 @@ bool counts(const std::string& kind, const AllowedContacts& allowed) {
 }
 
 bool is_kind_of(const Value& table, const std::string& kind) {
+  if (std::holds_alternative<const PolygonTable*>(table)) return kind == "touching" || kind == "overlapping";
   const bool are_full = std::holds_alternative<const Circles*>(table) || std::holds_alternative<const Boxes*>(table);
   return are_full ? kind == "touching" || kind == "overlapping" || kind == "inside"
                   : kind == "shared-endpoint" || kind == "touch" || kind == "crossing" || kind == "overlap";
@@ -112,6 +153,9 @@ const ClaimRows claims_of_contacts{
     {"none_counts", "events: sweep of subject", rule<check_none_counts>},
     {"these_count", "events: sweep of subject", rule<check_these_count>},
     {"number_counts", "events: sweep of subject", rule<check_number_counts>},
+    {"these_kinds", "events: sweep of subject", rule<check_these_kinds>},
+    {"kinds_count", "events: sweep of subject", rule<check_kinds_count>},
+    {"how_two_meet", "events: sweep of subject", rule<check_how_two_meet>},
     {"cover", "order: order of subject", rule<check_cover>},
 };
 

@@ -3,6 +3,7 @@
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -185,6 +186,45 @@ void check_one_point(const HullBody& body) {
   require(is_one, "one_point", "two points differ");
 }
 
+bool are_in_line(const Vector& p, const Vector& q, const Vector& r) {
+  return all_zero(cross(minus(q, p), minus(r, p)));
+}
+
+// Faces of a mesh, counted modulo two, cover the boundary of the hull.
+void check_bounds_hull(const Indices& beneath, const HullBody& body, const IndexLists& mesh, const Proved& proved) {
+  const auto known = proved.hulls.find(body.base);
+  require(known != proved.hulls.end() && known->second.verdict == "solid", "bounds_hull",
+          "that the hull of " + body.quoted + " is solid has not been proved before");
+  const IndexLists& hull = known->second.faces;
+  std::size_t looks = 0;
+  for (std::size_t f = 0; f < mesh.size(); ++f) {
+    require(beneath[f] < hull.size(), "bounds_hull", "a face is none of the hull's");
+    looks += 16 * mesh[f].size();
+  }
+  take_steps(looks, body.given->bits, 2 * body.given->bits);
+  const std::vector<Integers>& at = body.rows();
+  const Vector &u = at[hull[0][0]], &v = at[hull[0][1]];
+  std::map<std::pair<Vector, Vector>, std::size_t> times;  // that an edge comes
+  std::size_t beside = 0;                                  // edges from u along the first edge of the hull
+  for (std::size_t f = 0; f < mesh.size(); ++f) {
+    const Indices& face = hull[beneath[f]];
+    const Vector& origin = at[face[0]];
+    const Vector normal = cross(minus(at[face[1]], origin), minus(at[face[2]], origin));
+    for (std::size_t k = 0; k < mesh[f].size(); ++k) {
+      const Vector &p = at[mesh[f][k]], &q = at[mesh[f][after(k, mesh[f].size())]];
+      require(dot(normal, minus(p, origin)) == 0, "bounds_hull",
+              "face " + std::to_string(f) + " is not in the plane of the one beneath it");
+      if (p == q) continue;
+      ++times[std::minmax(p, q)];
+      if (beneath[f] == 0 && (p == u || q == u) && are_in_line(u, v, p == u ? q : p)) ++beside;
+    }
+  }
+  for (const auto& [edge, count] : times) {
+    require(count % 2 == 0, "bounds_hull", "an edge is one of an odd number of faces");
+  }
+  require(beside % 2 == 1, "bounds_hull", "the faces cover the hull an even number of times");
+}
+
 }  // namespace
 
 bool is_between(const Integers& first, const Integers& last, const Integers& point) {
@@ -203,6 +243,7 @@ const ClaimRows claims_of_hulls{
     {"outline", "sectors: sectors of subject", rule<check_outline>},
     {"between", "", rule<check_between>},
     {"one_point", "", rule<check_one_point>},
+    {"bounds_hull", "beneath: face for each of mesh_faces", rule<check_bounds_hull>},
 };
 
 }  // namespace sunder_verifier

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <set>
 #include <string>
 #include <utility>
@@ -46,6 +47,15 @@ class Pulled {
     return result;
   }
 
+  // A triangle at the first of three corners, where they are placed: the product of the normal with that of its ways
+  // is a fraction of these, in units of 2^unit_of_triangles().
+  std::pair<Integer, Integer> triangle(const StatedPlane& plane, const IndexPair& first, const IndexPair& second,
+                                       const IndexPair& third) const {
+    const Integers p = place(first), q = place(second), r = place(third);
+    return {dot(plane.normal, cross(turned(way(p, q)), turned(way(p, r)))), p[3] * q[3] * p[3] * r[3]};
+  }
+  std::int64_t unit_of_triangles() const { return 2 * (body_.given->e + (body_.is_image() ? body_.linear.e : 0)); }
+
   // Do three corners turn counter-clockwise, seen from where the normal points to?
   bool turn_left(const IndexPairs& corners) const {
     const Integers p = place(corners[0]), q = place(corners[1]), r = place(corners[2]);
@@ -61,6 +71,13 @@ class Pulled {
     const Integers& b = body_.rows()[j];
     const Integer above = height(i), below = height(j);
     return {above * b[0] - below * a[0], above * b[1] - below * a[1], above * b[2] - below * a[2], above - below};
+  }
+
+  // By the matrix of an image.
+  Integers turned(const Integers& way) const {
+    if (!body_.is_image()) return way;
+    const Integers& m = body_.linear.rows[0];
+    return {dot({m[0], m[1], m[2]}, way), dot({m[3], m[4], m[5]}, way), dot({m[6], m[7], m[8]}, way)};
   }
 
   static Integers way(const Integers& p, const Integers& q) {
@@ -164,12 +181,42 @@ void check_outlined(const Indices& along, const HullBody& body, const StatedPlan
   require(corners.size() < 3 || pulled.turn_left(corners), "outlined", "the corners do not go counter-clockwise");
 }
 
+// Twice the area, times the length of the normal, is from one sum to another.
+void check_area(const HullBody& body, const StatedPlane& plane, const IndexPairs& corners, const Number& area_from,
+                const Number& area_to) {
+  const Pulled pulled(body, plane);
+  pulled.take_looks(128 * corners.size());
+  std::vector<std::pair<Integer, std::int64_t>> parts;
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    auto [n, d] = pulled.triangle(plane, corners[0], corners[k], corners[k + 1]);
+    require(n > 0, "area", "the corners do not turn to the left");
+    const std::int64_t s = 64 + static_cast<std::int64_t>(bits(d)) - static_cast<std::int64_t>(bits(n));
+    (s > 0 ? n : d) <<= std::abs(s);
+    parts.emplace_back(n / d, -s);
+  }
+  require(!parts.empty(), "area", "there are not three corners");
+  std::int64_t e = parts[0].second;
+  for (const auto& part : parts) e = std::min(e, part.second);
+  Integer low = 0, high = 0;
+  for (const auto& [n, s] : parts) {
+    low += shifted(n, s - e);
+    high += shifted(n + 1, s - e);
+  }
+  const Integer across = 4 * dot(plane.normal, plane.normal);
+  const std::int64_t unit = 2 * (e + pulled.unit_of_triangles());
+  const auto compared = [&](const Integer& sum, const Number& area) {
+    return compare(sum * sum, unit, across * area.n * area.n, 2 * area.e);
+  };
+  require(compared(low, area_from) >= 0 && compared(high, area_to) <= 0, "area", "the area is not between these");
+}
+
 }  // namespace
 
 const ClaimRows claims_of_sections{
     {"beyond", "", rule<check_beyond>},
     {"touches", "", rule<check_touches>},
     {"outlined", "along: face for each of corners", rule<check_outlined>},
+    {"area", "", rule<check_area>},
 };
 
 }  // namespace sunder_verifier

@@ -213,13 +213,13 @@ std::string sentence_of(const Json& item, const std::string& text, const Thing& 
                                        : shown(*value);
     words["n_" + name] = std::to_string(value->size());
   }
-  const char* const list = item.contains("nearer") ? "nearer" : "contacts";
+  const char* const list = item.contains("nearer") ? "nearer" : item.contains("kinds") ? "kinds" : "contacts";
   const std::size_t count = item.contains("number") ? static_cast<std::size_t>(item["number"].integer())
                             : item.contains(list)   ? item[list].size()
                                                     : 0;
   words["pairs"] = counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " is" : " are");
   words["meeting"] = counted(count, "pair") + " of the " + words["all"] + (count == 1 ? " meets" : " meet");
-  if (item.contains("contacts") && count > 0) words["meeting"] += ": " + words["contacts"];
+  if (item.contains(list) && count > 0) words["meeting"] += ": " + words[list];
   const bool is_of_pairs = (item.contains("allowed") || item.contains("members")) && verdict != "some";
   std::string result = is_of_pairs && pairs_asked(item, size) == 0 ? "no pair of " + words["all"] + " is asked about"
                                                                    : filled(text, words);

@@ -135,6 +135,15 @@ Value read_body(const Told& t) {
   return &result;
 }
 
+Value body_that(const Told& t, bool (*is_so)(const HullBody&), const char* otherwise) {
+  Value result = read_body(t);
+  if (!is_so(as<HullBody>(result))) refuse_form(t.where + otherwise);
+  return result;
+}
+bool is_plain(const HullBody& body) { return !body.is_round(); }
+bool is_bounded(const HullBody& body) { return is_plain(body) && body.count == body.rows().size(); }
+bool is_solid(const HullBody& body) { return body.dimension() == 3 && body.count == body.rows().size(); }
+
 // Is it the same body, placed by the same matrix?
 bool is_moved(const HullBody& begin, const HullBody& end) {
   if (begin.base != end.base) return false;
@@ -424,20 +433,9 @@ Shape shape_named(const std::string& shape) {
          return pairs;
        }},
       {"body", read_body},
-      {"plain body",
-       [](const Told& t) -> Value {
-         Value result = read_body(t);
-         if (as<HullBody>(result).is_round()) refuse_form(t.where + " has a radius");
-         return result;
-       }},
-      {"solid body",
-       [](const Told& t) -> Value {
-         Value result = read_body(t);
-         const auto& solid = as<HullBody>(result);
-         if (solid.dimension() != 3 || solid.count != solid.rows().size())
-           refuse_form(t.where + " is not bounded, in space");
-         return result;
-       }},
+      {"plain body", [](const Told& t) { return body_that(t, is_plain, " has a radius"); }},
+      {"bounded body", [](const Told& t) { return body_that(t, is_bounded, " is not bounded"); }},
+      {"solid body", [](const Told& t) { return body_that(t, is_solid, " is not bounded, in space"); }},
       {"end",
        [](const Told& t) -> Value {
          const HullBody& end = body(t);
@@ -489,6 +487,8 @@ Shape shape_named(const std::string& shape) {
       {"facets", read_facets_of},
       {"ring",
        [](const Told& t) -> Value { return &t.tables.rings[read_index(t.value, t.tables.rings.size(), t.where)]; }},
+      {"ring as part",
+       [](const Told& t) -> Value { return t.tables.ring_parts[read_index(t.value, t.tables.rings.size(), t.where)]; }},
       {"arcs",
        [](const Told& t) -> Value {
          return arcs_of(t.value, t, t.where, " is empty, or has more than two arcs a circle");
@@ -506,6 +506,11 @@ Shape shape_named(const std::string& shape) {
          const Indices named = read_indices(t.value, t.tables.polygons.rings.size(), t.where);
          if (named.empty() || !is_each_once(named)) refuse_form(t.where + " names none, or one twice");
          return t.tables.parts_of(named);
+       }},
+      {"two parts",
+       [](const Told& t) -> Value {
+         require_list_of_two(t.value, t.where);
+         return shape_named("parts")(t);
        }},
       {"circle",
        [](const Told& t) -> Value {

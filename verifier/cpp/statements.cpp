@@ -52,6 +52,24 @@ VerdictRow contact_of(const std::string& table) {
           "{question} {i} and {j} of {all} meet at {point}: {kind}"};
 }
 
+// Polygons touch or overlap.
+QuestionRow with_kinds(QuestionRow row) {
+  row.verdicts.push_back(
+      {"these_kinds", "kinds: contacts of polygons", "these_kinds polygons groups allowed kinds", "exactly {meeting}"});
+  row.verdicts.push_back({"count_kinds", "overlapping, touching: count",
+                          "kinds_count polygons groups allowed overlapping touching",
+                          "of the {all}, so many pairs overlap: {overlapping}; touch: {touching}"});
+  return row;
+}
+
+QuestionRow two_polygons() {
+  QuestionRow row{"two_polygons", "polygons", "pair: two parts", {}};
+  for (const char* kind : {"apart", "touching", "overlapping"}) {
+    row.verdicts.push_back({kind, "", "how_two_meet pair verdict", "polygons {pair} of {all} are {verdict}"});
+  }
+  return row;
+}
+
 QuestionRow covered(const std::string& table) {
   QuestionRow row = meetings(table, contact_of(table), "contacts", "cover", "cover", "cover");
   row.verdicts[1].claims += " none";
@@ -73,6 +91,17 @@ const std::vector<QuestionRow> question_rows{
      "a, b: plain body",
      {{"closest", "from_a, to_b: point", "holds a from_a, holds b to_b, slab a b from_a to_b",
        "{a} and {b} are closest at {from_a} and {to_b}"}}},
+    {"common_part",
+     "bodies",
+     "a, b: plain body",
+     {{"between", "first, last: point",
+       "holds a first, holds b first, holds a last, holds b last, no_further a b first last",
+       "{a} and {b} have in common what is between {first} and {last}"}}},
+    {"nearest",
+     "bodies",
+     "a: bounded body; b: plain body",
+     {{"point", "i: index of a", "first_along a b i",
+       "no point of {a} is nearer to {b}, or further within it, than its point {i}"}}},
     {"clearance",
      "bodies",
      "a, b: body; least: above zero",
@@ -152,6 +181,10 @@ const std::vector<QuestionRow> question_rows{
      {{"facets", "facets: facets of body", "boundary body facets", "{a} has exactly {facets}"},
       {"segment", "i, j: index of body", "between body i j", "{a} is the segment between its points {i} and {j}"},
       {"point", "", "one_point body", "{a} is a point"}}},
+    {"mesh",
+     "bodies",
+     "body: points in space; mesh_faces: faces of body",
+     {{"convex", "", "bounds_hull body mesh_faces proved", "a mesh of {n_mesh_faces} polygons bounds {a} exactly"}}},
     {"section",
      "bodies",
      "of: placed points in space; plane: plane",
@@ -159,16 +192,23 @@ const std::vector<QuestionRow> question_rows{
       {"touching", "corners: section corners of of", "touches of plane corners",
        "the plane {plane} touches {a} at the points {corners}"},
       {"outlined", "corners: section corners of of", "outlined of plane corners proved",
-       "the section of {a} by the plane {plane} has the {n_corners} corners {corners}"}}},
+       "the section of {a} by the plane {plane} has the {n_corners} corners {corners}"},
+      {"measured", "corners: section corners of of; area_from, area_to: not negative",
+       "outlined of plane corners proved, area of plane corners area_from area_to",
+       "the section of {a} by the plane {plane} has the {n_corners} corners {corners}, and an area from {area_from} to "
+       "{area_to}"}}},
     meetings("segments", contact_of("segments"), "contacts", "none_counts", "these_count", "number_counts"),
     covered("circles"),
     covered("boxes"),
-    meetings("polygons",
-             {"some", "i, j: index of polygons; point: point", "common_point polygons i j point groups allowed",
-              "polygons {i} and {j} of {all} meet at {point}"},
-             "pairs", "none_counts", "these_count", "number_counts"),
+    with_kinds(
+        meetings("polygons",
+                 {"some", "i, j: index of polygons; point: point", "common_point polygons i j point groups allowed",
+                  "polygons {i} and {j} of {all} meet at {point}"},
+                 "pairs", "none_counts", "these_count", "number_counts")),
+    two_polygons(),
     common_part("half_planes", "half_planes", "", "half_planes", "the common part of {all}"),
     common_part("kernel", "rings", "ring: ring", "ring", "the kernel of ring {ring} of {all}"),
+    {"ring", "rings", "ring: ring as part", {{"simple", "", "valid ring simple", "ring {ring} of {all} is simple"}}},
     common_part("convex_polygons_common_part", "convex_polygons", "", "convex_polygons", "the common part of {all}"),
     {"circles_common_part",
      "circles",
@@ -387,6 +427,7 @@ Scope scope_of_file(const Tables& tables, const Proved& proved) {
   scope.set("none", StatedContacts());
   scope.set("alone", Groups());
   scope.set("touch", AllowedContacts{true, true});
+  scope.set("simple", ValidRule::simple);
   return scope;
 }
 

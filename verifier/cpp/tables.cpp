@@ -278,6 +278,11 @@ Doubles read_vertices(const Json& list, PolygonTable& polygons) {
   return doubles;
 }
 
+PlanarSegment edge_between(PlanarPoint p, PlanarPoint q) {
+  if (is_less(q, p)) std::swap(p, q);
+  return {std::move(p), std::move(q)};
+}
+
 // Of a ring whose edges are known.
 void add_blocks(PolygonTable& polygons, EdgeRange& ring) {
   ring.first_block = polygons.blocks.size();
@@ -307,9 +312,7 @@ void read_polygons(const Json& list, Tables& tables) {
   for (std::size_t i = 0; i < polygons.rings.size(); ++i) {
     for (EdgeRange& ring : polygons.rings[i]) {
       for (std::size_t k = ring.begin; k < ring.end; ++k) {
-        PlanarPoint p = vertex(k), q = vertex(k + 1 < ring.end ? k + 1 : ring.begin);
-        if (is_less(q, p)) std::swap(p, q);
-        polygons.edges.push_back({std::move(p), std::move(q)});
+        polygons.edges.push_back(edge_between(vertex(k), vertex(k + 1 < ring.end ? k + 1 : ring.begin)));
         polygons.owner.push_back(i);
       }
       add_blocks(polygons, ring);
@@ -340,59 +343,6 @@ Constraints edges_of(const Scaled& vertices, const std::string& where) {
     result.push_back(left_of(rows[k], rows[k + 1 == rows.size() ? 0 : k + 1], vertices.e, where));
   }
   return result;
-}
-
-void read_rings(const Json& list, Tables& tables) {
-  for (const Json& item : list) {
-    const std::string where = "tables.rings[" + std::to_string(tables.rings.size()) + "]";
-    const Scaled vertices = read_vertex_list(item, 3, where);
-    Integer area = 0;
-    for (std::size_t k = 0; k < vertices.rows.size(); ++k) {
-      const Integers &p = vertices.rows[k], &q = vertices.rows[k + 1 == vertices.rows.size() ? 0 : k + 1];
-      area += p[0] * q[1] - p[1] * q[0];
-    }
-    if (area == 0) refuse_form(where + " has no area");
-    tables.rings.push_back(edges_of(vertices, where));
-    if (area > 0) continue;
-    for (LinearConstraint& h : tables.rings.back()) {
-      h.a = -h.a;
-      h.b = -h.b;
-      h.c = -h.c;
-    }
-  }
-}
-
-// x or y (axis 0 or 1), times way, is at most so many units of 2^e.
-LinearConstraint at_most(std::size_t axis, int way, const Integer& limit, std::int64_t e) {
-  const Integer one = shifted(Integer(way), std::max<std::int64_t>(-e, 0));
-  const Integer none = 0, most = shifted(limit, std::max<std::int64_t>(e, 0));
-  return {axis == 0 ? one : none, axis == 0 ? none : one, most, std::min<std::int64_t>(e, 0)};
-}
-
-// A segment, or a point.
-Constraints sides_of_flat(const Scaled& vertices, const std::string& where) {
-  Constraints result;
-  const Integers &p = vertices.rows.front(), &q = vertices.rows.back();
-  if (vertices.rows.size() == 2) result = edges_of(vertices, where);
-  for (const int way : {1, -1}) {
-    for (const std::size_t axis : {0u, 1u}) {
-      if (vertices.rows.size() == 2 && axis == (p[0] == q[0] ? 0u : 1u)) continue;
-      result.push_back(at_most(axis, way, std::max<Integer>(way * p[axis], way * q[axis]), vertices.e));
-    }
-  }
-  return result;
-}
-
-void read_convex_polygons(const Json& list, Tables& tables) {
-  std::size_t number = 0;
-  for (const Json& item : list) {
-    const std::string where = "tables.convex_polygons[" + std::to_string(number++) + "]";
-    const Scaled vertices = read_vertex_list(item, 1, where);
-    const bool is_flat = vertices.rows.size() < 3;
-    const Constraints sides = is_flat ? sides_of_flat(vertices, where) : edges_of(vertices, where);
-    if (!is_flat && !goes_round_once(sides)) refuse_form(where + " is not strictly convex and counter-clockwise");
-    tables.convex_polygons.insert(tables.convex_polygons.end(), sides.begin(), sides.end());
-  }
 }
 
 // Of each edge of some length of a ring.
@@ -435,6 +385,73 @@ PartTable numbered_anew(const PolygonTable& all, const std::vector<std::size_t>&
     }
   }
   return result;
+}
+
+// A ring as the one of a polygon.
+std::shared_ptr<const PartTable> alone(const Scaled& vertices) {
+  const std::size_t size = vertices.rows.size();
+  const auto vertex = [&](std::size_t k) { return PlanarPoint{vertices.rows[k][0], vertices.rows[k][1]}; };
+  PolygonTable one;
+  one.edges.exponent = vertices.e;
+  one.rings = {{{0, size}}};
+  for (std::size_t k = 0; k < size; ++k) {
+    one.edges.push_back(edge_between(vertex(k), vertex(k + 1 == size ? 0 : k + 1)));
+  }
+  return std::make_shared<const PartTable>(numbered_anew(one, {0}));
+}
+
+void read_rings(const Json& list, Tables& tables) {
+  for (const Json& item : list) {
+    const std::string where = "tables.rings[" + std::to_string(tables.rings.size()) + "]";
+    const Scaled vertices = read_vertex_list(item, 3, where);
+    Integer area = 0;
+    for (std::size_t k = 0; k < vertices.rows.size(); ++k) {
+      const Integers &p = vertices.rows[k], &q = vertices.rows[k + 1 == vertices.rows.size() ? 0 : k + 1];
+      area += p[0] * q[1] - p[1] * q[0];
+    }
+    if (area == 0) refuse_form(where + " has no area");
+    tables.rings.push_back(edges_of(vertices, where));
+    tables.ring_parts.push_back(alone(vertices));
+    if (area > 0) continue;
+    for (LinearConstraint& h : tables.rings.back()) {
+      h.a = -h.a;
+      h.b = -h.b;
+      h.c = -h.c;
+    }
+  }
+}
+
+// x or y (axis 0 or 1), times way, is at most so many units of 2^e.
+LinearConstraint at_most(std::size_t axis, int way, const Integer& limit, std::int64_t e) {
+  const Integer one = shifted(Integer(way), std::max<std::int64_t>(-e, 0));
+  const Integer none = 0, most = shifted(limit, std::max<std::int64_t>(e, 0));
+  return {axis == 0 ? one : none, axis == 0 ? none : one, most, std::min<std::int64_t>(e, 0)};
+}
+
+// A segment, or a point.
+Constraints sides_of_flat(const Scaled& vertices, const std::string& where) {
+  Constraints result;
+  const Integers &p = vertices.rows.front(), &q = vertices.rows.back();
+  if (vertices.rows.size() == 2) result = edges_of(vertices, where);
+  for (const int way : {1, -1}) {
+    for (const std::size_t axis : {0u, 1u}) {
+      if (vertices.rows.size() == 2 && axis == (p[0] == q[0] ? 0u : 1u)) continue;
+      result.push_back(at_most(axis, way, std::max<Integer>(way * p[axis], way * q[axis]), vertices.e));
+    }
+  }
+  return result;
+}
+
+void read_convex_polygons(const Json& list, Tables& tables) {
+  std::size_t number = 0;
+  for (const Json& item : list) {
+    const std::string where = "tables.convex_polygons[" + std::to_string(number++) + "]";
+    const Scaled vertices = read_vertex_list(item, 1, where);
+    const bool is_flat = vertices.rows.size() < 3;
+    const Constraints sides = is_flat ? sides_of_flat(vertices, where) : edges_of(vertices, where);
+    if (!is_flat && !goes_round_once(sides)) refuse_form(where + " is not strictly convex and counter-clockwise");
+    tables.convex_polygons.insert(tables.convex_polygons.end(), sides.begin(), sides.end());
+  }
 }
 
 }  // namespace

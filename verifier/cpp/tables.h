@@ -173,8 +173,9 @@ struct Tables {
   Boxes boxes;
   Constraints half_planes;
   PolygonTable polygons;
-  std::vector<Constraints> rings;  // what is on the inner side of the edges of each
-  Constraints convex_polygons;     // the sides of all
+  std::vector<Constraints> rings;                            // what is on the inner side of the edges of each
+  std::vector<std::shared_ptr<const PartTable>> ring_parts;  // each as the one ring of a polygon
+  Constraints convex_polygons;                               // the sides of all
 
   // Those of the call before, if it named the same: statements that follow each other mostly do.
   std::shared_ptr<const PartTable> parts_of(const std::vector<std::size_t>& which) const;

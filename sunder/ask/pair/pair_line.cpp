@@ -151,7 +151,6 @@ class LinePair : public PairQuestion {
     CutTold told = cut_told(cut_, body_, body_is_a_ ? "A" : "B", line_.object.points[0], line_.object.points[1]);
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"common", std::move(told.json), std::move(told.text)}};
-    if (meet_) not_proved_.emplace_back("the common part");
   }
 
   // The body is the first of the file, whichever of A and B it is. Only the front door names evidence.
@@ -175,12 +174,14 @@ class LinePair : public PairQuestion {
 
 }  // namespace
 
-std::optional<CutTold> segment_told(const PlacedBody& body, const char* letter, const PlacedBody& segment) {
+std::optional<SegmentCut> segment_cut(const PlacedBody& body, const char* letter, const PlacedBody& segment) {
   if (!segment.object || segment.object->kind != io::SpaceObject::Kind::segment) return std::nullopt;
   const auto a = exact_image(segment.pose, segment.object->points[0]);
   const auto b = exact_image(segment.pose, segment.object->points[1]);
   if (!a || !b) return std::nullopt;
-  return cut_told(polyhedron_segment(body.mesh.hull, body.pose, solid::Segment::between(*a, *b)), body, letter, *a, *b);
+  const solid::Segment placed = solid::Segment::between(*a, *b);
+  PolyhedronCut cut = polyhedron_segment(body.mesh.hull, body.pose, placed);
+  return SegmentCut{placed, cut, cut_told(cut, body, letter, *a, *b)};
 }
 
 CutTold cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,

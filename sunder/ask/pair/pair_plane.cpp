@@ -44,7 +44,6 @@ class PlanePair : public PairQuestion {
     if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"evidence", evidence_json(), evidence_text()}};
-    if (!meet_) not_proved_.emplace_back("the nearest vertex");
   }
 
   // The body is the first of the file, whichever of A and B it is.

@@ -124,6 +124,11 @@ CutTold cut_told(const solid::PolyhedronCut& cut, const PlacedBody& body, const 
                  const Point3& b);
 
 // The same where the other one is bounded. Nothing, where that is no segment, or its ends in the world are no doubles.
-std::optional<CutTold> segment_told(const PlacedBody& body, const char* letter, const PlacedBody& segment);
+struct SegmentCut {
+  solid::Segment segment;  // in the world
+  solid::PolyhedronCut cut;
+  CutTold told;
+};
+std::optional<SegmentCut> segment_cut(const PlacedBody& body, const char* letter, const PlacedBody& segment);
 
 }  // namespace sunder::ask

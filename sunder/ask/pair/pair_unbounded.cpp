@@ -131,10 +131,7 @@ class UnboundedPair : public PairQuestion {
                                                           : "signs, with the help of exact arithmetic");
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
-    if (meet_) not_proved_.emplace_back("the common part");
-    if (kind_ == PlanarKind::half_plane || (kind_ == PlanarKind::line && !meet_)) {
-      not_proved_.emplace_back(meet_ ? "the furthest vertex" : "the nearest vertex");
-    }
+    if (meet_ && kind_ == PlanarKind::half_plane) not_proved_.emplace_back("the common part");
   }
 
   // The body is the first of the file, whichever of A and B it is.

@@ -6,6 +6,7 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
+#include <sunder/solid/line/polyhedron_line_claims.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
@@ -74,9 +75,9 @@ class SolidPair : public PairQuestion {
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
     const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
-    const auto cut = is_of_a ? segment_told(of_b_, "B", of_a_) : segment_told(of_a_, "A", of_b_);
-    if (cut) facts_.push_back({"cut", cut->json, cut->text});
-    if (cut && meet_) not_proved_.emplace_back("the common part");
+    cut_ = is_of_a ? segment_cut(of_b_, "B", of_a_) : segment_cut(of_a_, "A", of_b_);
+    cuts_b_ = is_of_a;
+    if (cut_) facts_.push_back({"cut", cut_->told.json, cut_->told.text});
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (call.depth && meet_) {
       depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
@@ -98,6 +99,10 @@ class SolidPair : public PairQuestion {
       const std::uint32_t a = add(a_), b = add(b_);
       const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
       add_claims(pairs, pair, answer_.certificate(), contact_);
+      if (cut_ && cut_->cut.meet()) {
+        const PlacedBody& body = cuts_b_ ? of_b_ : of_a_;
+        add_common_part(pairs, cuts_b_ ? b : a, cuts_b_ ? a : b, body.mesh.hull, body.pose, cut_->segment, cut_->cut);
+      }
       if (call.distance) add_distance(pairs, pair, distance_);
       if (call.depth) add_depth(file, a, b, depth_);
       if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
@@ -151,6 +156,8 @@ class SolidPair : public PairQuestion {
   const PlacedBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   solid::PairAnswer answer_;
+  std::optional<SegmentCut> cut_;
+  bool cuts_b_ = false;  // A is the segment
   solid::PolyhedronDistance distance_;
   solid::PolyhedronDepth depth_;
   bool is_kept_ = false;

@@ -120,11 +120,10 @@ class HalfPlanesQuestion final : public RegionQuestion {
     verdict_ = fmt::format("{}, bounded by {}", shape_of(region_.kind), count_of(sides.size(), "half-plane"));
     corners_ = corners(region_);
     corner_count_ = corners_.size();
-    if (objective_) not_proved_.emplace_back("the region");
   }
   std::string certificate() const {
-    return objective_ ? planar::certificate_text(constraints_, *objective_, best_, origin())
-                      : planar::certificate_text(constraints_, region_, origin());
+    if (!objective_) return planar::certificate_text(constraints_, region_, origin());
+    return planar::certificate_text(constraints_, *objective_, best_, origin(), is_empty_ ? nullptr : &region_);
   }
 
   Report report() const {

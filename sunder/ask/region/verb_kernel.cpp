@@ -61,7 +61,6 @@ class KernelQuestion : public FeasibilityQuestion {
       }
       results_.push_back({i, {}, {}});
     }
-    not_proved_.emplace_back("that the polygon is simple");
     if (results_.empty()) {
       throw Error(ErrorCode::bad_call, fmt::format("{} has no polygon named {}", call.file, io::quote(call.feature)),
                   "--feature");

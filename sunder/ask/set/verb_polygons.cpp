@@ -158,9 +158,9 @@ class PolygonsSet {
         result.for_each([&](const PolygonsContact& c) { write_some(claims, asked, c); });
       } else if (call_.lists()) {
         write_these(claims, asked, events,
-                    [&](const auto& take) { result.for_each([&](const PolygonsContact& c) { take(c.i, c.j); }); });
+                    [&](const auto& take) { result.for_each([&](const PolygonsContact& c) { take(c); }); });
       } else if (call_.count) {
-        write_count(claims, asked, events, result.pairs());
+        write_count(claims, asked, events, result.count[0], result.count[1]);
       } else {
         write_none(claims, asked, events);
       }
@@ -170,10 +170,7 @@ class PolygonsSet {
 
   SetFacts facts(const Result& result) const {
     SetFacts facts;
-    if (result.some()) {
-      if (options_.allowed != Allowed::touch) facts.not_proved.emplace_back("whether the pairs touch or overlap");
-      if (call_.lists()) facts.not_proved.emplace_back("where they meet");
-    }
+    if (result.some() && call_.lists()) facts.not_proved = {"where they meet"};
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
       const std::string name = io::one_line(input_.names[f]);
       const io::LineFile& file = input_.files[f];

@@ -156,7 +156,7 @@ HullOfPoints read_hull(const std::filesystem::path& file, LeftOutList& left_out,
   Mesh small = without_unused(std::move(mesh), used);
   MeshBody body = hull_of_mesh(small, {file, used}, false);
   body.inner_vertices = inner_vertices;
-  return {std::move(body), std::move(small.vertices)};
+  return {std::move(body), std::move(small)};
 }
 
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,

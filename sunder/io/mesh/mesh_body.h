@@ -60,10 +60,10 @@ MeshBody read_body(const std::filesystem::path& file, bool require_convex, LeftO
 std::vector<MeshBody> read_bodies(const std::filesystem::path& file, bool require_convex, LeftOutList& left_out,
                                   InputFiles* inputs = nullptr, PartsOf parts = PartsOf::objects);
 
-// One body, never required to be convex, with the points that it is the hull of.
+// One body, never required to be convex, with the mesh that it is the hull of, whose vertices are all in use.
 struct HullOfPoints {
   MeshBody body;
-  std::vector<Point3> points;
+  Mesh mesh;
 };
 HullOfPoints read_hull(const std::filesystem::path& file, LeftOutList& left_out, InputFiles* inputs = nullptr);
 

@@ -142,8 +142,8 @@ TEST(MeshBody, WhatIsNotConvexHasAHullAndAReason) {
   EXPECT_EQ(body.hull.vertices().size(), 4u);
   ASSERT_TRUE(body.departure);
   EXPECT_THROW(static_cast<void>(read_body(file, true, left_out)), Error);
-  const auto [of_points, points] = read_hull(file, left_out);
-  EXPECT_EQ(points.size(), 5u);
+  const auto [of_points, mesh] = read_hull(file, left_out);
+  EXPECT_EQ(mesh.vertices.size(), 5u);
   EXPECT_EQ(of_points.hull.vertices().size(), 4u);
 }
 

@@ -76,9 +76,8 @@ Exact across_line(const ConvexPolygon& polygon, const Pose& pose, const Unbounde
 
 // Where the line leaves the polygon, seen along it: across an edge that it passes to the outside, and of its two edges
 // at a vertex it passes one. A segment that the line runs along, and a point, it leaves along itself.
-Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const CutEnd& last) {
+Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Exact& way, const CutEnd& last) {
   const std::uint32_t n = polygon.size(), v = last.feature;
-  Exact way = along(other);
   for (const std::uint32_t e : {v, polygon.previous(v)}) {
     if (n == 1 || (last.place == Place::edge && e != v)) continue;
     const auto [x, y] = outward_normal(polygon, pose, e);
@@ -99,7 +98,7 @@ std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, co
   const PolygonCut by_line = is_ray ? polygon_line(polygon, pose, line_of(other)) : common.cut;
   const Contact of_line = contact_of(by_line, polygon.size());
   const bool is_behind = common.meet() ? of_line == Contact::overlapping : of_line != Contact::none;
-  return way_in_space(is_behind ? out_of_polygon(polygon, pose, other, by_line.last)
+  return way_in_space(is_behind ? out_of_polygon(polygon, pose, along(other), by_line.last)
                                 : across_line(polygon, pose, other, by_line));
 }
 
@@ -151,19 +150,37 @@ CommonPoint overlapping_point(const ConvexPolygon& polygon, const Pose& pose, co
   return {in_space(p), inner_combination(polygon, pose, p), combination_of(other, p, true)};
 }
 
-// A vertex, or a point of an edge: the last one along the line is never the beginning of a ray inside the polygon.
-CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
-                       const PolygonCommon& common) {
-  CutEnd at = common.cut.last;
-  if (std::holds_alternative<HalfPlane>(other)) at = {Place::vertex, common.witness};
+// At a vertex, an edge or, of the beginning of a ray, inside.
+CommonPoint point_at(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const CutEnd& at) {
   const Line line = line_of(other);
   const ExactEnd end = exact_end(polygon, pose, line.a, line.b, at);
   Combination of_polygon{{{at.feature, 1.0}}};
+  if (at.place == Place::inside) of_polygon = inner_combination(polygon, pose, end.point);
   if (at.place == Place::edge) {
     const auto& [part, whole] = end.along_edge;
     of_polygon = {{{at.feature, whole - part}, {polygon.next(at.feature), part}}, whole};
   }
   return {in_space(end.point), std::move(of_polygon), combination_of(other, end.point, false)};
+}
+
+// A vertex, or a point of an edge: the last one along the line is never the beginning of a ray inside the polygon.
+CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                       const PolygonCommon& common) {
+  if (std::holds_alternative<HalfPlane>(other)) {
+    return point_at(polygon, pose, other, {Place::vertex, common.witness});
+  }
+  return point_at(polygon, pose, other, common.cut.last);
+}
+
+// Of those that meet.
+void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon,
+                     const Pose& pose, const Unbounded& other, const PolygonCut& cut) {
+  const auto out = [&](const CutEnd& end, const Exact& way) {
+    const Exact d = end.own == OwnEnd::none ? out_of_polygon(polygon, pose, way, end) : way;
+    return std::array<Dyadic, 3>{d.x, d.y, Dyadic()};
+  };
+  const auto at = [&](const CutEnd& end) { return point_at(polygon, pose, other, end); };
+  pairs.add_common_part(a, b, at(cut.first), at(cut.last), out(cut.first, -along(other)), out(cut.last, along(other)));
 }
 
 }  // namespace
@@ -207,6 +224,7 @@ UnboundedBody body_of(const Unbounded& other) {
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
                 const Unbounded& other, const PolygonCommon& common, bool tells_contact) {
+  const bool is_on_line = !std::holds_alternative<HalfPlane>(other);
   if (common.contact == Contact::none) {
     pairs.add_apart(a, b, parting(polygon, pose, other, common));
   } else if (!tells_contact) {
@@ -215,6 +233,14 @@ void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const Conve
     pairs.add_touching(a, b, some_point(polygon, pose, other, common), parting(polygon, pose, other, common));
   } else {
     pairs.add_overlapping(a, b, overlapping_point(polygon, pose, other, common));
+  }
+  if (is_on_line && common.meet()) add_common_part(pairs, a, b, polygon, pose, other, common.cut);
+  if (std::holds_alternative<HalfPlane>(other)) {
+    const Exact out = -left_of(along(other));
+    pairs.add_nearest(a, b, common.witness, {out.x, out.y, Dyadic()});
+  } else if (std::holds_alternative<Line>(other) && !common.meet()) {
+    const Exact out = -across_line(polygon, pose, other, common.cut);
+    pairs.add_nearest(a, b, common.cut.nearest, {out.x, out.y, Dyadic()});
   }
 }
 

@@ -70,7 +70,9 @@ struct UnboundedBody {
 UnboundedBody body_of(const Unbounded& other);
 
 // States whether body a, the polygon, and body b, the other, meet; if tells_contact, also whether they touch, or
-// overlap. Requires their answer. Cost: exact arithmetic on a few vertices, and of a ray that of polygon_line.
+// overlap; the part that it has in common with a line or ray; and the vertex nearest to a line or half-plane, or
+// furthest within that. Requires their answer. Cost: exact arithmetic on a few vertices, and of a ray that of
+// polygon_line.
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
                 const Unbounded& other, const PolygonCommon& common, bool tells_contact);
 

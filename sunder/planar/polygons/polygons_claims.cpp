@@ -49,6 +49,14 @@ void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsCo
   file.begin_claims();
   file.claim("common_point");
   file.end_statement();
+  if (asked.allowed == Allowed::touch) return;
+  const std::array<const Polygon*, 2> pair{&asked.polygons[found.i], &asked.polygons[found.j]};
+  file.begin_statement("two_polygons");
+  file.indices("pair", std::array{found.i, found.j});
+  file.text("verdict", name_of(found.contact));
+  const PolygonEdges edges({pair.begin(), pair.end()});
+  write_sweep(file, "how_two_meet", *sweep_events(edges.edges(), std::numeric_limits<std::size_t>::max()));
+  file.end_statement();
 }
 
 void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events) {
@@ -57,19 +65,27 @@ void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvent
   file.end_statement();
 }
 
-void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitPairs& visit) {
-  begin(file, asked, "these");
-  file.begin_list("contacts");
-  visit([&](std::uint32_t i, std::uint32_t j) { file.add_list(std::array{i, j}); });
+void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events,
+                 const VisitContacts& visit) {
+  const bool has_kinds = asked.allowed != Allowed::touch;
+  begin(file, asked, has_kinds ? "these_kinds" : "these");
+  file.begin_list(has_kinds ? "kinds" : "contacts");
+  visit([&](const PolygonsContact& c) {
+    if (has_kinds) file.add_contact(c.i, c.j, name_of(c.contact));
+    if (!has_kinds) file.add_list(std::array{c.i, c.j});
+  });
   file.end_list();
-  write_sweep(file, "these_count", events);
+  write_sweep(file, has_kinds ? "these_kinds" : "these_count", events);
   file.end_statement();
 }
 
-void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t number) {
-  begin(file, asked, "count");
-  file.number("number", number);
-  write_sweep(file, "number_counts", events);
+void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t overlapping,
+                 std::uint64_t touching) {
+  const bool has_kinds = asked.allowed != Allowed::touch;
+  begin(file, asked, has_kinds ? "count_kinds" : "count");
+  file.number(has_kinds ? "overlapping" : "number", overlapping);
+  if (has_kinds) file.number("touching", touching);
+  write_sweep(file, has_kinds ? "kinds_count" : "number_counts", events);
   file.end_statement();
 }
 

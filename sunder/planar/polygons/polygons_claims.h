@@ -33,14 +33,15 @@ std::optional<SweepEvents> polygon_events(std::span<const Polygon> polygons,
 // Each writes the table and a statement. Certificates must be true: so answers are those for what was asked, not by
 // scan, and polygons are as polygons_any.h requires.
 
-// Two polygons meet. The common point is computed here, in time linear in the edges of both polygons, for each edge at
-// that point.
+// Two polygons meet; and, where touching counts, whether they touch or overlap, by a sweep of their edges. The common
+// point is computed here, in time linear in the edges of both polygons, for each edge at that point.
 void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsContact& found);
 void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events);
-// Exactly these meet. `visit` calls for each contact that counts, by i, then j.
-using VisitPairs = std::function<void(const std::function<void(std::uint32_t i, std::uint32_t j)>& take)>;
-void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitPairs& visit);
-void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t number);
+// Exactly these meet, and so. `visit` calls for each contact that counts, by i, then j.
+using VisitContacts = std::function<void(const std::function<void(const PolygonsContact& contact)>& take)>;
+void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitContacts& visit);
+void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t overlapping,
+                 std::uint64_t touching);
 
 // An entry of the table, and of that a ring.
 void write_row(ClaimsWriter& file, const Polygon& polygon);

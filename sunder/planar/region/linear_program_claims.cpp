@@ -114,11 +114,16 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
 
 template <class Given>
 std::string certificate_text(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
-                             const Origin& origin) {
-  return claims_text(origin, [&](ClaimsWriter& file) { write_statement(file, given, objective, answer); });
+                             const Origin& origin, const Region* region) {
+  return claims_text(origin, [&](ClaimsWriter& file) {
+    write_statement(file, given, objective, answer);
+    if (region != nullptr) write_region_statement(file, given, *region);
+  });
 }
 
-template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&, const Origin&);
-template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&, const Origin&);
+template std::string certificate_text(const Constraints&, const Objective&, const LinearProgramAnswer&, const Origin&,
+                                      const Region*);
+template std::string certificate_text(const HalfPlanes&, const Objective&, const LinearProgramAnswer&, const Origin&,
+                                      const Region*);
 
 }  // namespace sunder::planar

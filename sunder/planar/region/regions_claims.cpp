@@ -1,8 +1,13 @@
 #include <sunder/planar/region/half_plane_intersection.h>
 #include <sunder/planar/region/regions_claims.h>
+#include <sunder/planar/segments/segments_all.h>
+#include <sunder/planar/sweep/sweep_claims.h>
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -44,11 +49,10 @@ void write_region(ClaimsWriter& file, const Given& given, const Region& region) 
   file.end_statement();
 }
 
-// The table, and the statement up to its verdict.
+// The table.
 template <class Given>
 void begin(ClaimsWriter& file, const Given& half_planes) {
   write_half_planes(file, half_planes);
-  file.begin_statement("half_planes");
 }
 void begin(ClaimsWriter& file, const PolygonSides& polygon) {
   file.begin_table("rings");
@@ -56,8 +60,20 @@ void begin(ClaimsWriter& file, const PolygonSides& polygon) {
   for (const Point2& p : polygon.vertices()) file.add_row(std::array{p.x, p.y});
   file.end_rows();
   file.end_table();
-  file.begin_statement("kernel");
+}
+
+// That the ring is simple.
+void write_simple(ClaimsWriter& file, const PolygonSides& polygon) {
+  const std::span<const Point2> ring = polygon.vertices();
+  std::vector<Segment> edges;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    edges.push_back(sorted({ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]}));
+  }
+  file.begin_statement("ring");
   file.index("ring", 0);
+  file.text("verdict", "simple");
+  write_sweep(file, "valid", *sweep_events(Segments(std::move(edges)), std::numeric_limits<std::size_t>::max()));
+  file.end_statement();
 }
 
 HalfPlane x_at_most(double x) { return HalfPlane::left_of({x, 0}, {x, 1}); }
@@ -72,10 +88,25 @@ void write_half_planes(ClaimsWriter& file, const Constraints& given) { write_tab
 void write_half_planes(ClaimsWriter& file, const HalfPlanes& given) { write_table(file, given); }
 
 template <class Given>
+void write_region_statement(ClaimsWriter& file, const Given& given, const Region& region) {
+  if constexpr (std::is_same_v<Given, PolygonSides>) {
+    file.begin_statement("kernel");
+    file.index("ring", 0);
+  } else {
+    file.begin_statement("half_planes");
+  }
+  write_region(file, given, region);
+}
+
+template void write_region_statement(ClaimsWriter&, const Constraints&, const Region&);
+template void write_region_statement(ClaimsWriter&, const HalfPlanes&, const Region&);
+
+template <class Given>
 std::string certificate_text(const Given& given, const Region& region, const Origin& origin) {
   return claims_text(origin, [&](ClaimsWriter& file) {
     begin(file, given);
-    write_region(file, given, region);
+    write_region_statement(file, given, region);
+    if constexpr (std::is_same_v<Given, PolygonSides>) write_simple(file, given);
   });
 }
 

@@ -15,7 +15,7 @@
 namespace sunder::planar {
 
 // Requires the region of these half-planes with its evidence. `Given` is Constraints or HalfPlanes; PolygonSides: the
-// kernel of this polygon. origin: where they come from.
+// kernel of this polygon, which is simple, and that it is. origin: where they come from.
 template <class Given>
 std::string certificate_text(const Given& given, const Region& region, const Origin& origin = {});
 
@@ -31,6 +31,14 @@ std::string certificate_text(std::span<const ConvexPolygon> polygons, const Orig
 // edge 0, 1, ...; of a segment, of both its edges, then x or, where it is vertical, y at most and at least those of its
 // ends; of a point, x at most, y at most, x at least, y at least its own.
 std::vector<HalfPlane> sides_of(std::span<const ConvexPolygon> polygons);
+
+// The statement about the table of half-planes that the file has. Requires their region with its evidence. `Given` is
+// Constraints or HalfPlanes.
+template <class Given>
+void write_region_statement(ClaimsWriter& file, const Given& given, const Region& region);
+
+extern template void write_region_statement(ClaimsWriter&, const Constraints&, const Region&);
+extern template void write_region_statement(ClaimsWriter&, const HalfPlanes&, const Region&);
 
 // The table of half-planes.
 void write_half_planes(ClaimsWriter& file, const Constraints& given);

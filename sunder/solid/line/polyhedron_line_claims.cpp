@@ -76,9 +76,13 @@ class Claims {
     return {};
   }
 
-  CommonPoint some_point() {
-    const ExactEnd end = exact_end(placed_, line_, cut_.last);
-    return common_point(end.point, end.along_line, false);
+  CommonPoint some_point() { return point_at(cut_.last); }
+
+  // Requires that they meet.
+  void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
+    if (ends_.is_point()) return;
+    pairs.add_common_part(a, b, point_at(cut_.first), point_at(cut_.last), direction_out(cut_.first, -way_),
+                          direction_out(cut_.last, way_));
   }
 
   // Requires that they overlap.
@@ -105,6 +109,65 @@ class Claims {
   }
 
  private:
+  CommonPoint point_at(const CutEnd& at) {
+    const ExactEnd end = exact_end(placed_, line_, at);
+    return common_point(end.point, end.along_line, false);
+  }
+
+  // A direction along which the body, or the other, ends at that end, which is so along that way.
+  std::array<Dyadic, 3> direction_out(const CutEnd& end, const Exact& way) {
+    if (end.own != OwnEnd::none) return numbers(way);
+    const ExactPoint3 p = exact_end(placed_, line_, end).point;
+    for (const Exact& d : outward(end.at)) {
+      const Sign sign = dot(d, way).sign();
+      const Exact along = sign == Sign::negative ? -d : d;
+      if (sign != Sign::zero && beside(along, p, extreme(along, End::greatest)) != Sign::positive)
+        return numbers(along);
+    }
+    SUNDER_REQUIRE(false);
+    return {};
+  }
+
+  // What is perpendicular to facets or edges there, or to all of the body but along a line of it.
+  std::vector<Exact> outward(const CutFeature& at) {
+    std::vector<Exact> found;
+    switch (body_.dimension()) {
+      case 3: {
+        const PolyhedronCut of_line = polyhedron_line(body_, pose_, line_);
+        return {normal(of_line.leaves), normal(of_line.enters)};
+      }
+      case 2:
+        found.push_back(normal(0));
+        for (const auto& [v, w] : edges_at(at)) found.push_back(cross(vertex(w) - vertex(v), normal(0)));
+        return found;
+      case 1: {
+        const Exact edge = vertex(1) - vertex(0);
+        return {out_of_edge(edge), edge};
+      }
+      default: return {way_};
+    }
+  }
+
+  // Of a flat body: an edge, or those at a vertex.
+  std::vector<std::array<std::uint32_t, 2>> edges_at(const CutFeature& at) const {
+    std::vector<std::array<std::uint32_t, 2>> edges;
+    if (at.place == CutPlace::edge) edges.push_back({at.feature, at.other});
+    if (at.place != CutPlace::vertex) return edges;
+    for (const std::uint32_t w : body_.neighbours(at.feature)) edges.push_back({at.feature, w});
+    return edges;
+  }
+
+  Sign beside(const Exact& d, const ExactPoint3& p, std::uint32_t v) const {
+    return dot(d, vertex(v) * p.denominator - p.numerators()).sign();
+  }
+  std::uint32_t extreme(const Exact& d, End end) {
+    const WorldDirection direction(d);
+    Along along(direction, placed_.pose, placed_.tame);
+    StageTally tally;
+    Cost cost;
+    return extreme_vertex_from(placed_, along, end, 0, cost, tally);
+  }
+
   static std::array<Dyadic, 3> numbers(const Exact& d) { return {d.x, d.y, d.z}; }
   Exact vertex(std::uint32_t v) const { return lift<ExactStage>(placed_[v]); }
   Exact normal(std::uint32_t f) const {
@@ -122,15 +185,6 @@ class Claims {
 
   std::vector<Exact> candidates() const {
     std::vector<Exact> found;
-    // The edges that hold the common part, or of which it is an end.
-    std::vector<std::array<std::uint32_t, 2>> edges;
-    const auto add_edges = [&](const CutFeature& at) {
-      if (at.place == CutPlace::edge) edges.push_back({at.feature, at.other});
-      if (at.place != CutPlace::vertex || body_.dimension() == 3) return;
-      for (const std::uint32_t w : body_.neighbours(at.feature)) edges.push_back({at.feature, w});
-    };
-    const bool is_along = cut_.kind == CutKind::along;
-    add_edges(is_along ? cut_.surface : cut_.last.at);
     switch (body_.dimension()) {
       case 3: {
         const PolyhedronCut of_line = polyhedron_line(body_, pose_, line_);
@@ -146,7 +200,8 @@ class Claims {
       }
       case 2:
         found.push_back(cross(normal(0), way_));
-        for (const auto& [v, w] : edges) {
+        // The edges that hold the common part, or of which it is an end.
+        for (const auto& [v, w] : edges_at(cut_.kind == CutKind::along ? cut_.surface : cut_.last.at)) {
           found.push_back(cross(vertex(w) - vertex(v), way_));
           found.push_back(cross(vertex(w) - vertex(v), normal(0)));
         }
@@ -168,16 +223,10 @@ class Claims {
     const Sign forth = dot(d, way_).sign(), of_a = beside_p(a_), of_b = ends_.is_segment ? beside_p(b_) : of_a;
     if (of_a == Sign::negative || of_b == Sign::negative) return false;
     if (!ends_.is_segment && (ends_.is_line ? forth != Sign::zero : forth == Sign::negative)) return false;
-    const WorldDirection direction(d);
-    Along along(direction, placed_.pose, placed_.tame);
-    StageTally tally;
-    Cost cost;
-    const std::uint32_t furthest = extreme_vertex_from(placed_, along, End::greatest, 0, cost, tally),
-                        nearest = extreme_vertex_from(placed_, along, End::least, 0, cost, tally);
-    if (beside_p(vertex(furthest)) == Sign::positive) return false;
+    if (beside(d, p, extreme(d, End::greatest)) == Sign::positive) return false;
     const bool is_beyond =
         of_a == Sign::positive || of_b == Sign::positive || (!ends_.is_segment && forth == Sign::positive);
-    return is_beyond || beside_p(vertex(nearest)) == Sign::negative;
+    return is_beyond || beside(d, p, extreme(d, End::least)) == Sign::negative;
   }
 
   // ---- Points.
@@ -330,6 +379,12 @@ void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const Conve
   } else {
     pairs.add_overlapping(a, b, claims.overlapping_point());
   }
+  if (contact != Contact::none) claims.add_common_part(pairs, a, b);
+}
+
+void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body,
+                     const Pose& pose, const LineLike& other, const PolyhedronCut& cut) {
+  Claims(body, pose, other, cut).add_common_part(pairs, a, b);
 }
 
 }  // namespace sunder::solid

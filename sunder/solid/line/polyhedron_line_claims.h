@@ -34,8 +34,14 @@ struct LineBody {
 LineBody body_of(const LineLike& other);
 
 // States whether body a, the polyhedron, and body b, the other, meet; if tells_contact, also whether they touch, or
-// overlap. Requires the answer of polyhedron_line_like. Cost: exact arithmetic on a few vertices, and O(log n) probes.
+// overlap; and of those that meet the common part. Requires the answer of polyhedron_line_like. Cost: exact arithmetic
+// on a few vertices, and O(log n) probes.
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
                 const LineLike& other, const PolyhedronCut& cut, bool tells_contact);
+
+// States what body a, the polyhedron, and body b, the other, have in common, if that is no point itself. Requires that
+// they meet, and their answer. Cost: likewise.
+void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body,
+                     const Pose& pose, const LineLike& other, const PolyhedronCut& cut);
 
 }  // namespace sunder::solid

@@ -46,6 +46,13 @@ class Convexity {
     return {odd ? MeshDefect::Kind::none : MeshDefect::Kind::doubled, 0, {}};
   }
 
+  // Requires C1.
+  std::vector<std::uint32_t> facets_beneath() const {
+    std::vector<std::uint32_t> facets;
+    for (std::uint32_t f = 0; f < mesh_.polygon_count(); ++f) facets.push_back(facet_of(f).value_or(0));
+    return facets;
+  }
+
  private:
   std::span<const std::uint32_t> corners(std::uint32_t f) const { return topology_.corners_of(f); }
   const Point3& at(std::uint32_t v) const { return mesh_.vertices[v]; }
@@ -217,5 +224,9 @@ class Convexity {
 }  // namespace
 
 MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull) { return Convexity(mesh, hull).find(); }
+
+std::vector<std::uint32_t> facets_beneath(const MeshView& mesh, const ConvexPolyhedron& hull) {
+  return Convexity(mesh, hull).facets_beneath();
+}
 
 }  // namespace sunder::solid

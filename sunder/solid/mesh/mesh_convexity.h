@@ -55,4 +55,7 @@ struct MeshDefect {
 // Cost: n log n in floating point, plus the number of facets for each polygon without a corner that is extreme.
 MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull);
 
+// Of a convex mesh, for each polygon a facet of the hull that holds its corners (C1). Cost: likewise.
+std::vector<std::uint32_t> facets_beneath(const MeshView& mesh, const ConvexPolyhedron& hull);
+
 }  // namespace sunder::solid

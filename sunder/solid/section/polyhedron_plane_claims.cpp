@@ -106,7 +106,11 @@ ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const P
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
                 const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact) {
   const Exactly exact{body, pose, plane};
-  if (!answer.meet()) return pairs.add_apart(a, b, exact.normal(answer.side == Sign::positive));
+  if (!answer.meet()) {
+    const bool is_above = answer.side == Sign::positive;
+    pairs.add_apart(a, b, exact.normal(is_above));
+    return pairs.add_nearest(a, b, answer.nearest, exact.normal(!is_above));
+  }
   if (contact == Contact::overlapping) {
     return pairs.add_overlapping(a, b, common(plane, in_file, exact.inside(answer), true));
   }

@@ -19,9 +19,9 @@ ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const P
                          const PolyhedronPlane& answer);
 
 // States whether body a of the file, the polyhedron, and body b, the plane, meet; where the contact is not none,
-// whether they touch, or overlap. Requires their answer and contact, and the plane's body. Throws nothing, but for want
-// of memory. Cost: exact arithmetic on a few vertices; where `below` or `above` is on the plane, until one is found
-// that is not.
+// whether they touch, or overlap; where they are apart, the nearest vertex. Requires their answer and contact, and the
+// plane's body. Throws nothing, but for want of memory. Cost: exact arithmetic on a few vertices; where `below` or
+// `above` is on the plane, until one is found that is not.
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
                 const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact);
 

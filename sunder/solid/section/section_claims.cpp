@@ -2,17 +2,19 @@
 #include <sunder/predicate/point/plane_side.h>
 #include <sunder/solid/object/hull_claims.h>
 #include <sunder/solid/represent/half_edges.h>
+#include <sunder/solid/section/section_area.h>
 #include <sunder/solid/section/section_claims.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 
 namespace sunder::solid {
 
 SectionClaims::SectionClaims(ClaimsWriter& file, const std::string& name, const ConvexPolyhedron& body,
                              const Pose& pose)
-    : file_(file), body_(body), pose_(pose.affine()) {
+    : file_(file), body_(body), given_pose_(pose), pose_(pose.affine()) {
   const std::string text = name.empty() ? "unnamed" : cut_text(name);
   file_.begin_table("bodies");
   file_.begin_entry();
@@ -40,20 +42,27 @@ void SectionClaims::add(const Plane& plane, const PlaneSection& section) {
     write_hull_of_vertices(file_, body_);
     has_hull_ = true;
   }
+  const AreaBounds area = section_area(section, SectionPoints(body_, given_pose_, plane), plane.normal);
+  const bool is_measured = section.kind == SectionKind::polygon && std::isfinite(area.high);
   file_.begin_statement("section");
   file_.index("of", placed_);
   const auto& [n, p, offset] = plane;
   file_.doubles("plane", std::array{n.x, n.y, n.z, p.x, p.y, p.z, offset});
-  file_.text("verdict", is_nothing ? "nothing" : is_outlined ? "outlined" : "touching");
+  file_.text("verdict", is_nothing ? "nothing" : is_measured ? "measured" : is_outlined ? "outlined" : "touching");
   if (!is_nothing) {
     file_.begin_list("corners");
     for (const SectionCorner& corner : section.corners) file_.add_list(std::array{corner.above, corner.below});
     file_.end_list();
   }
+  if (is_measured) {
+    file_.real("area_from", area.low);
+    file_.real("area_to", area.high);
+  }
   file_.begin_claims();
   file_.begin_claim(is_nothing ? "beyond" : is_outlined ? "outlined" : "touches");
   if (is_outlined) file_.indices("along", facets_along(plane, section));
   file_.end_claim();
+  if (is_measured) file_.claim("area");
   file_.end_statement();
 }
 

@@ -1,5 +1,5 @@
 // Writes sections of a placed polyhedron by planes into a certificate file (docs/claims.md, "Sections"): the body, what
-// its hull is, then a statement `section` for each.
+// its hull is, then a statement `section` for each, with the area of a polygon (section_area.h).
 // None throws, but for want of memory, or what the writer's sink throws.
 #pragma once
 
@@ -30,6 +30,7 @@ class SectionClaims {
 
   ClaimsWriter& file_;
   const ConvexPolyhedron& body_;
+  Pose given_pose_;
   Affine3 pose_;
   std::uint32_t placed_ = 0;  // its index in the table
   bool has_hull_ = false;

@@ -4,26 +4,9 @@ All numbers are integers, or p + q sqrt(r) of them. A corner is where an arc of 
 begins: of the two points where they cross, that at which the way around the first, counter-clockwise, leaves the disc
 of the second.
 """
+from .linear import sign_of
 from .reader import bits, projective, require
 from .tables import around, dot, turn
-
-
-def sign(n):
-    return (n > 0) - (n < 0)
-
-
-def sign_of_root(p, q, r):
-    """The sign of p + q sqrt(r)."""
-    a, b = sign(p), sign(q) if r else 0
-    return (a or b) if a * b >= 0 else a * sign(p * p - q * q * r)
-
-
-def sign_of_roots(p, q, r, s, u, t):
-    """The sign of p + q sqrt(r) + (s + u sqrt(r)) sqrt(t)."""
-    a, b = sign_of_root(p, q, r), sign_of_root(s, u, r) if t else 0
-    if a * b >= 0:
-        return a or b
-    return a * sign_of_root(p * p + q * q * r - t * (s * s + u * u * r), 2 * (p * q - t * s * u), r)
 
 
 class Way:
@@ -31,12 +14,12 @@ class Way:
 
     def __init__(self, even, odd, root):
         self.even, self.odd, self.root = even, odd, root
-        x, y = (sign_of_root(p, q, root) for p, q in zip(even, odd))
+        x, y = (sign_of((p, q), root) for p, q in zip(even, odd))
         self.is_upper = (y or x) > 0  # its bearing is less than half a turn
 
     def turn_to(self, other):
-        return sign_of_roots(turn(self.even, other.even), turn(self.odd, other.even), self.root,
-                             turn(self.even, other.odd), turn(self.odd, other.odd), other.root)
+        of_other = ((turn(self.even, way), turn(self.odd, way)) for way in (other.even, other.odd))
+        return sign_of(tuple(of_other), self.root, other.root)
 
     def __lt__(self, other):
         """Is its bearing less, from 0 up to a full turn?"""
@@ -63,7 +46,7 @@ class Corner:
         # The powers of a point for two discs differ by a linear function of it; that for the first disc is zero here.
         v = disc[0] - self.a[0], disc[1] - self.a[1]
         even = (dot(v, v) + self.a[2] ** 2 - disc[2] ** 2) * self.square - self.along * dot(self.u, v)
-        return sign_of_root(even, turn(v, self.u), self.root)
+        return sign_of((even, turn(v, self.u)), self.root)
 
 
 def is_within(c, d):

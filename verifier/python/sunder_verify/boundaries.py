@@ -4,63 +4,37 @@ Points are seen from the mean of the corners, and as many times as far from it a
 """
 import itertools
 
+from .linear import Basis, Surface
 from .reader import require
 from .tables import dot
 
 
-def is_odd(order):
-    """Does it take an odd number of exchanges to sort different numbers?"""
-    return sum(i > j for i, j in itertools.combinations(order, 2)) % 2 == 1
-
-
-def eliminated(rows, columns):
-    """Of independent rows: for each a column, and combinations of them that have in their columns the number that is
-    returned last, and in those of the others 0. Of others None. Only the first columns are chosen from."""
-    rows, pivots, before = [list(row) for row in rows], [], 1
-    for r, row in enumerate(rows):
-        column = next((c for c in range(columns) if row[c]), None)
-        if column is None:
-            return None
-        pivot = row[column]
-        for i, other in enumerate(rows):
-            if i != r:
-                by = other[column]
-                rows[i] = [(pivot * x - by * y) // before for x, y in zip(other, row)]  # exact: Bareiss, Jordan
-        before = pivot
-        pivots.append(column)
-    return pivots, rows, before
-
-
 def flat(points, some):
     """The columns that tell the others of all points, if these are combinations of some, which are independent."""
-    found = eliminated(some, len(some[0]))
-    require(found, "boundary", "the corners of the first simplex and the mean of all are in a flat")
-    pivots, rows, unit = found
-    others = [c for c in range(len(some[0])) if c not in pivots]
+    basis = Basis(len(some[0]), some)
+    require(basis.are_all, "boundary", "the corners of the first simplex and the mean of all are in a flat")
     for k, p in enumerate(points):
-        is_in = all(unit * p[c] == sum(p[column] * row[c] for column, row in zip(pivots, rows)) for c in others)
-        require(is_in, "boundary", "point %d is not in the flat of the first simplex" % k)
-    return sorted(pivots)
+        require(not any(basis.rest(p)), "boundary", "point %d is not in the flat of the first simplex" % k)
+    return sorted(basis.pivots)
 
 
 def plane(corners):
     """The normal and the height, which is positive, of the plane of independent points; and on which side it is."""
     k = len(corners)
-    found = eliminated([(*p, 1) for p in corners], k)
-    if not found:
+    basis = Basis(k, [(*p, 1) for p in corners])
+    if not basis.are_all:
         return None
-    pivots, rows, unit = found
-    sign = 1 if unit > 0 else -1
+    sign = 1 if basis.unit > 0 else -1
     normal = [0] * k
-    for column, row in zip(pivots, rows):
+    for column, row in zip(basis.pivots, basis.rows):
         normal[column] = sign * row[k]
-    return normal, sign * unit, is_odd(pivots) == (unit > 0)
+    return normal, sign * basis.unit, basis.is_positive()
 
 
 def is_in_cone(corners, point):
     """Is a point a combination of independent ones, with no number less than zero?"""
-    pivots, rows, unit = eliminated(zip(*corners, point), len(corners))
-    return all(row[-1] * unit >= 0 for row in rows)
+    basis = Basis(len(corners), zip(*corners, point))
+    return all(row[-1] * basis.unit >= 0 for row in basis.rows)
 
 
 def beside(at, middle):
@@ -81,7 +55,7 @@ def boundary(steps, homes, body, facets):
     points = [[len(corners) * x - y for x, y in zip(row, mean)] for row in body.rows]
     columns = flat(points, [points[v] for v in simplices[0]])
     points = [[p[c] for c in columns] for p in points]
-    planes, ridges, held = [], {}, [{*itertools.chain(*facet)} for facet in facets]
+    planes, surface, held = [], Surface("boundary"), [{*itertools.chain(*facet)} for facet in facets]
     for s, simplex in enumerate(simplices):
         found = plane([points[v] for v in simplex])
         require(found and (not planes or found[2] == planes[0][2]), "boundary",
@@ -92,16 +66,13 @@ def boundary(steps, homes, body, facets):
             require(all(dot(normal, points[v]) == height for v in held[facet_of[s]]), "boundary",
                     "facet %d is not in one plane" % facet_of[s])
         for i, v in enumerate(simplex):
-            ridge = simplex[:i] + simplex[i + 1:]
-            key = (*sorted(ridge), is_odd(ridge) == (i % 2 == 0))
-            require(key not in ridges, "boundary", "two simplices are on one side of a ridge of simplex %d" % s)
-            ridges[key] = s, v
-    for (*ridge, side), (s, v) in ridges.items():
-        require((*ridge, not side) in ridges, "boundary", "only one simplex contains a ridge of simplex %d" % s)
-        t, w = ridges[(*ridge, not side)]
-        normal, height, _ = planes[s]
-        require(facet_of[s] == facet_of[t] or dot(normal, points[w]) < height, "boundary",
-                "facets %d and %d are not convex at a ridge" % (facet_of[s], facet_of[t]))
+            surface.take(simplex, i, (s, v), "two simplices are on one side of a ridge of simplex %d" % s)
+    for s, simplex in enumerate(simplices):
+        for i in range(k):
+            t, w = surface.beyond(simplex, i, "only one simplex contains a ridge of simplex %d" % s)
+            normal, height, _ = planes[s]
+            require(facet_of[s] == facet_of[t] or dot(normal, points[w]) < height, "boundary",
+                    "facets %d and %d are not convex at a ridge" % (facet_of[s], facet_of[t]))
     middle = [sum(axis) for axis in zip(*(points[v] for v in simplices[0]))]
     signs = beside({v: points[v] for v in corners}, middle)
     for s, simplex in enumerate(simplices[1:], 1):

@@ -4,6 +4,7 @@ Points are seen from the mean of the hull's vertices, and as many times as far f
 """
 import itertools
 
+from .linear import Surface
 from .reader import require
 from .tables import around, cross, dot, goes_round_once
 
@@ -30,7 +31,7 @@ def is_convex(ring, normal):
 def surface(steps, homes, body, faces):
     """The faces are those of the hull of a body's points, which is solid."""
     vertices = {*itertools.chain(*faces)}
-    at, planes, beside = from_mean(steps, body, vertices, sum(map(len, faces))), [], {}
+    at, planes, edges = from_mean(steps, body, vertices, sum(map(len, faces))), [], Surface("surface")
     for f, face in enumerate(faces):
         ring = [at[k] for k in face]
         normal = cross(minus(ring[1], ring[0]), minus(ring[2], ring[0]))
@@ -39,12 +40,11 @@ def surface(steps, homes, body, faces):
         require(is_face, "surface", "face %d is no strictly convex polygon that is seen from outside" % f)
         planes.append((normal, height))
         for edge, (_, after) in zip(around(face), around(face[1:] + face[:1])):
-            require(edge not in beside, "surface", "two faces have the edge from %d to %d" % edge)
-            beside[edge] = f, after
-    for (i, j), (f, _) in beside.items():
-        require((j, i) in beside, "surface", "only one face contains the edge from %d to %d" % (i, j))
-        normal, height = planes[f]
-        require(dot(normal, at[beside[j, i][1]]) < height, "surface", "the edge from %d to %d is not convex" % (i, j))
+            edges.take((f, *edge), 0, after, "two faces have the edge from %d to %d" % edge)
+    for (normal, height), face in zip(planes, faces):
+        for edge in around(face):
+            after = edges.beyond((None, *edge), 0, "only one face contains the edge from %d to %d" % edge)
+            require(dot(normal, at[after]) < height, "surface", "the edge from %d to %d is not convex" % edge)
     middle = [sum(axis) for axis in zip(*(at[k] for k in faces[0]))]
     for f, face in enumerate(faces[1:], 1):
         is_beside = any(dot(cross(at[i], at[j]), middle) < 0 for i, j in around(face))
@@ -97,3 +97,23 @@ def one_point(steps, body):
     """All points of a body are one."""
     steps.take(4 * len(body), body.bits, body.bits)
     require(all(row == body.rows[0] for row in body.rows), "one_point", "two points differ")
+
+
+def bounds_hull(steps, beneath, body, polygons, proved):
+    """Polygons, counted modulo two, cover the boundary of the hull of a body's points, which is solid, once."""
+    hull, faces = proved.get(body.base, ("", ()))
+    require(hull == "solid", "bounds_hull", "that the hull of %s is solid has not been proved before" % body.name)
+    require(max(beneath) < len(faces), "bounds_hull", "a face is none of the hull's")
+    steps.take(16 * sum(map(len, polygons)), body.bits, 2 * body.bits)
+    odd, beside, (u, v, w) = set(), False, (body.rows[k] for k in faces[0][:3])
+    for p, (polygon, facet) in enumerate(zip(polygons, beneath)):
+        o, a, b = (body.rows[k] for k in faces[facet][:3])
+        normal, corners = cross(minus(a, o), minus(b, o)), [body.rows[k] for k in polygon]
+        is_on = all(dot(normal, minus(q, o)) == 0 for q in corners)
+        require(is_on, "bounds_hull", "polygon %d is not in the plane of face %d" % (p, facet))
+        for edge in around(corners):
+            odd ^= {frozenset(edge)} if edge[0] != edge[1] else set()
+            if facet == 0 and u in edge and edge[0] != edge[1]:
+                beside ^= not any(cross(minus(v, u), minus(edge[edge[0] == u], u)))
+    require(not odd, "bounds_hull", "an edge is in an odd number of polygons")
+    require(beside, "bounds_hull", "the polygons cover the hull an even number of times")

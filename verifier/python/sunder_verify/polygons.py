@@ -73,6 +73,26 @@ def contacts_of_polygons(steps, events, polygons, groups, allowed):
                     yield min(i, j), max(i, j)
 
 
+def kinds_of_polygons(steps, events, polygons, groups, allowed):
+    """The same, with how they meet."""
+    overlapping = {*contacts_of_polygons(steps, events, polygons, groups, ("touch",))}
+    for pair in contacts_of_polygons(steps, events, polygons, groups, allowed):
+        yield *pair, "overlapping" if pair in overlapping else "touching"
+
+
+def kinds_count(steps, events, polygons, groups, allowed, overlapping, touching):
+    """So many have common points that count: so many of them inside of both, the others none."""
+    number = collections.Counter(kind for *_, kind in kinds_of_polygons(steps, events, polygons, groups, allowed))
+    is_so = (number["overlapping"], number["touching"]) == (overlapping, touching)
+    require(is_so, "kinds_count", "%d overlap and %d touch" % (number["overlapping"], number["touching"]))
+
+
+def how_two_meet(steps, events, pair, verdict):
+    """Two polygons have no common points, or some inside of both, or others."""
+    found = [kind for *_, kind in kinds_of_polygons(steps, events, pair, range(2), ())] or ["apart"]
+    require(found == [verdict], "how_two_meet", "they are " + found[0])
+
+
 def near(steps, polygons, ring, size, place):
     """Of a ring the edges, by number, of which some part may be at a point (place, of so many bits), or below it."""
     x, y, w = place
@@ -273,11 +293,11 @@ CONTACTS = {Segments: contacts_of_segments, Polygons: contacts_of_polygons}  # o
 NUMBER = {Segments: number_of_segments}  # of others the contacts are counted
 
 
-def exactly(rule):
+def exactly(rule, finder=None):
     """The rule that the contacts that count are those wanted, which may be none, or are so many."""
     def check(steps, evidence, table, groups, allowed, wanted=()):
         told = steps, evidence, table, groups, allowed
-        contacts_of = CONTACTS.get(type(table), contacts_by_cover)
+        contacts_of = finder or CONTACTS.get(type(table), contacts_by_cover)
         if type(wanted) is int:
             number = NUMBER[type(table)](*told) if type(table) in NUMBER else sum(1 for _ in contacts_of(*told))
             require(number == wanted, rule, "%d contacts count" % number)

@@ -1,8 +1,6 @@
 """The rules about polytopes of R^d, of points or of half-spaces: docs/claims.md, "Polytopes"."""
-import math
-
+from .linear import Basis, aligned, mean_of, weighted_sum
 from .reader import bits, common, length, projective, require
-from .rules import aligned, weighted_sum
 from .tables import dot, products_of
 
 
@@ -11,11 +9,8 @@ def keeps(steps, weights, at, body, point):
     d = body.dimension
     if body.is_of_points:
         up = min(body.exponent, 0)  # rows and a one, in one unit
-        (*v, w), n, e = weighted_sum(
-            steps, weights, lambda k: (*(x << (body.exponent - up) for x in body.rows[k]), 1 << -up, up), 0, "keeps",
-            "a weight of %s is negative" % body.name)
-        total, one = aligned(w, e, n, 0)
-        require(total == one, "keeps", "the weights of %s do not sum to 1" % body.name)
+        v, w, _ = mean_of(steps, "keeps", weights, body, lambda k: (
+            *(x << (body.exponent - up) for x in body.rows[k]), 1 << -up, up))
     else:
         *v, w = projective(at)
         steps.take(len(body), length(at), body.bits)
@@ -96,16 +91,7 @@ def rank(steps, rows):
     """How many of these rows of integers are independent."""
     wide = len(rows[0]) * max(map(bits, rows)) if rows else 0
     steps.take(len(rows), wide, wide)
-    known = []
-    for row in map(list, rows):
-        for pivot, other in known:
-            if row[pivot]:
-                row = [x * other[pivot] - y * row[pivot] for x, y in zip(row, other)]
-        pivot = next((k for k, x in enumerate(row) if x), None)
-        if pivot is not None:
-            shared = math.gcd(*row)
-            known.append((pivot, [x // shared for x in row]))
-    return len(known)
+    return len(Basis(len(rows[0]) if rows else 0, rows).rows)
 
 
 def combined(steps, rule, multipliers, given):

@@ -44,7 +44,8 @@ def entry(table):
 
 def body_asked(value, where, read):
     body = entry(read["about"])(value, where, read)
-    form(read["question"] != "distance" or not body.kind, where + " has a radius")
+    form(read["question"] not in ("distance", "common_part", "nearest") or not body.kind, where + " has a radius")
+    form(read["question"] != "nearest" or "a" in read or body.count == len(body), where + " is not bounded")
     form(read["question"] != "depth" or (body.dimension == 3 and body.count == len(body)),
          where + " is not bounded, in space")
     return body
@@ -103,11 +104,21 @@ def kind(value, where, read):
     return choice(rules.MEETING[table][2] if table in rules.MEETING else rules.KINDS)(value, where, read)
 
 
+def in_order(pairs):
+    return all(i < j for i, j, *_ in pairs) and all(c[:2] < d[:2] for c, d in zip(pairs, pairs[1:]))
+
+
 def contacts(value, where, read):
     entries = list_of(row_of(subject_index, subject_index, *([kind] if type(subject(read)) in rules.MEETING else [])))
     result = entries(value, where, read)
-    form(all(i < j for i, j, *_ in result) and all(c[:2] < d[:2] for c, d in zip(result, result[1:])),
-         where + " is not in order")
+    form(in_order(result), where + " is not in order")
+    return result
+
+
+def kinds(value, where, read):
+    """Of polygons that meet, and how."""
+    result = list_of(row_of(subject_index, subject_index, choice(("overlapping", "touching"))))(value, where, read)
+    form(in_order(result), where + " is not in order")
     return result
 
 
@@ -263,6 +274,11 @@ def parts(value, where, read):
     return read["polygons"].some(read["steps"], which)
 
 
+def pair(value, where, read):
+    form(type(value) is list and len(value) == 2, where + " is not a list of 2")
+    return parts(value, where, read)
+
+
 def members_of(name, fits, words):
     return list_of(index_of(name), lambda those, read: fits(those) and len(set(those)) == len(those), words)
 
@@ -327,11 +343,12 @@ ARCS = list_of(subject_index, lambda those, read: 0 < len(those) <= 2 * len(subj
                " is empty, or has more than two arcs a circle")
 FACE = list_of(subject_index, lambda those, read: len(those) > 2, " has fewer than three corners")
 GIVEN = {  # what questions say
-    "a": body_asked, "b": body_asked, "to_a": end_of("a"), "to_b": end_of("b"), "ring": entry("rings"), "parts": parts,
+    "a": body_asked, "b": body_asked, "to_a": end_of("a"), "to_b": end_of("b"), "ring": entry("rings"), "parts": parts, "pair": pair,
     "members": members_of("bodies", lambda those: those, " is empty, or names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
     "least": positive, "objective": objective, "half_spaces": half_spaces,
+    "mesh_faces": list_of(FACE, lambda those, read: those, " is empty"),
 }
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
@@ -351,10 +368,12 @@ SAID = {  # what verdicts and claims say
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
     "vertices": some_places, "fans": cones_of_vertices,
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
-    "most": not_negative, "least": positive,
+    "most": not_negative, "least": positive, "area_from": not_negative, "area_to": not_negative,
+    "kinds": kinds, "overlapping": whole(0), "touching": whole(0),
+    "beneath": list_of(whole(0), lambda those, read: len(those) == len(read["mesh_faces"]), " is not as long as the faces"),
     "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
     "triangles": list_of(row_of(*3 * [index_of("differences")])),
-    "time": part_of_time, "direction": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
+    "time": part_of_time, "direction": vector, "before": vector, "after": vector, "first": vector, "last": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
@@ -367,10 +386,12 @@ CLAIMS = {
         rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair, rules.each_clearance,
-        hulls.between, hulls.one_point, sections.beyond, sections.touches)},
+        hulls.between, hulls.one_point, sections.beyond, sections.touches, sections.area)},
     **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
     **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.holds_at, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
+    "these_kinds": (polygons.exactly("these_kinds", polygons.kinds_of_polygons), "events"),
+    "kinds_count": (polygons.kinds_count, "events"), "how_two_meet": (polygons.how_two_meet, "events"),
     "bounds_only": (partial(rules.bounds, is_only=True), "weights"),
     "keeps": (polytopes.keeps, "weights", "at"),
     "parted_by": (polytopes.parted_by, "direction", "of_a", "of_b"),
@@ -383,10 +404,12 @@ CLAIMS = {
     "another": (polytopes.another,),
     **{rule.__name__: (rule, "direction") for rule in (rules.parted, rules.parted_all_along, rules.not_before)},
     "clear": (rules.clear, "direction"),
-    "leaves": (depths.leaves, "direction"),
+    "leaves": (rules.leaves, "direction"), "first_along": (rules.first_along, "direction"),
+    "no_further": (rules.no_further, "before", "after"),
     "surrounds": (depths.surrounds, "differences", "triangles"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
     "surface": (hulls.surface, "homes"),
+    "bounds_hull": (hulls.bounds_hull, "beneath"),
     "outline": (hulls.outline, "sectors"),
     "boundary": (boundaries.boundary, "simplices"),
     "outlined": (sections.outlined, "along"),
@@ -408,11 +431,12 @@ def region(given):
     return {"empty": "contradict " + given, **dict.fromkeys(kinds, "cones %s verdict sides" % given)}
 
 
-def meetings(table, some, none, these, count):
+def meetings(table, some, none, these, count, more=()):
     """Which entries of a table have a contact that counts?"""
     of = " %s groups allowed" % table
     return table, "allowed groups", {
-        "some": some, "none": none + of, "these": these + of + " contacts", "count": count + of + " number"}
+        "some": some, "none": none + of, "these": these + of + " contacts", "count": count + of + " number",
+        **dict(more)}
 
 
 # Of each question the table that it is about, and what it says; of each verdict its claims, each with what it is bound
@@ -425,6 +449,9 @@ QUESTIONS = {
         "overlapping": "inside a point, inside b point",
     }),
     "distance": ("bodies", "a b", {"closest": "holds a from_a, holds b to_b, slab a b from_a to_b"}),
+    "common_part": ("bodies", "a b", {
+        "between": "holds a first, holds b first, holds a last, holds b last, no_further a b first last"}),
+    "nearest": ("bodies", "a b", {"point": "first_along a b i"}),
     "clearance": ("bodies", "a b least", {
         "kept": "clear a b least",
         "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",
@@ -470,19 +497,26 @@ QUESTIONS = {
         "segment": "between body i j",
         "point": "one_point body",
     }),
+    "mesh": ("bodies", "body mesh_faces", {"convex": "bounds_hull body mesh_faces PROVED"}),
     "section": ("bodies", "of plane", {
         "nothing": "beyond of plane",
         "touching": "touches of plane corners",
         "outlined": "outlined of plane corners PROVED",
+        "measured": "outlined of plane corners PROVED, area of plane corners area_from area_to",
     }),
     "segments": meetings("segments", "contact segments i j kind point groups allowed",
                          "none_counts", "these_count", "number_counts"),
     "circles": meetings("circles", "contact circles i j kind point groups allowed", "cover", "cover", "cover"),
     "boxes": meetings("boxes", "contact boxes i j kind point groups allowed", "cover", "cover", "cover"),
     "polygons": meetings("polygons", "common_point polygons i j point groups allowed",
-                         "none_counts", "these_count", "number_counts"),
+                         "none_counts", "these_count", "number_counts", {
+        "these_kinds": "these_kinds polygons groups allowed kinds",
+        "count_kinds": "kinds_count polygons groups allowed overlapping touching"}),
+    "two_polygons": ("polygons", "pair", dict.fromkeys(
+        ("apart", "touching", "overlapping"), "how_two_meet pair verdict")),
     "half_planes": ("half_planes", "", region("half_planes")),
     "kernel": ("rings", "ring", region("ring")),
+    "ring": ("rings", "ring", {"simple": "valid ring.alone SIMPLE"}),
     "convex_polygons_common_part": ("convex_polygons", "", region("convex_polygons")),
     "circles_common_part": ("circles", "", {
         "empty": "powers circles verdict",
@@ -521,7 +555,7 @@ def statement(item, where, read):
     needed = [claim.split() for claim in verdicts[verdict].split(", ")]
     given = {name: GIVEN[name] for name in given.split()}
     says = {name: SAID[name] for _, *bound in needed for name in bound if name in SAID and name not in given}
-    scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "PROVED": read["proved"],
+    scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "SIMPLE": "simple", "PROVED": read["proved"],
              "inputs": read["inputs"], "subject": needed[0][1], "about": about}
     shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST, "said": notes}
     members(item, shapes, where, scope, {"groups": ALONE, "said": ""})

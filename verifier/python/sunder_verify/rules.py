@@ -7,33 +7,21 @@ claim brings, if anything, and what it is bound to.
 # long because: the rules are one list, in the order of docs/claims.md
 import collections
 import itertools
+import math
 
+from .linear import Basis, aligned, mean_of, sign, sign_of, weighted_sum
 from .reader import Refused, bits, common, length, projective, require
 from .tables import Boxes, Discs, Segments, dot, goes_round_once, turn
 
 
-def aligned(m, e, n, f):
-    """Two integers that compare as m * 2^e and n * 2^f do."""
-    return m << max(e - f, 0), n << max(f - e, 0)
-
-
-def weighted_sum(steps, weights, row_of, least=1, rule="weights", reason="a weight is not positive"):
-    """Of rows of integers * 2^e, which stands last, those named times their weights: integers / d * 2^e, and d, e."""
-    whole = length([weight for _, weight in weights])
-    steps.take(len(weights) // 4 + 1, whole, whole)
-    require(all(n >= least for _, (n, _, _) in weights), rule, reason)
-    rows = [row_of(k) for k, _ in weights]
-    factors, d, e = common([(n, d, e + row[-1]) for row, (_, (n, d, e)) in zip(rows, weights)])
-    return [dot(factors, column) for column in list(zip(*rows))[:-1]], d, e
-
-
 # ---- Convex objects: the convex hull of points, and the ways from there that go on for ever, or what is around it.
 
-def reach(steps, rule, body, d):
+def reach(steps, body, d):
     """How far a body goes along a direction: the furthest of some n * 2^e + sqrt(u), as n, e and the number u, which is
-    not negative; and is all of it as far? No way leads on along it."""
+    not negative; and is all of it as far? None where a way leads on along it."""
     points, ways, e = body.forms(steps, d)
-    require(all(n <= 0 for n in ways), rule, "a way of %s goes on along the direction" % body.name)
+    if any(n > 0 for n in ways):
+        return None
     spread = body.spread(d)
     is_flat = min(points) == max(points) and not any(ways) and not spread[0]
     if body.kind == "cone":
@@ -41,35 +29,38 @@ def reach(steps, rule, body, d):
     return [(max(points), e, spread)], is_flat
 
 
-def sign(n):
-    return (n > 0) - (n < 0)
+def is_behind(steps, body, d, place):
+    """Is none of a body further along a direction than the point x, .., w?"""
+    found, w = reach(steps, body, d), place[-1]
+    if found is None:
+        return False
+    for n, e, (square, whole, k) in found[0]:
+        last, limit = aligned(n * w, e, dot(d, place), 0)
+        (left, right), _, _ = common([((limit - last) ** 2, w * w, 2 * min(e, 0)), (square, whole, k)])
+        if limit < last or left < right:
+            return False
+    return True
 
 
-def less_roots(square, first, second=0, third=0):
-    """The sign of the root of a number less those of others, of which those that are zero stand last; none is negative.
-    sqrt(square) - sqrt(first) and sqrt(second) + sqrt(third), if neither is negative, compare as their squares do."""
-    if not second:
-        return sign(square - first)
-    m = square + first - second - third
-    return -1 if square < first or m < 0 else less_roots(m * m, 4 * square * first, 4 * second * third)
-
-
-def gap(steps, rule, d, a, b, least=(0, 1, 0)):
-    """The sign of how much further B begins along a direction than A ends, less a length, which is in units of that of
-    the direction; and is all of both just as far along it?"""
-    (of_a, is_flat), (of_b, is_flat_too) = reach(steps, rule, a, d), reach(steps, rule, b, [-n for n in d])
-    wanted = (least[0] ** 2 * dot(d, d), 1, 2 * least[2]) if least[0] else least
-    size, signs = bits(d) + a.size + b.size + length([least]), []
+def gap(steps, rule, d, a, b, length_of=(0, 1, 0), way=-1):
+    """The sign of how much further B begins along a direction than A ends, less a length (way 1: and the length), which
+    is in units of that of the direction; and is all of both just as far along it?"""
+    found = reach(steps, a, d), reach(steps, b, [-n for n in d])
+    for body, ends in zip((a, b), found):
+        require(ends, rule, "a way of %s goes on along the direction" % body.name)
+    (of_a, is_flat), (of_b, is_flat_too) = found
+    square = (length_of[0] ** 2 * dot(d, d), 1, 2 * length_of[2]) if length_of[0] else length_of
+    size, signs = bits(d) + a.size + b.size + length([length_of]), []
     for (m, e, u), (n, f, v) in itertools.product(of_a, of_b):
         last, first = aligned(m, e, -n, f)
-        roots = [root for root in (u, v, wanted) if root[0]]
-        if a.kind or b.kind:
+        if a.kind or b.kind or way > 0:
             steps.take(16, size, size)
-        if roots and first > last:
-            (square, *roots), _, _ = common([((first - last) ** 2, 1, 2 * min(e, f)), *roots])
-            signs.append(less_roots(square, *roots))
+        (between, *roots), _, _ = common([((first - last) ** 2, 1, 2 * min(e, f)), u, v, square])
+        if any(roots):  # sqrt(between) - sqrt(u) - sqrt(v) + way sqrt(square)
+            signs.append(sign_of(((((0, sign(first - last)), (-1, 0)), ((-1, 0), (0, 0))),
+                                  (((way, 0), (0, 0)), ((0, 0), (0, 0)))), between, *roots))
         else:
-            signs.append(-1 if roots else sign(first - last))
+            signs.append(sign(first - last))
     return min(signs), is_flat and is_flat_too
 
 
@@ -86,10 +77,8 @@ def slab(steps, a, b, from_a, to_b):
     p, q = projective(from_a), projective(to_b)
     d = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]  # a positive multiple of the way
     require(any(d), "slab", "the two points are the same")
-    for body, end, sign in ((a, p, 1), (b, q, -1)):
-        points, ways, e = body.forms(steps, [sign * n for n in d])
-        most, limit = aligned(max(points) * end[-1], e, sign * dot(d, end), 0)
-        require(all(n <= 0 for n in ways) and most <= limit, "slab", "%s extends beyond its point along the direction" % body.name)
+    for body, end, way in (a, p, d), (b, q, [-n for n in d]):
+        require(is_behind(steps, body, way, end), "slab", "%s extends beyond its point along the direction" % body.name)
 
 
 def clear(steps, direction, a, b, least):
@@ -97,6 +86,45 @@ def clear(steps, direction, a, b, least):
     d = common(direction)[0]
     further, _ = gap(steps, "clear", d, a, b, least)
     require(any(d) and further >= 0, "clear", "along the direction they are less far apart than stated")
+
+
+def leaves(steps, direction, a, b, most):
+    """Along a direction A reaches by no more than `most` beyond where B begins."""
+    d = common(direction)[0]
+    further, _ = gap(steps, "leaves", d, a, b, most, 1)
+    require(any(d) and further >= 0, "leaves", "along the direction they overlap by more than the stated depth")
+
+
+def no_further(steps, before, after, a, b, first, last):
+    """B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way."""
+    steps.take(2 * len(b), 2 * b.bits, 2 * b.bits)
+    ways = [[x - y * (k < b.count) for x, y in zip(row, b.rows[0])] for k, row in enumerate(b.rows)]
+    way, sides = max(ways, key=any), []
+    axis = next((c for c, x in enumerate(way) if x), 0)
+    is_line = any(way) and all(way[axis] * x == other[axis] * y for other in ways for x, y in zip(other, way))
+    require(is_line, "no_further", "%s is not on one line, or a point" % b.name)
+    for direction, point in (before, first), (after, last):
+        d, place = common(direction)[0], projective(point)
+        is_end = is_behind(steps, a, d, place) or is_behind(steps, b, d, place)
+        require(is_end, "no_further", "both go on beyond a point")
+        sides.append(sign(dot(d, b.turn(way))))
+    require(sides[0] * sides[1] < 0, "no_further", "the directions are not along %s, to either side" % b.name)
+
+
+def first_along(steps, direction, a, b, i):
+    """Along a direction A begins at its point i; B is the flat across it, or the half of space up to there, and ends
+    before A, if it ends."""
+    d = common(direction)[0]
+    (points, _, e), (ends, ways, f) = a.forms(steps, d), b.forms(steps, d)
+    steps.take(2 * len(ways), 2 * b.bits, 2 * b.bits)
+    level = {tuple(x // math.gcd(*row) for x in row) for row, n in zip(b.rows[b.count:], ways) if n == 0 and any(row)}
+    is_across = all(tuple(-x for x in way) in level for way in level) and all(n <= 0 for n in ways)
+    turned = Basis(a.dimension, map(b.turn, level))
+    require(any(d) and is_across and len(turned.rows) == a.dimension - 1, "first_along",
+            "%s is not all that is across the direction, or up to there" % b.name)
+    last, first = aligned(max(ends), f, min(points), e)
+    require(min(ways, default=0) < 0 or last <= first, "first_along", "%s does not begin beyond %s" % (a.name, b.name))
+    require(points[i] == min(points), "first_along", "%s begins before its point %d" % (a.name, i))
 
 
 def nearer(steps, from_a, to_b, least):
@@ -111,10 +139,7 @@ def nearer(steps, from_a, to_b, least):
 def holds(steps, weights, origin, body, point):
     """A body holds a point: a convex combination of its points, and a combination of its ways; or, with a radius, what is
     around such a point. Is it then nearer than the radius? origin: where a point of an ellipsoid comes from."""
-    reason = "a weight of %s is negative" % body.name
-    (*mean, total), d, e = weighted_sum(steps, weights, body.core if origin else body.image, 0, "holds", reason)
-    total, one = aligned(total, e, d, 0)
-    require(total == one, "holds", "the weights of %s do not sum to 1" % body.name)
+    mean, d, e = mean_of(steps, "holds", weights, body, body.core if origin else body.image)
     if not body.kind:
         for axis, (m, (n, denominator, k)) in enumerate(zip(mean, point)):
             m, wanted = aligned(m * denominator, e, n * d, k)
@@ -148,16 +173,12 @@ def inside(steps, weights, origin, body, point):
         require(is_inner, "inside", "the point is on the boundary of " + body.name)
         return
     steps.take(body.dimension * len(body), 4 * body.bits, 4 * body.bits)
-    basis = []  # rows 1, x, ... of points and 0, x, ... of ways, and where their first number stands that is not zero
+    basis = Basis(body.dimension + 1)  # of rows 1, x, ... of points and 0, x, ... of ways
     for k in (*named, *range(len(body))):
-        row = (int(k < body.count), *body.rows[k])
-        for other, lead in basis:
-            row = [x * other[lead] - y * row[lead] for x, y in zip(row, other)]
-        require(k in named or not any(row), "inside", "the points with a positive weight do not span %s" % body.name)
-        if any(row):
-            basis.append((row, next(axis for axis, x in enumerate(row) if x)))
-        if len(basis) > body.dimension:
+        if len(basis.rows) > body.dimension:
             break
+        is_new = basis.take((int(k < body.count), *body.rows[k]))
+        require(k in named or not is_new, "inside", "the points with a positive weight do not span %s" % body.name)
 
 
 def moved_back(steps, point, time, body, to):
@@ -187,12 +208,8 @@ def not_before(steps, direction, a, b, to_a, to_b, time, point):
     """Along a direction, where A and B have the point at that time, A ends and B begins; and they come nearer."""
     d = common(direction)[0]
     places = [projective(moved_back(steps, point, time, body, to)) for body, to in ((a, to_a), (b, to_b))]
-    for body, (*place, w), way in ((a, places[0], d), (b, places[1], [-n for n in d])):
-        furthest, _ = reach(steps, "not_before", body, way)
-        for n, e, (square, whole, k) in furthest:
-            last, limit = aligned(n * w, e, dot(way, place), 0)
-            (left, right), _, _ = common([((limit - last) ** 2, w * w, 2 * min(e, 0)), (square, whole, k)])
-            require(limit >= last and left >= right, "not_before", "%s extends beyond the point" % body.name)
+    for body, place, way in (a, places[0], d), (b, places[1], [-n for n in d]):
+        require(is_behind(steps, body, way, place), "not_before", "%s extends beyond the point" % body.name)
     p, q = places
     between = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
     require(dot(d, between) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))

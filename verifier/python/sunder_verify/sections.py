@@ -3,6 +3,7 @@
 The plane is pulled back to where the rows of the body are: a map keeps what lies between what.
 """
 from .hulls import is_between, minus
+from .linear import aligned
 from .reader import bits, require
 from .tables import around, cross, dot
 
@@ -44,6 +45,19 @@ def touches(steps, of, plane, corners):
         require(h or is_between(ends[0], ends[-1], of.rows[k]), "touches", "point %d is on the plane, too" % k)
 
 
+def way_between(p, q):
+    """From one point x, y, z, w to another, times both w."""
+    return [b * p[3] - a * q[3] for a, b in zip(p[:3], q)]
+
+
+def corner_of(of, normal, level, i, j):
+    """Where the plane crosses the way from one point to another, as x, y, z, w."""
+    if i == j:
+        return *of.rows[i], 1
+    above, below = (dot(normal, of.rows[k]) - level for k in (i, j))
+    return *(above * b - below * a for a, b in zip(of.rows[i], of.rows[j])), above - below
+
+
 def outlined(steps, along, of, plane, corners, proved):
     """The corners, in order, are those of the section: each on an edge, each with the next one in a face."""
     hull, faces = proved.get(of.base, ("", ()))
@@ -72,8 +86,26 @@ def outlined(steps, along, of, plane, corners, proved):
         wanted = len(ring) if is_whole else len(ring[:3]) - 1
         require(fits and len(corners) == wanted, "outlined", "the corners are not those of the hull")
     if len(corners) > 2:
-        (p, v), (q, w), (r, x) = (
-            (of.rows[i], 1) if i == j else ([above(i) * b - above(j) * a for a, b in zip(of.rows[i], of.rows[j])],
-                                            above(i) - above(j)) for i, j in corners[:3])
-        ways = [[b * v - a * s for a, b in zip(p, at)] for at, s in ((q, w), (r, x))]
+        first, *others = (corner_of(of, normal, level, i, j) for i, j in corners[:3])
+        ways = [way_between(first, other) for other in others]
         require(upright * dot(normal, cross(*ways)) > 0, "outlined", "the corners do not go counter-clockwise")
+
+
+def area(steps, of, plane, corners, area_from, area_to):
+    """The area is between two numbers: it is the sum of those of triangles at the first corner, which are rounded."""
+    normal, level, _ = pulled(steps, of, plane)
+    steps.take(128 * len(corners), bits((*normal, level)), of.bits)
+    first, *others = (corner_of(of, normal, level, i, j) for i, j in corners)
+    ways, parts = [(of.turn(way_between(first, p)), p[3]) for p in others], []
+    for (u, v), (w, x) in zip(ways, ways[1:]):
+        n, d = dot(plane[:3], cross(u, w)), (first[3] * v) * (first[3] * x)
+        require(n > 0, "area", "the corners do not turn to the left")
+        s = 64 + d.bit_length() - n.bit_length()
+        parts.append(((n << max(s, 0)) // (d << max(-s, 0)), -s))
+    require(parts, "area", "there are not three corners")
+    e, square = min(s for _, s in parts), dot(plane[:3], plane[:3])
+    unit = 2 * (e + 2 * (of.turned + of.exponent))
+    for limit, sign, much in (area_from, 1, 0), (area_to, -1, 1):
+        found = sum((n + much) << (s - e) for n, s in parts)
+        this, that = aligned(found ** 2, unit, 4 * square * limit[0] ** 2, 2 * limit[2])
+        require(sign * (this - that) >= 0, "area", "the area is not between these numbers")

@@ -8,6 +8,8 @@ SENTENCES = {  # of the members that a statement has
     "pair": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
              "touching": "{a} and {b} touch at {point}", "overlapping": "{a} and {b} overlap at {point}"},
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
+    "common_part": {"between": "{a} and {b} have in common what is between {first} and {last}"},
+    "nearest": {"point": "no point of {a} is nearer to {b}, or further within it, than its point {i}"},
     "clearance": {"kept": "{a} and {b} are {least} apart, or more",
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     "depth": {"at_most": "{a} moved by {most}, in a direction, does not overlap {b}",
@@ -35,14 +37,20 @@ SENTENCES = {  # of the members that a statement has
     "polytope_hull": {"facets": "{body} has exactly {facets}",
                       "segment": "{body} is the segment between its points {i} and {j}",
                       "point": "{body} is a point"},
+    "mesh": {"convex": "a mesh of {n_mesh_faces} polygons bounds {body} exactly"},
     "section": {"nothing": "the plane {plane} does not meet {of}",
                 "touching": "the plane {plane} touches {of} at the points {corners}",
-                "outlined": "the section of {of} by the plane {plane} has the {n_corners} corners {corners}"},
+                "outlined": "the section of {of} by the plane {plane} has the {n_corners} corners {corners}",
+                "measured": "the section of {of} by the plane {plane} has the {n_corners} corners {corners}, and an area "
+                            "from {area_from} to {area_to}"},
     **dict.fromkeys(("segments", "circles", "boxes"), {
         "some": "{question} {i} and {j} of {all} meet at {point}: {kind}", "none": "no two of the {all} meet"}),
-    "polygons": {"some": "polygons {i} and {j} of {all} meet at {point}", "none": "no two of the {all} meet"},
+    "polygons": {"some": "polygons {i} and {j} of {all} meet at {point}", "none": "no two of the {all} meet",
+                 "count_kinds": "of the {all}, so many pairs overlap: {overlapping}; touch: {touching}"},
+    "two_polygons": "polygons {pair} of {all} are {verdict}",
     "half_planes": "the common part of {all} is {region}",
     "kernel": "the kernel of ring {ring} of {all} is {region}",
+    "ring": {"simple": "ring {ring} of {all} is simple"},
     "convex_polygons_common_part": "the common part of {all} is {region}",
     "circles_common_part": {
         "empty": "the common part of {all} is empty",
@@ -109,14 +117,14 @@ def sentence(item, things, about, size):
     if item.get("vertices"):
         said["vertices"] = counted(said["n_vertices"], "vertex")
     said["region"] = REGIONS.get(verdict, "") + (", of sides " + said["sides"] if item.get("sides") else "")
-    count = said.get("n_nearer", said.get("n_contacts", item.get("number")))
+    count = said.get("n_nearer", said.get("n_kinds", said.get("n_contacts", item.get("number"))))
     if count is not None:
         said["pairs"] = counted(count, "pair") + " of the " + said["all"] + (" is" if count == 1 else " are")
     if ("allowed" in item or "members" in item) and verdict != "some" and not pairs_asked(item, size):
         text = "no pair of %s is asked about" % said["all"]
-    elif verdict in ("these", "count"):
+    elif verdict in ("these", "these_kinds", "count"):
         text = "exactly %s of the %s meet" % (counted(count, "pair"), said["all"]) + "s" * (count == 1)
-        text += ": " + said["contacts"] if item.get("contacts") else ""
+        text += ": " + said.get("kinds", said.get("contacts")) if item.get("kinds") or item.get("contacts") else ""
     else:
         known = SENTENCES[question]
         text = (known if type(known) is str else known[verdict]).format(**said)

@@ -332,14 +332,26 @@ def sides_of(vertices, e, where):
     return [left_of(p, q, e, where) for p, q in around(vertices)]
 
 
-def sides_of_ring(item, where, read=None):
+class Ring(list):
     """The half-planes on the inner side of its edges."""
+
+    def __init__(self, sides, vertices, exponent):
+        super().__init__(sides)
+        self.vertices, self.exponent = vertices, exponent
+
+    @functools.cached_property
+    def alone(self):
+        """The polygon of this ring."""
+        return Polygons([[[tuple(sorted(ends)) for ends in around(self.vertices)]]], self.exponent)
+
+
+def sides_of_ring(item, where, read=None):
     form(type(item) is list and len(item) > 2, where + " is not a list of three vertices or more")
     vertices, e = rows_of(item, 2, where)
     area = sum(turn(p, q) for p, q in around(vertices))
     form(area, where + " has no area")
     inner = sides_of(vertices, e, where)
-    return inner if area > 0 else [(-a, -b, -c, f) for a, b, c, f in inner]
+    return Ring(inner if area > 0 else [(-a, -b, -c, f) for a, b, c, f in inner], vertices, e)
 
 
 def goes_round_once(sides):

@@ -1,14 +1,9 @@
 """Which are the vertices of the common part of half-spaces: docs/claims.md, "Half-spaces"."""
 import math
 
-from .boundaries import eliminated, is_odd
+from .linear import Basis, Surface
 from .reader import length, projective, require
 from .tables import dot
-
-
-def ridges_of(cone):
-    """Of half-spaces, ascending, all but one, and the place of that one."""
-    return [(cone[:i] + cone[i + 1:], i) for i in range(len(cone))]
 
 
 def normal_fan(steps, fans, given, vertices):
@@ -16,7 +11,7 @@ def normal_fan(steps, fans, given, vertices):
     d = given.dimension
     size = d * given.bits // 2
     steps.take(sum(map(len, fans)) * d ** 3, size, size)
-    known, sides = {}, {}
+    known, sides = {}, set()
     for v, (point, fan) in enumerate(zip(vertices, fans)):
         steps.take(len(given), length(point), given.bits)
         place, on = projective(point), set()
@@ -33,12 +28,11 @@ def normal_fan(steps, fans, given, vertices):
             for k in cone:
                 require(k in on, "normal_fan", "vertex %d is not where half-space %d ends" % (v, k))
             cone = tuple(sorted(cone))
-            found = eliminated([given.rows[k][:-1] for k in cone], d)
-            require(found, "normal_fan", "the normals of a cone of vertex %d are in a hyperplane" % v)
-            pivots, _, unit = found
-            for ridge, i in ridges_of(cone):
-                sides.setdefault(ridge, set()).add((is_odd(pivots) == (unit > 0)) == (i % 2 == 0))
+            basis = Basis(d, [given.rows[k][:-1] for k in cone])
+            require(basis.are_all, "normal_fan", "the normals of a cone of vertex %d are in a hyperplane" % v)
+            sides.update(Surface.key(cone, i, basis.is_positive()) for i in range(d))
     for v, fan in enumerate(fans):
         for cone in fan:
-            for ridge, _ in ridges_of(tuple(sorted(cone))):
-                require(len(sides[ridge]) == 2, "normal_fan", "there is no cone beyond a ridge of one of vertex %d" % v)
+            for i in range(d):
+                is_inner = all(Surface.key(sorted(cone), i, side) in sides for side in (False, True))
+                require(is_inner, "normal_fan", "there is no cone beyond a ridge of one of vertex %d" % v)

@@ -98,6 +98,23 @@ def number_of(polygons, allowed, groups, events, number):
     return file_of(table_of(polygons), statement_of(allowed, groups, "count", claim, number=number))
 
 
+def kinds_of(polygons, allowed, groups, events, pairs, inside):
+    """Each pair and how it meets, if those of `inside` overlap."""
+    claim = {"claim": "these_kinds", "events": events}
+    kinds = [[*pair, "overlapping" if pair in inside else "touching"] for pair in pairs]
+    return file_of(table_of(polygons), statement_of(allowed, groups, "these_kinds", claim, kinds=kinds))
+
+
+def numbers_of(polygons, allowed, groups, events, overlapping, touching):
+    claim = {"claim": "kinds_count", "events": events}
+    return file_of(table_of(polygons), statement_of(allowed, groups, "count_kinds", claim, overlapping=overlapping, touching=touching))
+
+
+def two_of(polygons, i, j, verdict, events):
+    return file_of(table_of(polygons), {"question": "two_polygons", "pair": [i, j], "verdict": verdict,
+                                        "claims": [{"claim": "how_two_meet", "events": events}]})
+
+
 def some_of(polygons, dice):
     """That two of them have a common point, which may be so; and whether it is."""
     i, j = dice.sample(range(len(polygons)), 2) if dice.random() < .95 else (0, 0)
@@ -155,13 +172,21 @@ class PolygonsTest(unittest.TestCase):
             groups, events = some_groups(polygons, dice), events_of(polygons)
             for allowed in RULES:
                 pairs = pairs_that_meet(polygons, allowed, groups)
+                inside = [pair for pair in pairs_that_meet(polygons, "touch", groups) if pair in pairs]
+                others = [pair for pair in pairs if dice.random() < .7 or pair in inside]
                 changed = [list(pair) for pair in itertools.combinations(range(len(polygons)), 2) if dice.random() < .5]
                 number = dice.choice([len(pairs), max(0, len(pairs) - 1), len(pairs) + 1])
                 for top, truth, rule in (
                         (none_of(polygons, allowed, groups, events), not pairs, "none_counts"),
                         (these_of(polygons, allowed, groups, events, pairs), True, "these_count"),
                         (these_of(polygons, allowed, groups, events, changed), changed == pairs, "these_count"),
-                        (number_of(polygons, allowed, groups, events, number), number == len(pairs), "number_counts")):
+                        (number_of(polygons, allowed, groups, events, number), number == len(pairs), "number_counts"),
+                        (kinds_of(polygons, allowed, groups, events, pairs, inside), True, "these_kinds"),
+                        (kinds_of(polygons, allowed, groups, events, pairs, others), others == inside, "these_kinds"),
+                        (kinds_of(polygons, allowed, groups, events, others, inside), others == pairs, "these_kinds"),
+                        (numbers_of(polygons, allowed, groups, events, len(inside), number - len(inside)
+                                    if number >= len(inside) else 0),
+                         max(number, len(inside)) == len(pairs), "kinds_count")):
                     self.assertEqual(twins.look(top), "accepted" if truth else rule, (polygons, groups, allowed, pairs))
         twins.compare()
         self.assertTrue(some(100) < 100 or min(twins.tally().values()) > twins.count / 30)
@@ -176,6 +201,25 @@ class PolygonsTest(unittest.TestCase):
         twins.compare()
         self.assertTrue(some(100) < 100 or min(twins.tally().values()) > twins.count / 50)
 
+    def test_how_two_meet(self):
+        dice, twins, kinds = dice_of(5), Twins(self), ("apart", "touching", "overlapping")
+        while lacking(FORCED, "two_polygons") or lacking(MUTANT, "two_polygons"):
+            polygons = some_polygons(dice)
+            if len(polygons) < 2:
+                continue
+            i, j = dice.sample(range(len(polygons)), 2)
+            pair = [polygons[i], polygons[j]]
+            truth = kinds[sum(bool(pairs_that_meet(pair, allowed, None)) for allowed in ("nothing", "touch"))]
+            edges, events = [edge for rings in pair for edge in edges_of(rings)], events_of(pair)
+            for verdict in kinds:
+                said = twins.force(two_of(polygons, i, j, verdict, events))
+                self.assertEqual(said, "accepted" if verdict == truth else "how_two_meet", twins.last)
+                said = twins.force(two_of(polygons, i, j, verdict, forced(events, edges, dice)))
+                self.assertTrue(verdict == truth or said != "accepted", twins.last)
+                if verdict in lacking(MUTANT, "two_polygons"):
+                    twins.spoil(two_of(polygons, i, j, verdict, events), dice)
+        twins.compare()
+
     def test_no_forced_sweep_proves_what_is_not_so(self):
         dice, twins, accepted = dice_of(2), Twins(self), 0
         while set(lacking(FORCED, "polygons")) - {"some"}:
@@ -183,12 +227,18 @@ class PolygonsTest(unittest.TestCase):
             edges = [edge for rings in polygons for edge in edges_of(rings)]
             groups, allowed, events = some_groups(polygons, dice), dice.choice(RULES), events_of(polygons)
             pairs = pairs_that_meet(polygons, allowed, groups)
+            inside = [pair for pair in pairs_that_meet(polygons, "touch", groups) if pair in pairs]
             for _ in range(6):
+                others = [pair for pair in pairs if (pair in inside) ^ (dice.random() < .1)]
                 false = forced(events, edges, dice)
                 number = dice.choice([len(pairs), len(pairs), max(len(pairs) - 1, 0)])
                 for top, truth in ((none_of(polygons, allowed, groups, false), not pairs),
                                    (these_of(polygons, allowed, groups, false, pairs[:number]), number == len(pairs)),
-                                   (number_of(polygons, allowed, groups, false, number), number == len(pairs))):
+                                   (number_of(polygons, allowed, groups, false, number), number == len(pairs)),
+                                   (kinds_of(polygons, allowed, groups, false, pairs[:number], others),
+                                    number == len(pairs) and others == inside),
+                                   (numbers_of(polygons, allowed, groups, false, len(others), len(pairs) - len(others)),
+                                    len(others) == len(inside))):
                     said = twins.force(top)
                     self.assertTrue(truth or said != "accepted", top)
                     accepted += said == "accepted"
@@ -203,7 +253,9 @@ class PolygonsTest(unittest.TestCase):
             pairs = pairs_that_meet(polygons, allowed, groups)
             tops = {"none": none_of(polygons, allowed, groups, events),
                     "these": these_of(polygons, allowed, groups, events, pairs),
-                    "count": number_of(polygons, allowed, groups, events, len(pairs))}
+                    "count": number_of(polygons, allowed, groups, events, len(pairs)),
+                    "these_kinds": kinds_of(polygons, allowed, groups, events, pairs, pairs),
+                    "count_kinds": numbers_of(polygons, allowed, groups, events, len(pairs), 0)}
             if len(polygons) > 1:
                 tops["some"], _ = some_of(polygons, dice)
             for verdict in lacking(MUTANT, "polygons"):
