@@ -1,5 +1,5 @@
-// Robots out of files: which links meet, for thousands of placements in one call.
-#include <sunder/certificate/rounded_evidence.h>
+// Robots out of files: what meets, what is too near and what meets on the way, for thousands of placements in one call.
+#include <sunder/certificate/said.h>
 #include <sunder/robot/cell.h>
 #include <sunder/robot/rows.h>
 #include <sunder/scene/scene_claims.h>
@@ -7,40 +7,47 @@
 
 #include "common.h"
 
+#include <nanobind/stl/map.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace sunder::python {
 
 namespace {
 
-using Pairs = std::vector<std::array<std::uint32_t, 2>>;
 using Names = std::vector<std::string>;
+using NamePairs = std::vector<std::pair<std::string, std::string>>;
 
-// Pairs of parts that meet in a way that counts, or are undecided; in the order of placements, then of scene.h.
-struct Collisions {
-  std::size_t placements = 0;
-  std::vector<std::uint64_t> placement;  // of each pair
-  Pairs bodies, parts;
-  std::vector<std::uint8_t> decided;  // do they meet, for all that is known?
-  std::vector<Point3> points;         // about where, where it was asked for; NaN of what is undecided
+// What was found in each row: pairs of parts, with numbers that tell more of each.
+struct Found {
+  std::vector<std::array<std::uint8_t, 2>> verdicts;  // of each row: is something found, is something undecided?
+  std::vector<std::uint64_t> row;                     // of each pair; likewise below
+  std::vector<std::array<std::uint32_t, 2>> bodies, parts;
+  std::vector<std::uint8_t> decided;
+  std::vector<std::array<double, 3>> numbers;
 
-  void append(const Collisions& other) {
+  void append(const Found& other) {
     const auto add = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    add(placement, other.placement);
+    add(verdicts, other.verdicts);
+    add(row, other.row);
     add(bodies, other.bodies);
     add(parts, other.parts);
     add(decided, other.decided);
-    add(points, other.points);
+    add(numbers, other.numbers);
+  }
+
+  void add(std::size_t k, const auto& pair, bool is_decided, const std::array<double, 3>& more) {
+    row.push_back(k);
+    bodies.push_back({pair.body_a, pair.body_b});
+    parts.push_back({pair.part_a, pair.part_b});
+    decided.push_back(is_decided ? 1 : 0);
+    numbers.push_back(more);
   }
 };
-
-std::vector<robot::CellFile> files_of(const std::string& robot, const std::string& scene) {
-  std::vector<robot::CellFile> files{{robot}};
-  if (!scene.empty()) files.push_back({scene});
-  return files;
-}
 
 robot::CellOptions options_of(const Names& packages, bool require_convex, bool leave_out) {
   const char* search = std::getenv("ROS_PACKAGE_PATH");
@@ -49,56 +56,123 @@ robot::CellOptions options_of(const Names& packages, bool require_convex, bool l
 
 class Robot {
  public:
-  Robot(const std::string& file, const Names& packages, const std::string& srdf, const std::string& scene,
-        const Names& groups, bool require_convex, bool leave_out)
-      : cell_(files_of(file, scene), options_of(packages, require_convex, leave_out), &inputs_) {
+  // srdfs: the robot, or nothing, and the file; allow: "adjacent", "touch", or a name with another one.
+  Robot(const NamePairs& files, const Doubles& poses, const Names& packages, const NamePairs& srdfs,
+        const Names& groups, const NamePairs& attached, const NamePairs& allow, bool require_convex, bool leave_out)
+      : cell_(files_of(files, poses), options_of(packages, require_convex, leave_out), &inputs_) {
     Names remarks;
-    if (!srdf.empty()) cell_.add_srdf(io::read_srdf(srdf, &inputs_), srdf, "", "srdf");
+    for (const auto& [robot, file] : srdfs) cell_.add_srdf(io::read_srdf(file, &inputs_), file, robot, "srdf");
+    for (const auto& [name, link] : attached) cell_.attach(name, link, "attach");
     if (!groups.empty()) cell_.keep_groups(groups, "groups", remarks);
+    for (const auto& [a, b] : allow) {
+      if (b.empty() && a == "touch") {
+        question_.touching_allowed = question_.contacts = true;
+      } else if (b.empty()) {
+        add_allowed(cell_.adjacent("allow"), allowed_);
+      } else {
+        if (a == b)
+          throw Error(ErrorCode::bad_call, "'" + a + "' is named twice; parts of a body are never compared", "allow");
+        add_allowed(
+            std::array{robot::AllowedPair{{cell_.body_named(a, "allow"), cell_.body_named(b, "allow")}, "allow"}},
+            allowed_);
+      }
+    }
     add_allowed(cell_.allowed(remarks), allowed_);
+    question_.allowed = bodies_of(allowed_);
   }
 
-  void allow(const std::string& a, const std::string& b) {
-    if (a == b)
-      throw Error(ErrorCode::bad_call, "'" + a + "' is named twice; parts of a body are never compared", "allow");
-    add_allowed(std::array{robot::AllowedPair{{cell_.body_named(a, "allow"), cell_.body_named(b, "allow")}, "allow"}},
-                allowed_);
-  }
-  void allow_adjacent() { add_allowed(cell_.adjacent("allow"), allowed_); }
-  void allow_touch() { touch_ = true; }
-
-  const std::string& name() const { return model().name; }
-  Names links() const { return names_of(model().links); }
+  std::string name() const { return cell_.robots().empty() ? "" : cell_.robots()[0].model.name; }
+  Names links() const { return names_of(cell_.robot("links").links); }
   Names bodies() const { return names_of(cell_.bodies()); }
   Names part_names(std::uint32_t body) const { return names_of(cell_.bodies().at(body).parts); }
   Names left_out() const { return cell_.left_out().texts(); }
+  Names states() const { return cell_.state_names(); }
+  std::map<std::string, double> state(const std::string& name) const {
+    Names remarks;
+    return cell_.state(name, "state", remarks).values;
+  }
   Names hulls() const {
     Names all;
-    for (const robot::CellBody& body : cell_.bodies()) {
-      if (std::any_of(body.parts.begin(), body.parts.end(),
-                      [](const io::BodyPart& part) { return part.body.shape == io::BodyShape::hull; })) {
-        all.push_back(body.name);
+    for (std::uint32_t b = 0; b < cell_.bodies().size(); ++b) {
+      const std::uint32_t parts = static_cast<std::uint32_t>(cell_.bodies()[b].parts.size());
+      for (std::uint32_t p = 0; p < parts; ++p) {
+        if (cell_.is_hull(b, p) && (all.empty() || all.back() != cell_.bodies()[b].name)) {
+          all.push_back(cell_.bodies()[b].name);
+        }
       }
     }
     return all;
   }
-  std::vector<std::pair<std::string, std::string>> allowed() const {
-    std::vector<std::pair<std::string, std::string>> all;
-    for (const auto& [a, b] : allowed_pairs()) all.emplace_back(cell_.bodies()[a].name, cell_.bodies()[b].name);
+  NamePairs allowed() const {
+    NamePairs all;
+    for (const auto& [a, b] : question_.allowed) all.emplace_back(cell_.bodies()[a].name, cell_.bodies()[b].name);
     return all;
   }
   nb::dict joints() const {
     nb::dict all;
-    const Names names = io::movable_joints(model());
-    const io::RobotMotion motion(model(), names);
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      all[names[k].c_str()] = nb::make_tuple(motion.joint_of(k).lower, motion.joint_of(k).upper);
+    for (const io::Joint& joint : cell_.robot("joints").joints) {
+      if (joint.type != io::JointType::fixed && !joint.mimic)
+        all[joint.name.c_str()] = nb::make_tuple(joint.lower, joint.upper);
     }
     return all;
   }
 
-  Collisions collisions(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
-    return unlocked([&] { return found(joints, values, evidence, threads); });
+  Found collisions(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
+    return found<scene::MomentFollower>(
+        joints, values, threads, {cell_.place(), question_},
+        [evidence](auto k, const scene::Moment& moment, Found& out) {
+          constexpr double none = std::numeric_limits<double>::quiet_NaN();
+          out.verdicts.push_back({moment.meeting.some_meet(), moment.meeting.counts.undecided > 0});
+          for (const scene::PartPair& pair : moment.meeting.pairs) {
+            if (!pair.counts && !pair.undecided()) continue;
+            const auto& [a, b] =
+                std::tie(moment.bodies[pair.body_a].parts[pair.part_a], moment.bodies[pair.body_b].parts[pair.part_b]);
+            const Point3 p =
+                pair.undecided() || !evidence ? Point3{none, none, none} : rounded_common_point(pair, a, b);
+            out.add(k, pair, !pair.undecided(), {p.x, p.y, p.z});
+          }
+        });
+  }
+
+  Found clearance(const Names& joints, const Doubles& values, double least, std::uint64_t threads) const {
+    const scene::NearnessQuestion near{scene::ClearanceQuestion{least, {}, question_.allowed}, false, {}};
+    return found<scene::MomentFollower>(
+        joints, values, threads, {cell_.place(), question_, near}, [](auto k, const scene::Moment& moment, Found& out) {
+          const scene::ClearanceAnswer& answer = *moment.near.clearance;
+          out.verdicts.push_back({!answer.closer.empty(), !answer.undecided.empty()});
+          for (const auto* list : {&answer.closer, &answer.undecided}) {
+            for (const scene::PartDistance& pair : *list) {
+              out.add(k, pair, list == &answer.closer, {pair.distance.low, pair.distance.high});
+            }
+          }
+        });
+  }
+
+  Found motion(const Names& joints, const Doubles& values, std::uint64_t threads) const {
+    if (question_.contacts)
+      throw Error(ErrorCode::bad_call, "does not tell touching from overlapping; do not allow \"touch\"", "motion");
+    if (values.shape(0) < 2) throw Error(ErrorCode::bad_call, "is for two placements or more", "motion");
+    return found<scene::StepFollower>(
+        joints, values, threads, {cell_.place(), question_}, [](auto k, const scene::SweptAnswer& answer, Found& out) {
+          out.verdicts.push_back({answer.some_meet(), !answer.some_meet() && !answer.none_meet()});
+          for (const scene::SweptPair& pair : answer.pairs) {
+            out.add(k, pair, !pair.undecided(), {pair.time.low, pair.time.high, pair.all_the_way ? 1.0 : 0.0});
+          }
+        });
+  }
+
+  auto poses(const Names& joints, const Doubles& values) const {
+    const robot::Rows rows = rows_of(joints, values);
+    std::vector<Affine3> links(cell_.robot("joints").links.size());
+    std::vector<std::array<double, 16>> all;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      rows.motion().place(rows[k], links);
+      for (std::uint32_t link = 0; link < links.size(); ++link) {
+        const auto& [m, t] = cell_.link_frame(link, links);
+        all.push_back({m[0], m[1], m[2], t[0], m[3], m[4], m[5], t[1], m[6], m[7], m[8], t[2], 0, 0, 0, 1});
+      }
+    }
+    return array_of<double, 16>(std::move(all));
   }
 
   nb::bytes certificate(const Names& joints, const Doubles& values) const {
@@ -107,28 +181,21 @@ class Robot {
   }
 
  private:
-  template <class Named>
-  static Names names_of(const std::vector<Named>& all) {
+  static std::vector<robot::CellFile> files_of(const NamePairs& files, const Doubles& poses) {
+    std::vector<robot::CellFile> all;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      const double* const m = poses.data() + 12 * k;
+      const solid::Pose pose =
+          solid::Pose::from_matrix({m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}, {m[3], m[7], m[11]});
+      all.push_back({files[k].second, files[k].first, pose});
+    }
+    return all;
+  }
+
+  static Names names_of(const auto& all) {
     Names names;
-    for (const Named& each : all) names.push_back(each.name);
+    for (const auto& each : all) names.push_back(each.name);
     return names;
-  }
-
-  const io::Robot& model() const { return cell_.robot("file"); }
-
-  // Sorted, the lower body first.
-  Pairs allowed_pairs() const {
-    Pairs pairs = bodies_of(allowed_);
-    for (auto& pair : pairs) std::sort(pair.begin(), pair.end());
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  }
-
-  scene::Question question() const {
-    scene::Question question;
-    question.allowed = allowed_pairs();
-    question.touching_allowed = question.contacts = touch_;
-    return question;
   }
 
   robot::Rows rows_of(const Names& joints, const Doubles& values) const {
@@ -137,20 +204,23 @@ class Robot {
             }};
   }
 
-  Collisions found(const Names& joints, const Doubles& values, bool evidence, std::uint64_t threads) const {
-    const robot::Rows rows = rows_of(joints, values);
-    Collisions all;
-    all.placements = scene::run_timeline<Collisions>(
-        practised(scene::MomentFollower(cell_.place(), question()), rows), rows, scene::thread_count(threads),
-        [&](std::size_t k, const scene::Moment& moment, Collisions& out) { take(k, moment, evidence, out); },
-        [&](const Collisions& chain, std::size_t) { all.append(chain); });
-    return all;
+  template <class Follower>
+  Found found(const Names& joints, const Doubles& values, std::uint64_t threads, Follower start,
+              const auto& take) const {
+    return unlocked([&] {
+      const robot::Rows rows = rows_of(joints, values);
+      if constexpr (Follower::rows_before == 0) start = practised(std::move(start), rows);
+      Found all;
+      scene::run_timeline<Found>(start, rows, scene::thread_count(threads), take,
+                                 [&](const Found& chain, std::size_t) { all.append(chain); });
+      return all;
+    });
   }
 
   std::string proof(const Names& joints, const Doubles& values) const {
     const robot::Rows rows = rows_of(joints, values);
     const std::vector<scene::Body> bodies = cell_.place();
-    scene::Question asked = question();
+    scene::Question asked = question_;
     asked.every_pair = true;
     robot::RowBodies placed(rows, bodies);
     std::vector<std::vector<scene::PartPair>> met;
@@ -165,55 +235,44 @@ class Robot {
       throw Error(ErrorCode::bad_call, "no pair is asked about and decided, so there is nothing to prove",
                   "certificate");
     }
+    const auto joints_of = [&](std::size_t k) -> std::optional<SaidNote> {
+      std::vector<std::pair<std::string, double>> all;
+      for (std::size_t j = 0; j < joints.size(); ++j) all.emplace_back(joints[j], rows[k][j]);
+      return all.empty() ? std::nullopt : std::optional(SaidNote::joint_values(all));
+    };
     std::string text;
     scene::write_whole_certificate(
         bodies, rows.size(),
         [&](std::size_t k) { return scene::MeetingPlacement{std::to_string(k), placed.at(k), met[k]}; }, asked,
-        {inputs_, cell_.left_out().texts()}, [&](std::string_view piece) { text += piece; });
+        {inputs_, cell_.left_out().texts()}, [&](std::string_view piece) { text += piece; }, nullptr,
+        {{}, reason_of_each(allowed_), joints_of});
     return text;
-  }
-
-  static void take(std::size_t k, const scene::Moment& moment, bool evidence, Collisions& out) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    for (const scene::PartPair& pair : moment.meeting.pairs) {
-      if (!pair.counts && !pair.undecided()) continue;
-      out.placement.push_back(k);
-      out.bodies.push_back({pair.body_a, pair.body_b});
-      out.parts.push_back({pair.part_a, pair.part_b});
-      out.decided.push_back(pair.undecided() ? 0 : 1);
-      if (!evidence) continue;
-      out.points.push_back(pair.undecided() ? Point3{none, none, none}
-                                            : rounded_common_point(pair, moment.bodies[pair.body_a].parts[pair.part_a],
-                                                                   moment.bodies[pair.body_b].parts[pair.part_b]));
-    }
   }
 
   InputFiles inputs_;
   robot::Cell cell_;
   std::vector<robot::AllowedPair> allowed_;
-  bool touch_ = false;
+  scene::Question question_;
 };
 
 }  // namespace
 
 void bind_robots(nb::module_& module) {
-  nb::class_<Collisions>(module, "_Collisions")
-      .def_ro("placements", &Collisions::placements)
+  nb::class_<Found>(module, "_Found")
       .def_prop_ro(
-          "placement", [](const Collisions& c) { return array_of<std::uint64_t>(c.placement); }, owned)
+          "verdicts", [](const Found& f) { return array_of<std::uint8_t, 2>(f.verdicts); }, owned)
       .def_prop_ro(
-          "bodies", [](const Collisions& c) { return array_of<std::uint32_t, 2>(c.bodies); }, owned)
+          "row", [](const Found& f) { return array_of<std::uint64_t>(f.row); }, owned)
       .def_prop_ro(
-          "parts", [](const Collisions& c) { return array_of<std::uint32_t, 2>(c.parts); }, owned)
+          "bodies", [](const Found& f) { return array_of<std::uint32_t, 2>(f.bodies); }, owned)
       .def_prop_ro(
-          "decided", [](const Collisions& c) { return array_of<std::uint8_t>(c.decided); }, owned)
-      .def_prop_ro("points", [](const Collisions& c) { return array_of<double, 3>(c.points); }, owned);
+          "parts", [](const Found& f) { return array_of<std::uint32_t, 2>(f.parts); }, owned)
+      .def_prop_ro(
+          "decided", [](const Found& f) { return array_of<std::uint8_t>(f.decided); }, owned)
+      .def_prop_ro("numbers", [](const Found& f) { return array_of<double, 3>(f.numbers); }, owned);
   nb::class_<Robot>(module, "_Robot")
-      .def(nb::init<const std::string&, const Names&, const std::string&, const std::string&, const Names&, bool,
-                    bool>())
-      .def("allow", &Robot::allow)
-      .def("allow_adjacent", &Robot::allow_adjacent)
-      .def("allow_touch", &Robot::allow_touch)
+      .def(nb::init<const NamePairs&, const Doubles&, const Names&, const NamePairs&, const Names&, const NamePairs&,
+                    const NamePairs&, bool, bool>())
       .def_prop_ro("name", &Robot::name)
       .def_prop_ro("links", &Robot::links)
       .def_prop_ro("bodies", &Robot::bodies)
@@ -222,7 +281,12 @@ void bind_robots(nb::module_& module) {
       .def_prop_ro("allowed", &Robot::allowed)
       .def_prop_ro("left_out", &Robot::left_out)
       .def_prop_ro("joints", &Robot::joints)
+      .def_prop_ro("states", &Robot::states)
+      .def("state", &Robot::state)
       .def("collisions", &Robot::collisions)
+      .def("clearance", &Robot::clearance)
+      .def("motion", &Robot::motion)
+      .def("poses", &Robot::poses, owned)
       .def("certificate", &Robot::certificate);
 }
 

@@ -8,7 +8,7 @@ from sunder._sunder import Cost, PairAnswer, __version__, intersect
 from sunder import planar, polytope, solid
 from sunder._ask import Report, ask
 from sunder._many import intersect_many
-from sunder._robot import Collisions, Robot
+from sunder._robot import Found, Robot
 
-__all__ = ["Collisions", "Cost", "Error", "PairAnswer", "Report", "Robot", "ask", "intersect", "intersect_many",
+__all__ = ["Cost", "Error", "Found", "PairAnswer", "Report", "Robot", "ask", "intersect", "intersect_many",
            "planar", "polytope", "solid", "__version__"]

@@ -9,7 +9,7 @@ from helpers import CASES, SOURCE
 def test_guide(monkeypatch, tmp_path):
     with open(os.path.join(SOURCE, "docs", "guide", "python.md"), encoding="utf-8") as page:
         text = "".join("\n" if line.startswith("```") else line for line in page)
-    for folder in ("outcomes", "panda"):
+    for folder in ("mesh", "outcomes", "panda", "scene"):
         shutil.copytree(os.path.join(CASES, folder), tmp_path / "cases" / folder)
     monkeypatch.chdir(tmp_path)
     test = doctest.DocTestParser().get_doctest(text, {}, "docs/guide/python.md", None, 0)

@@ -110,6 +110,74 @@ def test_certificates(panda):
     assert b"panda.urdf" in both and b"sha256" in both
 
 
+def test_clearances_are_as_the_program_says(panda):
+    rows = random_placements(panda, 20, seed=4)
+    found = panda.clearance(rows, least=0.02)
+    met = panda.collisions(rows)
+    assert len(found) == 20 and (met.some <= found.some).all() and found.some.sum() > met.some.sum()
+    for k, row in enumerate(rows[:8]):
+        values = ",".join("%s=%r" % (name, float(x)) for name, x in zip(panda.joints, row))
+        told = program("scene", PANDA, "--allow", "adjacent", "--joints", values, "--clearance", "0.02")["clearance"]["closer"]
+        mine = found.placement == k
+        assert [(pair["low"], pair["high"]) for pair in told] == list(map(tuple, found.distances[mine].tolist()))
+        assert [(pair["a"], pair["b"]) for pair in told] == [found.pairs[i] for i in numpy.flatnonzero(mine)]
+    refused("bad-value", "least", panda.clearance, rows, least=-1)
+    refused("bad-value", "least", panda.clearance, rows, least=float("nan"))
+
+
+def test_motion(panda):
+    rails = sunder.Robot(os.path.join(CASES, "scene", "rails.urdf"))
+    table = numpy.genfromtxt(os.path.join(CASES, "scene", "rails.csv"), delimiter=",", names=True)
+    found = rails.motion({name: table[name] for name in table.dtype.names})
+    assert len(found) == 4 and found.some.tolist() == [True, False, False, False]
+    assert found.undecided.tolist() == [False, False, False, True]  # the arm turns
+    assert found[0] == [("carriage", "lift")] and found.all_the_way[0] and found.times[0].tolist() == [0.5, 0.5]
+    refused("bad-call", "motion", panda.motion, {})
+    refused("bad-call", "motion", sunder.Robot(CRANE, allow="touch").motion, {"hoist": [0, 1]})
+
+
+def test_link_poses(panda):
+    rows = random_placements(panda, 3, seed=5)
+    poses = panda.poses(rows)
+    assert poses.shape == (3, len(panda.links), 4, 4)
+    turns = poses[..., :3, :3]
+    assert numpy.allclose(turns @ turns.swapaxes(-1, -2), numpy.eye(3)) and (poses[..., 3, :] == [0, 0, 0, 1]).all()
+    first = panda.links.index("panda_link1")
+    assert numpy.allclose(poses[:, first, :3, 3], [0, 0, 0.333])
+    assert numpy.allclose(poses[:, first, 0, 0], numpy.cos(rows[:, 0]))
+    assert numpy.array_equal(panda.poses(rows[1]), poses[1:2])
+
+
+def test_two_robots_and_what_is_attached(tmp_path):
+    aside = numpy.eye(3, 4)
+    aside[0, 3] = 4
+    srdf = os.path.join(CASES, "scene", "arm.srdf")
+    cranes = sunder.Robot({"left": CRANE, "right": (CRANE, aside), "cube": os.path.join(CASES, "mesh", "cube.obj")},
+                          attach={"cube": "left/load"}, allow="adjacent")
+    assert list(cranes.joints) == ["left/turn", "left/hoist", "right/turn", "right/hoist"]
+    assert ("left/load", "cube") in cranes.allowed and "right/boom" in cranes.links
+    joints = {"left/hoist": [0, 0.25], "right/turn": [0, 3]}
+    assert numpy.allclose(cranes.poses(joints)[:, cranes.links.index("right/mast"), 0, 3], 4)
+    found = cranes.collisions(joints)
+    report = program("scene", "left=" + CRANE, "right=%s@4,0,0" % CRANE, os.path.join(CASES, "mesh", "cube.obj"),
+                     "--attach", "cube=left/load", "--allow", "adjacent",
+                     "--joints", "left/hoist=0", "--joints", "left/hoist=0.25,right/turn=3")
+    assert report["attached"] == [{"name": "cube", "link": "left/load"}]
+    for k in range(2):
+        told = [(pair["a"], pair["b"]) for pair in report["pairs"] if pair["counted"] and pair["placement"] == k]
+        assert found[k] == list(dict.fromkeys(told))
+    text = cranes.certificate({name: values[1] for name, values in joints.items()})
+    assert b"right/turn" in text and proved(text)
+    refused("bad-call", "joint 'turn'", cranes.collisions, {"turn": 1})
+    refused("bad-call", "attach", sunder.Robot, CRANE, attach={"cube": "load"})
+
+    arms = sunder.Robot({"left": ARM, "right": (ARM, aside)}, srdf={"right": srdf}, leave_out=True)
+    assert arms.states == ["right/whole/up", "right/whole/open", "right/hand/open", "right/hand/closed"]
+    assert arms.state("up") == {"right/elbow": -1.5, "right/shoulder": 1.0}
+    assert len(arms.collisions(arms.state("up"))) == 1
+    refused("bad-call", "state", arms.state, "down")
+
+
 def test_bodies_with_a_radius():
     crane = sunder.Robot(CRANE, allow=["adjacent", ("mast", "load")])
     assert not crane.collisions({"hoist": 1.125})
