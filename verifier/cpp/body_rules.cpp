@@ -226,7 +226,7 @@ void check_leaves(const Numbers& given, const HullBody& a, const HullBody& b, co
 void check_no_further(const Numbers& before, const Numbers& after_last, const HullBody& a, const HullBody& b,
                       const Numbers& first, const Numbers& last) {
   const std::vector<Integers>& rows = b.rows();
-  take_steps(2 * rows.size(), 2 * b.given->bits, 2 * b.given->bits);
+  take_steps(4 * b.dimension() * rows.size(), 2 * b.given->bits, 2 * b.given->bits);
   Elimination span(b.dimension());
   Integers along(b.dimension());
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -264,9 +264,10 @@ void check_first_along(const Numbers& given, const HullBody& a, const HullBody& 
   const auto [of_a, e] = products(a, direction);
   const auto [of_b, f] = products(b, direction);
   const std::vector<Integers>& rows = b.rows();
-  take_steps(2 * (rows.size() - b.count), 2 * b.given->bits, 2 * b.given->bits);
+  const std::size_t d = b.dimension(), twice = 2 * b.given->bits;
+  take_steps(4 * d * d * (rows.size() - b.count), twice, twice);
   std::set<Integers> level;
-  Elimination span(b.dimension());
+  Elimination span(d);
   bool is_across = !all_zero(direction), goes_back = false;
   Integer last = of_b[0];
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -277,11 +278,11 @@ void check_first_along(const Numbers& given, const HullBody& a, const HullBody& 
       goes_back = goes_back || of_b[k] < 0;
     } else {
       level.insert(shortest(rows[k]));
-      span.take(turned(b, rows[k]));
+      if (span.rank() + 1 < d) span.take(turned(b, rows[k]));
     }
   }
   for (const Integers& way : level) is_across = is_across && level.contains(opposite(way));
-  require(is_across && span.rank() + 1 == b.dimension(), "first_along",
+  require(is_across && span.rank() + 1 == d, "first_along",
           b.quoted + " is not all that is across the direction, or up to there");
   const Integer& first = *std::min_element(of_a.begin(), of_a.end());
   require(goes_back || compare(last, f, first, e) <= 0, "first_along", a.quoted + " does not begin beyond " + b.quoted);

@@ -185,7 +185,7 @@ void check_outlined(const Indices& along, const HullBody& body, const StatedPlan
 void check_area(const HullBody& body, const StatedPlane& plane, const IndexPairs& corners, const Number& area_from,
                 const Number& area_to) {
   const Pulled pulled(body, plane);
-  pulled.take_looks(128 * corners.size());
+  pulled.take_looks(32 * corners.size());
   std::vector<std::pair<Integer, std::int64_t>> parts;
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
     auto [n, d] = pulled.triangle(plane, corners[0], corners[k], corners[k + 1]);

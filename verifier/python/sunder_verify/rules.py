@@ -97,7 +97,7 @@ def leaves(steps, direction, a, b, most):
 
 def no_further(steps, before, after, a, b, first, last):
     """B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way."""
-    steps.take(2 * len(b), 2 * b.bits, 2 * b.bits)
+    steps.take(4 * b.dimension * len(b), 2 * b.bits, 2 * b.bits)
     ways = [[x - y * (k < b.count) for x, y in zip(row, b.rows[0])] for k, row in enumerate(b.rows)]
     way, sides = max(ways, key=any), []
     axis = next((c for c, x in enumerate(way) if x), 0)
@@ -116,7 +116,7 @@ def first_along(steps, direction, a, b, i):
     before A, if it ends."""
     d = common(direction)[0]
     (points, _, e), (ends, ways, f) = a.forms(steps, d), b.forms(steps, d)
-    steps.take(2 * len(ways), 2 * b.bits, 2 * b.bits)
+    steps.take(4 * a.dimension ** 2 * len(ways), 2 * b.bits, 2 * b.bits)
     level = {tuple(x // math.gcd(*row) for x in row) for row, n in zip(b.rows[b.count:], ways) if n == 0 and any(row)}
     is_across = all(tuple(-x for x in way) in level for way in level) and all(n <= 0 for n in ways)
     turned = Basis(a.dimension, map(b.turn, level))

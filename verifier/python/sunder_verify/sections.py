@@ -94,7 +94,7 @@ def outlined(steps, along, of, plane, corners, proved):
 def area(steps, of, plane, corners, area_from, area_to):
     """The area is between two numbers: it is the sum of those of triangles at the first corner, which are rounded."""
     normal, level, _ = pulled(steps, of, plane)
-    steps.take(128 * len(corners), bits((*normal, level)), of.bits)
+    steps.take(32 * len(corners), bits((*normal, level)), of.bits)
     first, *others = (corner_of(of, normal, level, i, j) for i, j in corners)
     ways, parts = [(of.turn(way_between(first, p)), p[3]) for p in others], []
     for (u, v), (w, x) in zip(ways, ways[1:]):

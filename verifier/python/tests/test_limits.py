@@ -214,6 +214,31 @@ def broken(long):
             "to_b": ["0", "1/" + long, "1"], "claims": [holds, holds, {"claim": "nearer"}]}
 
 
+TETRAHEDRON = {"question": "hull", "body": 0, "verdict": "solid", "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+               "claims": [{"claim": "surface", "homes": [None] * 4}]}
+
+
+def mesh_on(*meshes, size="0x1p0"):
+    """Faces of meshes upon the first of a tetrahedron."""
+    corners = [ZEROS, [size, "0x0p0", "0x1p-30"], ["0x0p0", size, "0x1p-30"], ["0x0p0", "0x0p0", size]]
+    return claimed("bodies", [{"name": "a", "points": corners}], TETRAHEDRON, *[
+        {"question": "mesh", "body": 0, "mesh_faces": mesh, "verdict": "convex",
+         "claims": [{"claim": "bounds_hull", "beneath": [0] * len(mesh)}]} for mesh in meshes])
+
+
+def measured(size, count):
+    """Sections of a tetrahedron in a triangle."""
+    corners = [ZEROS, [size, "0x0p0", "0x1p-1070"], ["0x0p0", size, "0x0p0"], ["0x0p0", "0x0p0", size]]
+    return claimed("bodies", [{"name": "a", "points": corners}], TETRAHEDRON, *[
+        {"question": "section", "of": 0, "plane": ["0x0p0", "0x0p0", "0x1p0", "0x0p0", "0x0p0", "0x0p0", "0x1p-1"],
+         "verdict": "measured", "corners": [[3, 0], [3, 1], [3, 2]], "area_from": "0x0p0", "area_to": "0x1p1000",
+         "claims": [{"claim": "outlined", "along": [1, 2, 3]}, {"claim": "area"}]}] * count)
+
+
+def ring_of_ends():
+    return [["0x0p0", "0x0p0"], ["0x1p0", "0x0p0"], ["0x0p0", "0x1p0"]]
+
+
 HOSTILE = {  # about 1 MB each, but for those that need less
     "many pairs of a large body": lambda: bodies([ZEROS] * 18000, [apart(["1", "0", "0"])] * 5500),
     "the same, long integers": lambda: bodies([EXTREME] * 12000, [apart(["1", "0", "0"])] * 4500),
@@ -313,6 +338,26 @@ HOSTILE = {  # about 1 MB each, but for those that need less
         *[claimed_program([{"claim": "feasible"}, {"claim": "bounds", "weights": [[0, "1"]]},
                            {"claim": "ends", "ends": [[["0", digits(9000)], 0], None]}],
                           verdict="many", point=["0", "0"])] * 40),
+    "ways across a direction, often": lambda: claimed(
+        "bodies", [{"name": "a", "points": [ZEROS]},
+                   {"name": "b", "points": [ZEROS], "ways": [["0x%xp0" % i, "0x1p0", "0x0p0"] for i in range(12000)]}],
+        *[{"question": "nearest", "a": 0, "b": 1, "verdict": "point", "i": 0,
+           "claims": [{"claim": "first_along", "direction": ["0", "0", "1"]}]}] * 4000),
+    "a line of many points, often": lambda: claimed(
+        "bodies", [{"name": "a", "points": [ZEROS]}, {"name": "b", "points": [["0x%xp0" % i, "0x0p0", "0x0p0"] for i in range(14000)]}],
+        *[{"question": "common_part", "a": 0, "b": 1, "verdict": "between", "first": ["0"] * 3, "last": ["0"] * 3,
+           "claims": [{"claim": "holds", "weights": [[0, "1"]]}] * 4 + [
+               {"claim": "no_further", "before": ["-1", "0", "0"], "after": ["1", "0", "0"]}]}] * 1500),
+    "a mesh on one face": lambda: mesh_on([[0, 1, 2]] * 55000),
+    "a mesh on one face, often": lambda: mesh_on(*[[[0, 1, 2]] * 3] * 7000),
+    "a mesh on one face of long integers": lambda: mesh_on([[0, 1, 2]] * 55000, size="0x1p1000"),
+    "areas, often": lambda: measured("0x1p0", 4500),
+    "areas of long integers": lambda: measured("0x1.8p1000", 4500),
+    "rings, often": lambda: claimed("rings", [parabola(12000)], *[
+        {"question": "ring", "ring": 0, "verdict": "simple", "claims": [{"claim": "valid", "events": []}]}] * 5000),
+    "two polygons, in turns": lambda: claimed("polygons", [[parabola(9000)], [ring_of_ends()], [ring_of_ends()]], *[
+        {"question": "two_polygons", "pair": [0, 1 + k % 2], "verdict": "apart",
+         "claims": [{"claim": "how_two_meet", "events": []}]} for k in range(4000)]),
     "many keys": lambda: {"sunder_certificate": 3, **{"k%d" % i: 0 for i in range(80000)}},
     "strings that do not end": lambda: "[" + '"\\' * 499000,
     "backslashes": lambda: '["' + "\\\\" * 499000 + '"]',
