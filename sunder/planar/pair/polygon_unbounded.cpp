@@ -175,12 +175,15 @@ CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unb
 // Of those that meet.
 void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon,
                      const Pose& pose, const Unbounded& other, const PolygonCut& cut) {
-  const auto out = [&](const CutEnd& end, const Exact& way) {
-    const Exact d = end.own == OwnEnd::none ? out_of_polygon(polygon, pose, way, end) : way;
+  // Back from its beginning a ray ends itself, forth never.
+  const auto out = [&](const CutEnd& end, const Exact& way, OwnEnd own) {
+    const Exact d = end.own == own ? way : out_of_polygon(polygon, pose, way, end);
     return std::array<Dyadic, 3>{d.x, d.y, Dyadic()};
   };
   const auto at = [&](const CutEnd& end) { return point_at(polygon, pose, other, end); };
-  pairs.add_common_part(a, b, at(cut.first), at(cut.last), out(cut.first, -along(other)), out(cut.last, along(other)));
+  const Exact way = along(other);
+  pairs.add_common_part(a, b, at(cut.first), at(cut.last), out(cut.first, -way, OwnEnd::a),
+                        out(cut.last, way, OwnEnd::b));
 }
 
 }  // namespace

@@ -81,8 +81,8 @@ class Claims {
   // Requires that they meet.
   void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
     if (ends_.is_point()) return;
-    pairs.add_common_part(a, b, point_at(cut_.first), point_at(cut_.last), direction_out(cut_.first, -way_),
-                          direction_out(cut_.last, way_));
+    pairs.add_common_part(a, b, point_at(cut_.first), point_at(cut_.last), direction_out(cut_.first, -way_, OwnEnd::a),
+                          direction_out(cut_.last, way_, OwnEnd::b));
   }
 
   // Requires that they overlap.
@@ -114,9 +114,10 @@ class Claims {
     return common_point(end.point, end.along_line, false);
   }
 
-  // A direction along which the body, or the other, ends at that end, which is so along that way.
-  std::array<Dyadic, 3> direction_out(const CutEnd& end, const Exact& way) {
-    if (end.own != OwnEnd::none) return numbers(way);
+  // A direction along which the body, or the other, ends at that end, which is so along that way. The other does at its
+  // own end, if it goes on from there the other way.
+  std::array<Dyadic, 3> direction_out(const CutEnd& end, const Exact& way, OwnEnd own) {
+    if (end.own == own) return numbers(way);
     const ExactPoint3 p = exact_end(placed_, line_, end).point;
     for (const Exact& d : outward(end.at)) {
       const Sign sign = dot(d, way).sign();
