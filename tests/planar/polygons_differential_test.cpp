@@ -91,11 +91,11 @@ void expect_list_certified(const std::vector<PolygonsContact>& contacts, const s
       });
     });
   };
-  const auto overlapping = static_cast<std::size_t>(std::count_if(
-      contacts.begin(), contacts.end(), [](const PolygonsContact& c) { return c.contact == Contact::overlapping; }));
+  const auto touching = static_cast<std::size_t>(std::count_if(
+      contacts.begin(), contacts.end(), [](const PolygonsContact& c) { return c.contact == Contact::touching; }));
   const auto is_number = [&](std::size_t number) {
     return is_accepted(
-        [&](ClaimsWriter& file) { planar::write_count(file, asked, events, overlapping, number - overlapping); });
+        [&](ClaimsWriter& file) { planar::write_count(file, asked, events, number - touching, touching); });
   };
   ASSERT_TRUE(is_list(contacts.size()));
   ASSERT_TRUE(is_number(contacts.size()));
