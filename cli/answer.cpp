@@ -152,7 +152,8 @@ void add_verb(CLI::App& program, const ask::Verb& verb, Call& call) {
     const ask::Report report = ask::run_call(verb, call.talk);
     call.code = report.code;
     if (report.is_told) return;
-    call.json ? call.talk.print(ask::to_text(json_of(report))) : call.talk.print_for_people(text_of(report));
+    call.json ? call.talk.print(ask::to_text(json_of(report)))
+              : call.talk.print_for_people(text_of(report), report.has_colours);
   });
 }
 

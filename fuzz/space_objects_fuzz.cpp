@@ -35,7 +35,11 @@ const solid::Plane& floor_plane() {
 
 void check_bounded(const SpaceObject& object) {
   const auto body = sunder::io::body_of_mesh(sunder::io::mesh_of(object), "a.json", false);
-  require(body.hull.dimension() <= (object.kind == Kind::polygon ? 2 : object.kind == Kind::segment ? 1 : 0));
+  const int most = object.kind == Kind::box       ? 3
+                   : object.kind == Kind::polygon ? 2
+                   : object.kind == Kind::segment ? 1
+                                                  : 0;
+  require(body.hull.dimension() <= most);
   const solid::Pose pose = object.frame ? object.frame->pose() : solid::Pose();
   const auto answer = solid::polyhedron_plane(body.hull, pose, floor_plane());
   require(answer.side == solid::polyhedron_plane_by_scan(body.hull, pose, floor_plane()).side);

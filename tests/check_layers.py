@@ -97,7 +97,7 @@ ASK_HEADERS_REFUSED = {"unistd.h", "stdio.h", "cstdio", "cstdlib", "stdlib.h", "
 ASK_REFUSED = re.compile(r"\b(stdout|stderr|stdin|STD(?:IN|OUT|ERR)_FILENO|isatty|(?:secure_)?getenv|std::(?:cout|cerr|clog|cin))\b")
 # A variable of a namespace, in column 0, that is not constant; or a static one of a function.
 ASK_STATE = re.compile(
-    r"^(?!constexpr |const |inline constexpr |extern const |using |namespace |struct |class |enum |friend |typedef |return )"
+    r"^(?!constexpr |const |inline const(?:expr)? |extern const |using |namespace |struct |class |enum |friend |typedef |return )"
     r"[\w:][\w:<>,*& ]* \w+(?:\{[^}]*\}| = [^()]*)?;|^ *(?:static|thread_local) (?!constexpr |const )[\w:<>, ]+ \w+(?:;|\{| =)")
 
 CONTRACT = "sunder/base/contract.cpp"  # its one purpose is to say so and to end the process

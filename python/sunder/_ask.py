@@ -33,7 +33,10 @@ def ask(verb: str, *files: "str | os.PathLike", certificate: bool = False, **opt
         raise Error("bad-call", "ask", "files are paths: %s" % error) from None
     if any(b"\0" in word or word == b"-" or word.endswith(b"=-") for word in words):
         raise Error("bad-call", "ask", "names hold no null byte, and no file is \"-\": there is no standard input here")
-    said, errors, proof = _sunder._ask(words[:1] + [b"--certificate=-"] * bool(certificate) + words[1:])
+    try:
+        said, errors, proof = _sunder._ask(words[:1] + [b"--certificate=-"] * bool(certificate) + words[1:])
+    except RuntimeError as error:
+        raise Error("internal", "", "internal error: %s; please report it" % error) from None
     try:
         report = Report(json.loads(said))
     except ValueError:

@@ -37,10 +37,6 @@ std::string_view name_of(const Option& option) {
   return std::string_view(option.name).substr(option.name.find(',') + 1);
 }
 
-bool is_given(const OptionValue& value, const OptionValue& unless_given) {
-  return std::visit([&](auto* at) { return *at != *std::get<decltype(at)>(unless_given); }, value);
-}
-
 Words values_of(const OptionValue& value) {
   if (const auto* text = std::get_if<std::string*>(&value)) return {**text};
   if (const auto* number = std::get_if<std::uint64_t*>(&value)) return {std::to_string(**number)};
@@ -162,7 +158,7 @@ Words words_of(const Verb& verb) {
   for (std::size_t k = 0; k < verb.options.size(); ++k) {
     const Option& option = verb.options[k];
     const std::string name(name_of(option));
-    if (!is_given(option.value, unless_given->options[k].value) || is_in(other_options, name)) continue;
+    if (!ask::is_given(option, unless_given->options[k]) || is_in(other_options, name)) continue;
     if (!name.starts_with('-')) {
       for (std::string& file : values_of(option.value)) files.push_back(std::move(file));
     } else if (std::holds_alternative<bool*>(option.value)) {

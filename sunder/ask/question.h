@@ -30,7 +30,7 @@ std::string first_of(std::size_t size, std::size_t most, const TextOf& text_of) 
 }
 
 template <class Question>
-Report answer(Question& question, Talk& talk) {
+Report answer(Question&& question, Talk& talk) {
   const QuestionCall& call = question.call;
   if (!call.svg.empty()) require_drawable(question.drawn(), Question::drawn_noun, 0, call.svg_limit);
   question.ask();

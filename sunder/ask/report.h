@@ -100,6 +100,7 @@ struct Report {
   bool is_proved = false;
   std::vector<std::string> not_proved{};  // what of all this a proof does not say, in words
   std::string proof{}, picture{};         // files that were written, told to people
+  bool has_colours = false;               // the text for people has those of terminals, and no other control bytes
   bool is_told = false;                   // it went to the talk as it was found, and nothing of it is left to be said
 
   void tell(std::string text) { facts.push_back({"", nullptr, std::move(text)}); }

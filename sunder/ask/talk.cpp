@@ -12,8 +12,9 @@ void Talk::print(std::string_view text) {
   if (sinks_.out) sinks_.out(text);
 }
 
-void Talk::print_for_people(std::string_view text) {
+void Talk::print_for_people(std::string_view text, bool has_colours) {
   if (is_quiet_ || leaves_output_) return;
+  if (has_colours) return print(text);
   std::string shown;
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());

@@ -40,8 +40,8 @@ class Talk {
   void print(std::string_view text);
 
   // The same for people: what a terminal might obey (control bytes, but for line feeds) goes as \xNN. Names that may
-  // hold line feeds are made one line before: io::one_line.
-  void print_for_people(std::string_view text);
+  // hold line feeds are made one line before: io::one_line. has_colours: the text has no control bytes but its own.
+  void print_for_people(std::string_view text, bool has_colours = false);
 
   // A remark, which stands in reports that are made after it, too.
   void note(std::string_view text);

@@ -7,7 +7,38 @@
 
 #include <utility>
 
+#include <algorithm>
+
 namespace sunder::ask {
+
+namespace {
+
+// "a, b and c"
+std::string list_of(const std::vector<std::string>& words, const char* last) {
+  std::string text;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    text += (k == 0 ? "" : k + 1 < words.size() ? ", " : last) + words[k];
+  }
+  return text;
+}
+
+}  // namespace
+
+bool is_given(const Option& option, const Option& unless_given) {
+  return std::visit([&](auto* at) { return *at != *std::get<decltype(at)>(unless_given.value); }, option.value);
+}
+
+void require_fit(const std::vector<Option>& options, const std::vector<Option>& unless_given,
+                 const std::vector<std::string>& kinds) {
+  for (std::size_t k = 0; k < options.size(); ++k) {
+    const std::vector<std::string>& of = options[k].of;
+    if (of.empty() || !is_given(options[k], unless_given[k])) continue;
+    if (std::find_first_of(of.begin(), of.end(), kinds.begin(), kinds.end()) != of.end()) continue;
+    throw Error(ErrorCode::bad_call,
+                fmt::format("is for {}, not for {}; leave it out", list_of(of, " and "), list_of(kinds, " or ")),
+                options[k].name);
+  }
+}
 
 void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most) {
   using io::count_of;

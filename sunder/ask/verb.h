@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,7 +27,21 @@ struct Option {
   std::string needs = "";                  // the option that must be given, too
   std::vector<std::string> excludes = {};  // those that must not
   int most = 0;                            // words of a list without an option; 0: any number
+  std::vector<std::string> of = {};        // the kinds of input that it is for, in words; empty: all
 };
+
+// Of the table of a call, and of the same table of a new one: is the option given, with another value than it has anyway?
+bool is_given(const Option& option, const Option& unless_given);
+
+// Throws Error bad_call for the first option that is given and is for none of these kinds, of which the input is one.
+void require_fit(const std::vector<Option>& options, const std::vector<Option>& unless_given,
+                 const std::vector<std::string>& kinds);
+
+// The option, for these kinds of input alone.
+inline Option only_of(std::vector<std::string> kinds, Option option) {
+  option.of = std::move(kinds);
+  return option;
+}
 
 struct Verb {
   std::string name, about, codes;    // codes: what the exit codes 0 and 1 say

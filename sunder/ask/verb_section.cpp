@@ -300,10 +300,7 @@ class SectionQuestion {
   Cost cost_;
 };
 
-Report run(const SectionCall& call, Talk& talk) {
-  SectionQuestion question(call, talk);
-  return answer(question, talk);
-}
+Report run(const SectionCall& call, Talk& talk) { return answer(SectionQuestion(call, talk), talk); }
 
 }  // namespace
 

@@ -62,13 +62,9 @@ class FlatPair : public PairQuestion {
 }  // namespace
 
 Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
-  if (call.distance || !call.clearance.empty()) {
-    throw Error(ErrorCode::bad_call, "is for bodies, polygons, segments and points; leave it out, or give a segment",
-                call.distance ? "--distance" : "--clearance");
-  }
+  require_pair_fit(call, {pair_kind::flats});
   if (a.flat && b.flat) {
-    FlatPair question(call, *a.flat, *b.flat, files);
-    return answer(question, files.talk);
+    return answer(FlatPair(call, *a.flat, *b.flat, files), files.talk);
   }
   const bool body_is_a = a.bounded.has_value();
   const PlacedBody& body = body_is_a ? *a.bounded : *b.bounded;

@@ -192,8 +192,7 @@ CutTold cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* l
 
 Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
                      const PairFiles& files) {
-  LinePair question(call, body, line, body_is_a, files);
-  return answer(question, files.talk);
+  return answer(LinePair(call, body, line, body_is_a, files), files.talk);
 }
 
 std::string line_method_names() { return method_names(line_methods); }

@@ -135,32 +135,10 @@ void tell_motion(const solid::Translation& motion, PairObject& object) {
   object.json["moves"] = {{"from", from}, {"to", to}};
 }
 
-void require_at_rest(const PairCall& call, const char* of_what) {
-  for (const PairSide* side : {&call.a, &call.b}) {
-    if (side->to.empty()) continue;
-    throw Error(ErrorCode::bad_call,
-                fmt::format("is for two bodies, polygons, segments or points of space: there is no motion of {} yet; "
-                            "leave it out, or give objects of space",
-                            of_what),
-                side->option("to"));
-  }
-}
-
-void require_motion_alone(const PairCall& call) {
-  for (const auto& [is_given, option] : {std::pair(call.distance, "--distance"),
-                                         {call.depth, "--depth"},
-                                         {!call.clearance.empty(), "--clearance"},
-                                         {call.classify, "--classify"},
-                                         {call.method != "automatic", "--method"}}) {
-    if (is_given) throw Error(ErrorCode::bad_call, "is not for bodies that move; leave it out", option);
-  }
-}
-
 Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
-  require_motion_alone(call);
+  require_pair_fit(call, {pair_kind::moving});
   for (const auto& [body, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) require_no_frame(*body, *side);
-  MotionPair question(call, a, b, files);
-  return answer(question, files.talk);
+  return answer(MotionPair(call, a, b, files), files.talk);
 }
 
 }  // namespace sunder::ask

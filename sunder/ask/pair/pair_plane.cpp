@@ -101,8 +101,7 @@ class PlanePair : public PairQuestion {
 
 Report run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
                       const PairFiles& files) {
-  PlanePair question(call, body, plane, body_is_a, files);
-  return answer(question, files.talk);
+  return answer(PlanePair(call, body, plane, body_is_a, files), files.talk);
 }
 
 std::string plane_method_names() { return method_names(plane_methods); }

@@ -222,19 +222,6 @@ bool are_polytopes(const PairCall& call) {
 }
 
 Report run_polytope_pair(const PairCall& call, Talk& talk) {
-  for (const auto& [is_given, option] : {std::pair(call.classify, "--classify"),
-                                         {call.distance, "--distance"},
-                                         {!call.clearance.empty(), "--clearance"},
-                                         {!call.svg.empty(), "--svg"},
-                                         {call.mend, "--mend"},
-                                         {call.hull, "--hull"},
-                                         {call.drop_z, "--drop-z"},
-                                         {!call.project.empty(), "--project"},
-                                         {call.require_convex, "--require-convex"},
-                                         {!call.a.feature.empty(), "--feature-a"},
-                                         {!call.b.feature.empty(), "--feature-b"}}) {
-    if (is_given) throw Error(ErrorCode::bad_call, "is not for polytopes; leave it out", option);
-  }
   if (call.hyperplanes && call.method != "tree") {
     throw Error(ErrorCode::bad_call, "is of --method tree; give that, too", "--hyperplanes");
   }
@@ -245,8 +232,7 @@ Report run_polytope_pair(const PairCall& call, Talk& talk) {
     throw Error(ErrorCode::bad_call, fmt::format("A is of dimension {}, B of {}; give two of one dimension",
                                                  a.polytope.dimension(), b.polytope.dimension()));
   }
-  PolytopePair question(call, method, a, b, files);
-  return answer(question, files.talk);
+  return answer(PolytopePair(call, method, a, b, files), files.talk);
 }
 
 std::string polytope_method_names() { return method_names(methods); }

@@ -24,12 +24,6 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
 
 }  // namespace
 
-void require_no_depth(const PairCall& call, const char* of_what) {
-  if (!call.depth) return;
-  throw Error(ErrorCode::bad_call, fmt::format("is for bounded bodies of space, not for {}; leave it out", of_what),
-              "--depth");
-}
-
 double least_clearance(const PairCall& call) {
   if (call.clearance.empty()) return 0;
   const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");

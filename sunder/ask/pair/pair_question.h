@@ -23,6 +23,7 @@ struct PairSide {
   std::string feature;       // planar; empty: the only one
   std::string radius;        // of space: a number, by which the body is larger all around; empty: none
   std::string to{};          // of space: the pose at the end of a straight motion; empty: it rests
+  std::string body{};        // of a scene file: NAME, or NAME/PART; empty: the file is the object
   bool half_spaces = false;  // of polytopes: rows without names are half-spaces
 
   std::string option(const char* name) const { return std::string("--") + name + "-" + letter; }
@@ -122,8 +123,16 @@ class PairQuestion {
   std::vector<std::string> not_proved_;
 };
 
-// Throws Error bad_call where the depth is asked for.
-void require_no_depth(const PairCall& call, const char* of_what);
+// What two objects are: of which kinds options are (verb.h).
+namespace pair_kind {
+inline const std::string polytopes = "polytopes", planar = "planar objects that are bounded",
+                         planar_lines = "planar lines, rays and half-planes", bodies = "bounded objects of space",
+                         flats = "lines, rays and planes of space", round = "bodies with a radius",
+                         moving = "moving bodies";
+}  // namespace pair_kind
+
+// Throws Error bad_call for an option that is for none of these kinds.
+void require_pair_fit(const PairCall& call, const std::vector<std::string>& kinds);
 
 // The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
 double least_clearance(const PairCall& call);

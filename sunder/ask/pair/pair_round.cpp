@@ -182,8 +182,7 @@ Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInpu
                 "a body with a radius is asked about with what is bounded; give no line, ray or plane");
   }
   const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
-  RoundPair question(call, of_a, of_b, files);
-  return ask::answer(question, files.talk);
+  return ask::answer(RoundPair(call, of_a, of_b, files), files.talk);
 }
 
 }  // namespace sunder::ask

@@ -126,14 +126,13 @@ class RoundMotionPair : public PairQuestion {
 }  // namespace
 
 Report run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
-  require_motion_alone(call);
+  require_pair_fit(call, {pair_kind::moving});
   for (const auto& [input, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) {
     if (input->bounded) require_no_frame(*input->bounded, *side);
     if (input->round && input->round->core) require_no_frame(*input->round->core, *side);
   }
   const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
-  RoundMotionPair question(call, of_a, of_b, files);
-  return ask::answer(question, files.talk);
+  return ask::answer(RoundMotionPair(call, of_a, of_b, files), files.talk);
 }
 
 }  // namespace sunder::ask

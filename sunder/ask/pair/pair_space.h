@@ -92,14 +92,10 @@ Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBo
 Report run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // What these two share: where the side goes, told with its object; throw Error for what turns, for a polygon in a frame
-// that moves, for options of bodies at rest.
+// that moves.
 solid::Translation motion_of(const solid::Pose& begin, const PairSide& side);
 void tell_motion(const solid::Translation& motion, PairObject& object);
 void require_no_frame(const PlacedBody& body, const PairSide& side);
-void require_motion_alone(const PairCall& call);
-
-// Throws Error where one of these options is given.
-void require_at_rest(const PairCall& call, const char* of_what);
 
 // A depth between these ends, and the direction that A is moved along, to people and in a report.
 std::string depth_told(const Interval& depth, const WorldDirection& from_a_to_b);

@@ -1,16 +1,20 @@
+#include <sunder/ask/outputs.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
+#include <sunder/io/robot/scene_file.h>
 #include <sunder/io/text/file.h>
 #include <sunder/io/text/text.h>
 #include <sunder/predicate/filter/stages.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace sunder::ask {
 
@@ -169,8 +173,9 @@ bool is_space_input(const PairCall& call, const std::string& file) { return !cal
 
 namespace {
 
-// What is said of it, where a proof is written.
+// What is said of it, where a proof is written. (Of the body of a scene that is known.)
 void say(const PairSide& side, const PairFiles& files, SpaceInput& input) {
+  if (!side.body.empty()) return;
   if (!input.bounded) {
     const Said said = said_of_file(Said::Source::shape, files.read, side.file);
     if (input.flat) input.flat->said = said;
@@ -185,8 +190,88 @@ void say(const PairSide& side, const PairFiles& files, SpaceInput& input) {
   body.said = body.said.projected({o.x, o.y, o.z, u.x, u.y, u.z, v.x, v.y, v.z});
 }
 
+// The one of these names, or an error that tells them all.
+template <class Named>
+const Named& named_in(const std::vector<Named>& all, const std::string& name, const std::string& what,
+                      const PairSide& side) {
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
+  if (found != all.end()) return *found;
+  std::string names;
+  for (const Named& each : all) names += (names.empty() ? "" : ", ") + each.name;
+  throw Error(ErrorCode::bad_call, fmt::format("{} has no {}; it has {}", what, io::quote(name), names),
+              side.option("body"));
+}
+
+// A ball, a cylinder and so on as if it were the only object of its file; others have a core.
+PlacedRoundBody round_part(const io::BodyPart& part, const std::string& name, const solid::Pose& pose) {
+  PlacedRoundBody round{part.body.file, name, {}, {}, *part.round, pose};
+  round.object.format = "JSON";
+  using enum SpaceKind;
+  for (const SpaceKind kind : {ball, capsule, cylinder, cone, ellipsoid}) {
+    if (io::name_of(kind) != part.body.format) continue;
+    round.object.kind = kind;
+    return round;
+  }
+  round.core = PlacedBody{part.body, pose, {}};
+  round.core->mesh.name = name;
+  return round;
+}
+
+// Other bodies of the scene are not read.
+SpaceInput read_scene_body(const PairCall& call, const PairSide& side, const solid::Pose& pose, PairFiles& files) {
+  io::SceneFile scene = io::read_scene_file(side.file, files.inputs());
+  const std::string shown = io::one_line(side.file);
+  const std::size_t slash = side.body.rfind('/');
+  const auto is_whole = [&](const io::SceneFile::Body& body) { return body.name == side.body; };
+  const bool has_part = slash != std::string::npos && std::none_of(scene.bodies.begin(), scene.bodies.end(), is_whole);
+  const std::string name = has_part ? side.body.substr(0, slash) : side.body;
+  scene.bodies = {named_in(scene.bodies, name, shown, side)};
+  std::vector<std::filesystem::path> meshes;
+  const std::vector<io::BodyPart> parts =
+      io::read_scene_parts(scene, side.file, call.require_convex, files.left_out, files.inputs(), &meshes)[0];
+  std::vector<NamedFile> read;
+  for (const std::filesystem::path& mesh : meshes) read.push_back({"", mesh});
+  if (call.proves()) require_apart(files.talk, read, {{"--certificate", call.certificate}});
+  if (!has_part && parts.size() > 1) {
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("{} has {} parts, and sunder pair takes one: give {}/{} or another one, or ask sunder scene",
+                    io::quote(name), parts.size(), name, parts[0].name),
+        side.option("body"));
+  }
+  const io::BodyPart& part = has_part ? named_in(parts, side.body.substr(slash + 1), name, side) : parts[0];
+  const auto place = exactly_composed(pose, part.pose);
+  if (!place) {
+    throw Error(ErrorCode::bad_pose,
+                "the place of the body in its scene is not of doubles under this pose, and is not rounded; give a pose "
+                "for the other object",
+                side.option("pose"));
+  }
+  if (!side.to.empty() && !(part.pose.affine() == Affine3())) {
+    throw Error(ErrorCode::bad_call, "is not for a body that its scene places; move the other object",
+                side.option("to"));
+  }
+  SpaceInput input;
+  if (part.round) {
+    input.round = round_part(part, side.body, *place);
+  } else {
+    input.bounded = PlacedBody{part.body, *place, {}};
+    input.bounded->mesh.name = side.body;
+  }
+  const bool is_mesh = !part.round && part.body.file != shown;
+  Said said = is_mesh ? said_of_mesh(part.body, files.read, files.left_out)
+                      : said_of_file(Said::Source::shape, files.read, side.file, side.body);
+  if (!said.empty() && !part.unit.empty()) said = said.unit(part.unit);
+  (part.round ? input.round->said : input.bounded->said) = said;
+  return input;
+}
+
 SpaceInput read_without_radius(const PairCall& call, const PairSide& side, PairFiles& files) {
   const solid::Pose pose = side.pose.empty() ? solid::Pose() : parse_pose(side.pose, side.option("pose"));
+  if (!side.body.empty()) {
+    if (is_space_input(call, side.file)) return read_scene_body(call, side, pose, files);
+    throw Error(ErrorCode::bad_call, "is for scenes, JSON files; leave it out", side.option("body"));
+  }
   if (is_space_input(call, side.file)) return parse_input(io::read_file(side.file, files.inputs()), pose, call, side);
   if (side.file != "-") {
     return {PlacedBody{io::read_body(side.file, call.require_convex, files.left_out, files.inputs()), pose, {}}, {}};

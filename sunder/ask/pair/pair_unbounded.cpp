@@ -242,13 +242,9 @@ Report run_unbounded_pair(const PairCall& call, const PlanarInput& a, const Plan
                 fmt::format("A is a {} and B a {}; one of them must be bounded: give a point, a segment or a polygon",
                             io::name_of(a.object.kind), io::name_of(b.object.kind)));
   }
-  if (call.distance || !call.clearance.empty()) {
-    throw Error(ErrorCode::bad_call, "is for points, segments and polygons; leave it out, or give a segment",
-                call.distance ? "--distance" : "--clearance");
-  }
+  require_pair_fit(call, {pair_kind::planar_lines});
   const Mixed mixed(call, a, b);
-  UnboundedPair question(call, mixed, files);
-  return answer(question, files.talk);
+  return answer(UnboundedPair(call, mixed, files), files.talk);
 }
 
 std::string planar_line_method_names() { return method_names(unbounded_methods); }

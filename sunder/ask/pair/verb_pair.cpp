@@ -16,10 +16,12 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::ask {
@@ -180,14 +182,8 @@ PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedB
 // Of standard input, the other one tells.
 Report run(const PairCall& call, Talk& talk) {
   if (are_polytopes(call)) {
-    require_at_rest(call, "polytopes");
-    require_no_depth(call, "polytopes");
+    require_pair_fit(call, {pair_kind::polytopes});
     return run_polytope_pair(call, talk);
-  }
-  for (const auto& [is_given, option] : {std::pair(call.hyperplanes, "--hyperplanes"),
-                                         {call.a.half_spaces, "--half-spaces-a"},
-                                         {call.b.half_spaces, "--half-spaces-b"}}) {
-    if (is_given) throw Error(ErrorCode::bad_call, "is for polytopes; leave it out, or give --polytopes", option);
   }
   const bool space_a = is_space_input(call, call.a.file), space_b = is_space_input(call, call.b.file);
   const bool planar_a = io::is_planar(call.a.file) && !space_a, planar_b = io::is_planar(call.b.file) && !space_b;
@@ -199,30 +195,10 @@ Report run(const PairCall& call, Talk& talk) {
                               "(of WKT Z, --drop-z ignores third coordinates)",
                               io::quote(io::one_line(space_a ? call.a.file : call.b.file))));
     }
-    if (!call.project.empty()) throw Error(ErrorCode::bad_call, "is for polygons of space; leave it out", "--project");
-    for (const PairSide* side : {&call.a, &call.b}) {
-      if (!side->radius.empty())
-        throw Error(ErrorCode::bad_call,
-                    "is for objects of space: planar ones have no radius in sunder pair; for circles ask sunder "
-                    "circles",
-                    side->option("radius"));
-    }
-    if (call.require_convex) {
-      throw Error(ErrorCode::bad_call, "polygons are always required to be convex; leave it out", "--require-convex");
-    }
-    require_at_rest(call, "planar objects");
-    require_no_depth(call, "planar objects");
+    require_pair_fit(call, {pair_kind::planar, pair_kind::planar_lines});
     return run_planar_pair(call, talk);
   }
-  for (const auto& [is_given, option] : {std::pair(!call.svg.empty(), "--svg"),
-                                         {call.mend, "--mend"},
-                                         {call.hull, "--hull"},
-                                         {call.drop_z, "--drop-z"},
-                                         {call.mixed_crs, "--mixed-crs"},
-                                         {!call.a.feature.empty(), "--feature-a"},
-                                         {!call.b.feature.empty(), "--feature-b"}}) {
-    if (is_given) throw Error(ErrorCode::bad_call, "is for planar objects only; leave it out", option);
-  }
+  require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving});
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call, talk);
@@ -234,93 +210,135 @@ Report run(const PairCall& call, Talk& talk) {
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
   }
   note_hulls(talk, bodies);
-  if (a.flat || b.flat) require_at_rest(call, "others");
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
   if (is_motion && (a.round || b.round)) return run_round_motion_pair(call, a, b, files);
   if (a.round || b.round) return run_round_pair(call, a, b, files);
-  if (a.flat || b.flat) {
-    require_no_depth(call, "lines, rays and planes");
-    return run_flat_pair(call, a, b, files);
-  }
+  if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
   if (is_motion) return run_motion_pair(call, *a.bounded, *b.bounded, files);
-  SolidPair question(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files);
-  return answer(question, files.talk);
+  return answer(SolidPair(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files), files.talk);
+}
+
+// The table of this call.
+std::vector<Option> pair_options(PairCall& call) {
+  namespace kind = pair_kind;
+  std::vector<Option> options{
+      {"A", &call.a.file,
+       "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); a point, segment, flat "
+       "polygon, line, ray or plane in space (JSON, WKT Z); a box, ball, capsule, cylinder, cone or ellipsoid (JSON); "
+       "a "
+       "planar object (WKT, GeoJSON, CSV); or a polytope of 2 to 6 dimensions (CSV, NPY). A planar line is "
+       "line,x1,y1,x2,y2 in CSV and LINE (x1 y1, x2 y2) in WKT; for a ray or a half-plane write ray or half-plane "
+       "in CSV, RAY or HALFPLANE in WKT",
+       "", true},
+      {"B", &call.b.file, "the second object, in a space of the same dimension; in the plane, A or B must be bounded",
+       "", true},
+      {"--pose-a", &call.a.pose,
+       fmt::format("the pose of A (default: as in its file): {}; in the plane {}", pose_forms, planar_pose_forms),
+       "POSE"},
+      {"--pose-b", &call.b.pose, "the pose of B, in the same form", "POSE"},
+      {"--to-a", &call.a.to,
+       "move A along a straight line from --pose-a to this pose, without turning: do A and B meet at any time? Both "
+       "must be bounded and in space",
+       "POSE"},
+      {"--to-b", &call.b.to, "the same for B, during the same time; an object without an end pose does not move",
+       "POSE"},
+      {"--radius-a", &call.a.radius,
+       "enlarge A to all points within this distance of it (default 0; bounded objects in space)", "NUMBER"},
+      {"--radius-b", &call.b.radius, "the same for B", "NUMBER"},
+      {"--method", &call.method,
+       fmt::format(
+           "for two bodies in space: {}, drums; with a plane: {}; with a line or ray in space: {}; for two planar "
+           "objects: {}; with a planar line, ray or half-plane: {}; for polytopes: {}",
+           pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
+           planar_line_method_names(), polytope_method_names()),
+       "NAME"},
+      {"--classify", &call.classify, "also tell whether the objects only touch or their interiors overlap"},
+      {"--require-convex", &call.require_convex,
+       "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
+      {"--leave-out", &call.leave_out, leave_out_help},
+      certificate_option(call.certificate),
+      json_option(call.json),
+      {"--distance", &call.distance,
+       "if both are bounded: also compute their exact distance and their closest features"},
+      {"--depth", &call.depth,
+       "if bounded objects in space meet: also compute how far A must move, and in which direction, until they no "
+       "longer overlap"},
+      {"--clearance", &call.clearance,
+       "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
+      {"--feature-a", &call.a.feature, "planar: use this object of file A, given by its name or its number in the file",
+       "NAME"},
+      {"--feature-b", &call.b.feature, "the same for file B", "NAME"},
+      {"--body-a", &call.a.body,
+       "A is a scene (JSON): use this body of it, NAME, or NAME/PART for one of several parts", "NAME"},
+      {"--body-b", &call.b.body, "the same for B", "NAME"},
+      {"--mend", &call.mend, "planar: remove repeated and collinear vertices"},
+      {"--hull", &call.hull, "planar: replace each object by the convex hull of its vertices"},
+      {"--project", &call.project,
+       "project polygons in space onto a plane; nine numbers: a point of the plane and two vectors in it. The answer "
+       "says how far the vertices moved",
+       "FRAME"},
+      {"--drop-z", &call.drop_z, "planar: ignore the third coordinate of each point"},
+      {"--mixed-crs", &call.mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
+      {"--polytopes", &call.polytopes,
+       "read CSV files as polytopes of 2 to 6 dimensions, one point in each row. Not needed for NPY files, and for "
+       "CSV files whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces a1 x1 + .. + ad xd <= b)"},
+      {"--half-spaces-a", &call.a.half_spaces,
+       "polytopes: each row of A (CSV without column names, or NPY) is a half-space a1,..,ad,b, not a point"},
+      {"--half-spaces-b", &call.b.half_spaces, "the same for the rows of B"},
+      {"--hyperplanes", &call.hyperplanes,
+       "polytopes, with --method tree: prove that A and B are apart by several half-spaces that contain A and several "
+       "that contain B"},
+      {"--svg", &call.svg, "planar: draw the objects and the evidence to FILE", "FILE"},
+      title_option(call.title),
+      svg_limit_option(call.svg_limit)};
+  using Kinds = std::vector<std::string>;
+  const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
+      space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
+      deep{kind::bodies, kind::round},
+      resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes};
+  Kinds any_at_rest = resting;
+  any_at_rest.push_back(kind::polytopes);
+  const std::map<std::string_view, const Kinds&> of{{"--to-a", solid},
+                                                    {"--to-b", solid},
+                                                    {"--radius-a", solid},
+                                                    {"--radius-b", solid},
+                                                    {"--classify", resting},
+                                                    {"--require-convex", space},
+                                                    {"--distance", bounded},
+                                                    {"--depth", deep},
+                                                    {"--clearance", bounded},
+                                                    {"--feature-a", plane},
+                                                    {"--feature-b", plane},
+                                                    {"--mend", plane},
+                                                    {"--hull", plane},
+                                                    {"--project", space},
+                                                    {"--drop-z", plane},
+                                                    {"--mixed-crs", plane},
+                                                    {"--half-spaces-a", polytopes},
+                                                    {"--half-spaces-b", polytopes},
+                                                    {"--hyperplanes", polytopes},
+                                                    {"--svg", plane},
+                                                    {"--body-a", space},
+                                                    {"--body-b", space},
+                                                    {"--method", any_at_rest}};
+  for (Option& option : options) {
+    if (const auto found = of.find(option.name); found != of.end()) option.of = found->second;
+  }
+  return options;
 }
 
 }  // namespace
 
+void require_pair_fit(const PairCall& call, const std::vector<std::string>& kinds) {
+  PairCall given = call, unless_given;
+  require_fit(pair_options(given), pair_options(unless_given), kinds);
+}
+
 Verb pair_verb() {
   const auto call = std::make_shared<PairCall>();
-  return {
-      "pair",
-      "Do two convex objects meet? Finds a common point, or a direction that separates them.",
-      "0 apart, or with --clearance that far apart; 1 meet, or not that far apart",
-      {{"A", &call->a.file,
-        "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); a point, segment, flat "
-        "polygon, line, ray or plane in space (JSON, WKT Z); a ball, capsule, cylinder, cone or ellipsoid (JSON); a "
-        "planar object (WKT, GeoJSON, CSV); or a polytope of 2 to 6 dimensions (CSV, NPY). A planar line is "
-        "line,x1,y1,x2,y2 in CSV and LINE (x1 y1, x2 y2) in WKT; for a ray or a half-plane write ray or half-plane "
-        "in CSV, RAY or HALFPLANE in WKT",
-        "", true},
-       {"B", &call->b.file, "the second object, in a space of the same dimension; in the plane, A or B must be bounded",
-        "", true},
-       {"--pose-a", &call->a.pose,
-        fmt::format("the pose of A (default: as in its file): {}; in the plane {}", pose_forms, planar_pose_forms),
-        "POSE"},
-       {"--pose-b", &call->b.pose, "the pose of B, in the same form", "POSE"},
-       {"--to-a", &call->a.to,
-        "move A along a straight line from --pose-a to this pose, without turning: do A and B meet at any time? Both "
-        "must be bounded and in space",
-        "POSE"},
-       {"--to-b", &call->b.to, "the same for B, during the same time; an object without an end pose does not move",
-        "POSE"},
-       {"--radius-a", &call->a.radius,
-        "enlarge A to all points within this distance of it (default 0; bounded objects in space)", "NUMBER"},
-       {"--radius-b", &call->b.radius, "the same for B", "NUMBER"},
-       {"--method", &call->method,
-        fmt::format(
-            "for two bodies in space: {}, drums; with a plane: {}; with a line or ray in space: {}; for two planar "
-            "objects: {}; with a planar line, ray or half-plane: {}; for polytopes: {}",
-            pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
-            planar_line_method_names(), polytope_method_names()),
-        "NAME"},
-       {"--classify", &call->classify, "also tell whether the objects only touch or their interiors overlap"},
-       {"--require-convex", &call->require_convex,
-        "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
-       {"--leave-out", &call->leave_out, leave_out_help},
-       certificate_option(call->certificate),
-       json_option(call->json),
-       {"--distance", &call->distance,
-        "if both are bounded: also compute their exact distance and their closest features"},
-       {"--depth", &call->depth,
-        "if bounded objects in space meet: also compute how far A must move, and in which direction, until they no "
-        "longer overlap"},
-       {"--clearance", &call->clearance,
-        "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
-       {"--feature-a", &call->a.feature,
-        "planar: use this object of file A, given by its name or its number in the file", "NAME"},
-       {"--feature-b", &call->b.feature, "the same for file B", "NAME"},
-       {"--mend", &call->mend, "planar: remove repeated and collinear vertices"},
-       {"--hull", &call->hull, "planar: replace each object by the convex hull of its vertices"},
-       {"--project", &call->project,
-        "project polygons in space onto a plane; nine numbers: a point of the plane and two vectors in it. The answer "
-        "says how far the vertices moved",
-        "FRAME"},
-       {"--drop-z", &call->drop_z, "planar: ignore the third coordinate of each point"},
-       {"--mixed-crs", &call->mixed_crs, fmt::format("planar: {}", mixed_crs_help)},
-       {"--polytopes", &call->polytopes,
-        "read CSV files as polytopes of 2 to 6 dimensions, one point in each row. Not needed for NPY files, and for "
-        "CSV files whose first line is x1,..,xd (points) or a1,..,ad,b (half-spaces a1 x1 + .. + ad xd <= b)"},
-       {"--half-spaces-a", &call->a.half_spaces,
-        "polytopes: each row of A (CSV without column names, or NPY) is a half-space a1,..,ad,b, not a point"},
-       {"--half-spaces-b", &call->b.half_spaces, "the same for the rows of B"},
-       {"--hyperplanes", &call->hyperplanes,
-        "polytopes, with --method tree: prove that A and B are apart by several half-spaces that contain A and several "
-        "that contain B"},
-       {"--svg", &call->svg, "planar: draw the objects and the evidence to FILE", "FILE"},
-       title_option(call->title),
-       svg_limit_option(call->svg_limit)},
-      [call](Talk& talk) { return run(*call, talk); }};
+  return {"pair", "Do two convex objects meet? Finds a common point, or a direction that separates them.",
+          "0 apart, or with --clearance that far apart; 1 meet, or not that far apart", pair_options(*call),
+          [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

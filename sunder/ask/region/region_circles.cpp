@@ -180,10 +180,7 @@ class CirclesQuestion final : public RegionQuestion {
 
 }  // namespace
 
-Report run_region_circles(const RegionCall& call, Talk& talk) {
-  CirclesQuestion question(call, talk);
-  return answer(question, talk);
-}
+Report run_region_circles(const RegionCall& call, Talk& talk) { return answer(CirclesQuestion(call, talk), talk); }
 
 std::string circle_method_names() { return method_names(circles_methods); }
 

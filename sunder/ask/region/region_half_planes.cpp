@@ -218,8 +218,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 }  // namespace
 
 Report run_region_half_planes(const RegionCall& call, Talk& talk) {
-  HalfPlanesQuestion question(call, talk);
-  return answer(question, talk);
+  return answer(HalfPlanesQuestion(call, talk), talk);
 }
 
 std::string half_plane_method_names() { return method_names(half_planes_methods); }

@@ -259,9 +259,7 @@ bool is_of_half_spaces(const RegionCall& call) {
 }
 
 Report run_region_half_spaces(const RegionCall& call, Talk& talk) {
-  if (!call.svg.empty()) throw Error(ErrorCode::bad_call, "is for the plane; leave it out", "--svg");
-  HalfSpacesQuestion question(call, talk);
-  return answer(question, talk);
+  return answer(HalfSpacesQuestion(call, talk), talk);
 }
 
 std::string half_space_method_names() { return method_names(program_methods); }

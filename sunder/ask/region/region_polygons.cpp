@@ -210,10 +210,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
 }  // namespace
 
-Report run_region_polygons(const RegionCall& call, Talk& talk) {
-  PolygonsQuestion question(call, talk);
-  return answer(question, talk);
-}
+Report run_region_polygons(const RegionCall& call, Talk& talk) { return answer(PolygonsQuestion(call, talk), talk); }
 
 std::string polygon_method_names() { return method_names(part_methods); }
 

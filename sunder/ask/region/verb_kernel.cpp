@@ -192,10 +192,7 @@ class KernelQuestion : public FeasibilityQuestion {
   std::vector<KernelResult> results_;
 };
 
-Report run_kernel(const RegionCall& call, Talk& talk) {
-  KernelQuestion question(call, talk);
-  return answer(question, talk);
-}
+Report run_kernel(const RegionCall& call, Talk& talk) { return answer(KernelQuestion(call, talk), talk); }
 
 }  // namespace
 

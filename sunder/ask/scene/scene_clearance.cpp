@@ -179,24 +179,19 @@ std::optional<scene::ClearanceQuestion> clearance_question(Talk& talk, const Cle
   return question;
 }
 
-std::string nearness_text(const SceneReport& report) {
+void add_nearness(const SceneReport& scene, Report& report) {
   std::string text;
-  for (const Placed& placed : report.placements) {
-    const std::string prefix = report.placements.size() > 1 ? placed.title + ": " : "";
-    if (placed.near.clearance) text += closer_text(report, placed, prefix);
-    if (report.asks_for_nearest) text += nearest_text(report, placed, prefix);
+  Json nearest = Json::array();
+  for (std::size_t p = 0; p < scene.placements.size(); ++p) {
+    const Placed& placed = scene.placements[p];
+    const std::string prefix = scene.placements.size() > 1 ? placed.title + ": " : "";
+    if (placed.near.clearance) text += closer_text(scene, placed, prefix);
+    if (scene.asks_for_nearest) text += nearest_text(scene, placed, prefix);
+    if (placed.near.nearest) nearest.push_back(pair_json(scene, p, *placed.near.nearest));
   }
-  return text;
-}
-
-void add_nearness(const SceneReport& report, Json& json) {
-  if (report.clearance) json["clearance"] = clearance_json(report);
-  if (!report.asks_for_nearest) return;
-  json["nearest"] = Json::array();
-  for (std::size_t p = 0; p < report.placements.size(); ++p) {
-    const auto& nearest = report.placements[p].near.nearest;
-    if (nearest) json["nearest"].push_back(pair_json(report, p, *nearest));
-  }
+  if (scene.clearance) report.add("clearance", clearance_json(scene));
+  if (scene.asks_for_nearest) report.add("nearest", std::move(nearest));
+  report.tell(std::move(text));
 }
 
 }  // namespace sunder::ask

@@ -31,8 +31,7 @@ std::optional<scene::ClearanceQuestion> clearance_question(Talk& talk, const Cle
 struct Placed;
 struct SceneReport;
 
-// Of all placements: lines for people, below those about what meets; and "clearance" and "nearest" of the report.
-std::string nearness_text(const SceneReport& report);
-void add_nearness(const SceneReport& report, Json& json);
+// Of all placements: "clearance" and "nearest" of the report, and lines for people.
+void add_nearness(const SceneReport& scene, Report& report);
 
 }  // namespace sunder::ask

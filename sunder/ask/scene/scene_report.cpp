@@ -382,18 +382,6 @@ std::vector<std::string> not_proved(const SceneReport& report) {
   return {};
 }
 
-std::string scene_text(const SceneReport& report) {
-  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
-  std::string text =
-      fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
-                  count_of(report.placements.front().answer.counts.parts, "part"),
-                  report.placements.size() > 1 ? fmt::format(", {} placements", report.placements.size()) : "");
-  if (bodies.size() <= most_in_matrix && bodies.size() > 1) text += matrix_text(report);
-  text += counts_text(report);
-  for (const Placed& placed : report.placements) text += meeting_text(report, placed);
-  return text + allowed_report_text(report) + nearness_text(report);
-}
-
 std::vector<std::string> picture_notes(const SceneReport& report, const Placed& placed) {
   std::string text = report.allowed.empty() ? "" : allowed_pairs_text(report) + "\n";
   if (report.checks_allowed) text += allowed_meeting_text(report, placed, "");
@@ -408,60 +396,67 @@ std::vector<std::string> picture_notes(const SceneReport& report, const Placed& 
   return lines;
 }
 
-Json scene_json(const Talk& talk, const SceneReport& report) {
-  Json json = envelope(talk, "scene", std::string(report.verdict()), report.method);
-  json["decided_by"] = decided_by(report);
-  json["objects"] = Json::array();
-  for (const io::BodyPart* part : report.cell.parts()) json["objects"].push_back(object_json(*part));
+Report report_of(const SceneReport& scene) {
+  Report report{.verb = "scene", .answer = std::string(scene.verdict()), .decided_by = decided_by(scene)};
+  report.code = scene.none_meet() && scene.is_kept() ? exit_code::no : exit_code::yes;
+  for (const io::BodyPart* part : scene.cell.parts()) report.objects.push_back(object_json(*part));
+  const std::vector<scene::Body>& bodies = scene.placements.front().bodies;
+  const std::size_t placements = scene.placements.size();
+  report.tell(fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
+                          count_of(scene.placements.front().answer.counts.parts, "part"),
+                          placements > 1 ? fmt::format(", {} placements", placements) : ""));
+  if (bodies.size() <= most_in_matrix && bodies.size() > 1) report.tell(matrix_text(scene));
+  report.tell(counts_text(scene));
 
-  if (!report.cell.left_out().empty()) json["left_out"] = to_json(report.cell.left_out());
-  if (!report.cell.unit().empty()) json["unit"] = report.cell.unit();
-
-  if (Json attached = attached_json(report.cell); !attached.empty()) json["attached"] = std::move(attached);
-
-  json["bodies"] = Json::array();
-  const std::vector<scene::Body>& bodies = report.placements.front().bodies;
+  report.add(facts_of(scene.cell.left_out()));
+  if (!scene.cell.unit().empty()) report.add("unit", scene.cell.unit());
+  if (Json attached = attached_json(scene.cell); !attached.empty()) report.add("attached", std::move(attached));
+  Json of_bodies = Json::array(), allowed_pairs = Json::array();
   std::size_t object = 0;
   for (const scene::Body& body : bodies) {
     Json parts = Json::array();
     for (const scene::Part& part : body.parts) parts.push_back({{"name", part.name}, {"object", object++}});
-    json["bodies"].push_back({{"name", body.name}, {"parts", parts}});
+    of_bodies.push_back({{"name", body.name}, {"parts", parts}});
   }
-  json["allowed"] = report.question.touching_allowed ? "touch" : "nothing";
-  json["allowed_pairs"] = Json::array();
-  for (const auto& [a, b] : report.question.allowed) json["allowed_pairs"].push_back({bodies[a].name, bodies[b].name});
-  json["allowed_reasons"] = allowed_json(report.allowed);
-  json["allowed_meeting"] = allowed_meeting_json(report);
+  report.add("bodies", std::move(of_bodies));
+  report.add("allowed", scene.question.touching_allowed ? "touch" : "nothing");
+  for (const auto& [a, b] : scene.question.allowed) allowed_pairs.push_back({bodies[a].name, bodies[b].name});
+  report.add("allowed_pairs", std::move(allowed_pairs));
+  report.add("allowed_reasons", allowed_json(scene.allowed));
+  report.add("allowed_meeting", allowed_meeting_json(scene));
 
-  json["placements"] = Json::array();
-  json["pairs"] = Json::array();
+  Json of_placements = Json::array(), pairs = Json::array();
   Cost cost;
   scene::Counts counts;
   std::uint64_t meeting = 0;
-  for (std::size_t p = 0; p < report.placements.size(); ++p) {
-    const Placed& placed = report.placements[p];
+  std::string text;
+  for (std::size_t p = 0; p < placements; ++p) {
+    const Placed& placed = scene.placements[p];
     Json joints = Json::object();
     for (const auto& [joint, value] : placed.joints) joints[joint] = value;
-    json["placements"].push_back({{"name", placed.title},
-                                  {"answer", placed.answer.verdict()},
-                                  {"joints", joints},
-                                  {"totals", to_json(placed.answer.counts)},
-                                  {"seconds", placed.seconds}});
+    of_placements.push_back({{"name", placed.title},
+                             {"answer", placed.answer.verdict()},
+                             {"joints", joints},
+                             {"totals", to_json(placed.answer.counts)},
+                             {"seconds", placed.seconds}});
+    text += meeting_text(scene, placed);
     for (const auto& [key, count] : counted) counts.*count += placed.answer.counts.*count;
     for (const PartPair& pair : placed.answer.pairs) {
-      json["pairs"].push_back(pair_json(report, p, pair));
+      pairs.push_back(pair_json(scene, p, pair));
       if (pair.counts) ++meeting;
       cost.probes += pair.answer.cost.probes;
       cost.iterations += pair.answer.cost.iterations;
       cost.exact += pair.answer.cost.exact;
     }
   }
-  json["cost"] = to_json(cost);
-  json["count"] = meeting;
-  json["totals"] = to_json(counts);
-  add_nearness(report, json);
-  if (report.is_proved) json["not_proved"] = not_proved(report);
-  return json;
+  report.add("placements", std::move(of_placements), std::move(text));
+  report.add("pairs", std::move(pairs), allowed_report_text(scene));
+  report.cost = cost;
+  report.add("count", meeting);
+  report.add("totals", to_json(counts));
+  add_nearness(scene, report);
+  report.has_colours = scene.colour;
+  return report;
 }
 
 }  // namespace sunder::ask

@@ -35,7 +35,6 @@ struct SceneReport {
   std::vector<AllowedPair> allowed{};          // those of the question, with their reasons
   bool checks_allowed = false;
   std::vector<Placed> placements{};  // at least one, all with the same bodies
-  bool is_proved = false;            // a proof of all this is written
   bool colour = false;               // mark what meets by terminal colours
 
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
@@ -52,11 +51,11 @@ bool has_unknown_contact(const scene::PartPair& pair);
 // What of all this a proof does not say, in words.
 std::vector<std::string> not_proved(const SceneReport& report);
 
-std::string scene_text(const SceneReport& report);
-
 // The lines of the text that a picture of the placement has below its answer: what is allowed to meet, and does, and
 // what was left out.
 std::vector<std::string> picture_notes(const SceneReport& report, const Placed& placed);
-Json scene_json(const Talk& talk, const SceneReport& report);
+
+// All but the method, the notes and the files that are written.
+Report report_of(const SceneReport& scene);
 
 }  // namespace sunder::ask

@@ -239,24 +239,23 @@ Report run(const SceneCall& call, Talk& talk) {
     report.placements.push_back(ask(report, joints, number));
   }
 
-  report.is_proved = call.proves();
   const std::size_t proved = call.proves() ? write_certificate(talk, call.certificate, report, files) : 0;
   draw(talk, call, report);
   note_hulls(talk, meshes_of(cell));
-  if (call.json) {
-    talk.print(to_text(scene_json(talk, report)));
-  } else {
-    std::string text = scene_text(report);
-    if (call.proves()) {
-      text += fmt::format("proofs of {}, all but the allowed{}: {}\n", count_of(proved, "pair"),
-                          report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate));
-      for (const std::string& words : not_proved(report)) text += fmt::format("not proved: {}\n", words);
-    }
-    if (!call.svg.empty()) text += fmt::format("picture: {}\n", io::one_line(call.svg));
-    if (!call.gltf.empty()) text += fmt::format("model: {}\n", io::one_line(call.gltf));
-    report.colour ? talk.print(text) : talk.print_for_people(text);  // colours are control bytes
+  Report result = report_of(report);
+  result.method = report.method;
+  result.notes = talk.notes();
+  if (call.proves()) {
+    const std::vector<std::string> unproved = not_proved(report);
+    std::string text;
+    for (const std::string& words : unproved) text += fmt::format("not proved: {}\n", words);
+    result.tell(fmt::format("proofs of {}, all but the allowed{}: {}\n", count_of(proved, "pair"),
+                            report.none_undecided() ? "" : " and the undecided", io::one_line(call.certificate)));
+    result.add("not_proved", unproved, std::move(text));
   }
-  return told(report.none_meet() && report.is_kept() ? exit_code::no : exit_code::yes);
+  if (!call.svg.empty()) result.tell(fmt::format("picture: {}\n", io::one_line(call.svg)));
+  if (!call.gltf.empty()) result.tell(fmt::format("model: {}\n", io::one_line(call.gltf)));
+  return result;
 }
 
 }  // namespace

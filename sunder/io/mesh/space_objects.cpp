@@ -20,9 +20,9 @@ namespace {
 using nlohmann::json;
 using SpaceKind = SpaceObject::Kind;
 
-constexpr std::array kinds{SpaceKind::point,    SpaceKind::segment, SpaceKind::polygon,  SpaceKind::line,
-                           SpaceKind::ray,      SpaceKind::plane,   SpaceKind::ball,     SpaceKind::capsule,
-                           SpaceKind::cylinder, SpaceKind::cone,    SpaceKind::ellipsoid};
+constexpr std::array kinds{SpaceKind::point,   SpaceKind::segment,  SpaceKind::polygon, SpaceKind::box,
+                           SpaceKind::line,    SpaceKind::ray,      SpaceKind::plane,   SpaceKind::ball,
+                           SpaceKind::capsule, SpaceKind::cylinder, SpaceKind::cone,    SpaceKind::ellipsoid};
 
 constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
@@ -97,11 +97,11 @@ class JsonObject : JsonShapes {
   SpaceObject read(std::string_view text) const {
     const json top = parse_json(text, place_);
     if (!top.is_object()) fail_file(place_, fmt::format("is no object of space: {}", expected()));
-    for (const std::string_view of_scene : {"bodies", "box", "rounded", "points", "mesh"}) {
+    for (const std::string_view of_scene : {"bodies", "rounded", "points", "mesh"}) {
       if (!top.contains(std::string(of_scene))) continue;
       fail_file(place_, of_scene == "bodies"
-                            ? "this is a scene of several bodies, and sunder pair takes one object a file; ask sunder "
-                              "scene, or give the body as a mesh"
+                            ? "this is a scene of several bodies, and sunder pair takes one; name it by --body-a or "
+                              "--body-b, or ask sunder scene"
                             : fmt::format("{} is a shape of scene files, which sunder pair does not read; give the "
                                           "body as a mesh, or put both into a scene file and ask sunder scene",
                                           quote(of_scene)));
@@ -122,7 +122,7 @@ class JsonObject : JsonShapes {
 
  private:
   static std::string expected() {
-    return "give one of {\"plane\": ..}, line, ray, segment, point, polygon, ball, capsule, cylinder, cone and "
+    return "give one of {\"plane\": ..}, line, ray, segment, point, polygon, box, ball, capsule, cylinder, cone and "
            "ellipsoid (GeoJSON has a \"type\")";
   }
 
@@ -130,6 +130,10 @@ class JsonObject : JsonShapes {
     const std::string where(name_of(kind));
     if (kind == SpaceKind::plane) return plane(value);
     if (kind > SpaceKind::plane) return round(kind, value);
+    if (kind == SpaceKind::box) {
+      const std::array<Point3, 8> corners = box_corners(box_size(value, where));
+      return {kind, {}, {corners.begin(), corners.end()}, {}, {}, {}, {}};
+    }
     if (kind == SpaceKind::polygon && value.is_object()) return framed(value);
     const std::size_t least = kind == SpaceKind::point ? 1 : kind == SpaceKind::polygon ? 0 : 2;
     std::vector<Point3> found;
@@ -318,9 +322,18 @@ bool is_json(std::string_view text) {
 }  // namespace
 
 std::string_view name_of(SpaceObject::Kind kind) {
-  return name_in<SpaceKind::ellipsoid>(
-      {"point", "segment", "polygon", "line", "ray", "plane", "ball", "capsule", "cylinder", "cone", "ellipsoid"},
-      kind);
+  return name_in<SpaceKind::ellipsoid>({"point", "segment", "polygon", "box", "line", "ray", "plane", "ball", "capsule",
+                                        "cylinder", "cone", "ellipsoid"},
+                                       kind);
+}
+
+std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {
+  std::array<Point3, 8> corners;
+  for (unsigned i = 0; i < 8; ++i) {
+    corners[i] = {(i & 1 ? 0.5 : -0.5) * size[0] + 0.0, (i & 2 ? 0.5 : -0.5) * size[1] + 0.0,
+                  (i & 4 ? 0.5 : -0.5) * size[2] + 0.0};
+  }
+  return corners;
 }
 
 bool is_space_text(std::string_view text) {

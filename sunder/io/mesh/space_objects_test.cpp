@@ -53,6 +53,19 @@ TEST(SpaceObjects, Json) {
   EXPECT_EQ(framed.frame->u, (Point3{0.1, 0.2, 0.3}));
 }
 
+TEST(SpaceObjects, Boxes) {
+  const SpaceObject box = parse_space_object(R"({"box": {"size": [2, 4, 1]}})", "b");
+  EXPECT_EQ(box.kind, SpaceKind::box);
+  EXPECT_FALSE(box.unbounded() || box.round);
+  ASSERT_EQ(box.points.size(), 8u);
+  EXPECT_EQ(box.points[0], (Point3{-1, -2, -0.5}));
+  EXPECT_EQ(box.points[5], (Point3{1, -2, 0.5}));
+  EXPECT_EQ(mesh_of(box).vertices, box.points);
+  EXPECT_THROW(parse_space_object(R"({"box": {"size": [2, -4, 1]}})", "b"), Error);
+  EXPECT_THROW(parse_space_object(R"({"box": {"size": [2, 4]}})", "b"), Error);
+  EXPECT_THROW(parse_space_object(R"({"box": [2, 4, 1]})", "b"), Error);
+}
+
 TEST(SpaceObjects, AllBitsOfNumbers) {
   // The nearest doubles: of halfway cases the even one, of integers beyond 2^64 too, and of the least.
   const SpaceObject object = parse_space_object(

@@ -1,3 +1,4 @@
+#include <sunder/io/mesh/space_objects.h>
 #include <sunder/io/robot/robot_bodies.h>
 #include <sunder/io/robot/robot_motion.h>
 #include <sunder/io/text/text.h>

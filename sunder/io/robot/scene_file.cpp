@@ -1,3 +1,4 @@
+#include <sunder/io/mesh/space_objects.h>
 #include <sunder/io/robot/robot_motion.h>
 #include <sunder/io/robot/scene_file.h>
 #include <sunder/io/robot/urdf.h>
@@ -176,11 +177,7 @@ class SceneParser : JsonShapes {
         part.shape = RoundBody(hull_of(value, where));
         part.is_convex_by_kind = false;
       } else if (part.format == "box") {
-        const auto size = numbers<3>(member(value, where, "size", {"size"}), where + ".size", "[a, b, c]");
-        for (const double edge : size) {
-          if (edge < 0) fail(where + ".size", fmt::format("{} is below zero; give the lengths of edges", edge));
-        }
-        part.shape = RoundBody(solid::ConvexPolyhedron(box_corners(size)));
+        part.shape = RoundBody(solid::ConvexPolyhedron(box_corners(box_size(value, where))));
       } else if (part.format == "rounded") {
         const Keys keys{"points", "radius"};
         const solid::ConvexPolyhedron hull = hull_of(member(value, where, "points", keys), where + ".points");

@@ -356,13 +356,4 @@ std::string_view name_of(ShapeKind kind) {
   return "capsule";
 }
 
-std::array<Point3, 8> box_corners(const std::array<double, 3>& size) {
-  std::array<Point3, 8> corners;
-  for (unsigned i = 0; i < 8; ++i) {
-    corners[i] = {(i & 1 ? 0.5 : -0.5) * size[0] + 0.0, (i & 2 ? 0.5 : -0.5) * size[1] + 0.0,
-                  (i & 4 ? 0.5 : -0.5) * size[2] + 0.0};
-  }
-  return corners;
-}
-
 }  // namespace sunder::io

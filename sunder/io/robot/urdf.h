@@ -105,7 +105,4 @@ Robot read_urdf(const std::filesystem::path& path, InputFiles* inputs = nullptr)
 // As read_urdf, from memory. place: the file's name for messages. `folder` stays empty.
 Robot parse_urdf(std::string_view bytes, std::string_view place);
 
-// The corners of the box with these edges, centred at the origin: corner i has +size/2 in x, y, z for its bits 0, 1, 2.
-std::array<Point3, 8> box_corners(const std::array<double, 3>& size);
-
 }  // namespace sunder::io

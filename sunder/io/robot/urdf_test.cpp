@@ -1,5 +1,6 @@
 #include <sunder/base/error.h>
 #include <sunder/io/mesh/mesh.h>
+#include <sunder/io/mesh/space_objects.h>
 #include <sunder/io/robot/packages.h>
 #include <sunder/io/robot/robot_motion.h>
 #include <sunder/io/robot/urdf.h>

@@ -47,6 +47,14 @@ std::vector<Point3> JsonShapes::points(const Json& value, const std::string& whe
   return result;
 }
 
+std::array<double, 3> JsonShapes::box_size(const Json& value, const std::string& where) const {
+  const auto size = numbers<3>(member(value, where, "size", {"size"}), where + ".size", "[a, b, c]");
+  for (const double edge : size) {
+    if (edge < 0) fail(where + ".size", fmt::format("{} is below zero; give the lengths of edges", edge));
+  }
+  return size;
+}
+
 solid::RoundBody JsonShapes::round_body(std::string_view kind, const Json& value, const std::string& where) const {
   using solid::RoundBody;
   const auto inner = [&](const char* key, Keys keys) -> const Json& { return member(value, where, key, keys); };

@@ -44,6 +44,9 @@ class JsonShapes {
   Point3 point(const Json& value, const std::string& where) const;
   std::vector<Point3> points(const Json& value, const std::string& where) const;
 
+  // Of {"size": [a, b, c]}: the lengths of edges, none below zero.
+  std::array<double, 3> box_size(const Json& value, const std::string& where) const;
+
   // What space_objects.h says of a ball, a capsule, a cylinder, a cone, an ellipsoid. Requires one of these kinds.
   solid::RoundBody round_body(std::string_view kind, const Json& value, const std::string& where) const;
 
