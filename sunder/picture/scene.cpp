@@ -28,7 +28,7 @@ namespace {
 constexpr double panel_width = 560, panel_height = 540, margin = 44, row_height = 19;
 // Contacts of a placement that are told in words: few in one column, more in two of smaller letters.
 constexpr std::size_t most_in_column = 6, most_named = 40, longest_in_two = 38;
-constexpr std::size_t longest_note = 84;
+constexpr std::size_t longest_note = 66;  // in the widest of usual fonts
 constexpr double small_row_height = 15;
 constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
 

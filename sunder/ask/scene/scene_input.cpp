@@ -73,13 +73,19 @@ void attach(const std::vector<std::string>& words, robot::Cell& cell) {
   }
 }
 
-Json attached_json(const robot::Cell& cell) {
-  Json json = Json::array();
+std::vector<std::array<std::string, 2>> attached_names(const robot::Cell& cell) {
+  std::vector<std::array<std::string, 2>> all;
   const auto add = [&](const std::string& name, const std::optional<robot::Attachment>& attached) {
-    if (attached) json.push_back({{"name", name}, {"link", cell.robot("").links[attached->link].name}});
+    if (attached) all.push_back({name, cell.robot("").links[attached->link].name});
   };
   for (const robot::CellRobot& robot : cell.robots()) add(robot.name, robot.attached);
   for (const robot::CellBody& body : cell.bodies()) add(body.name, body.attached);
+  return all;
+}
+
+Json attached_json(const robot::Cell& cell) {
+  Json json = Json::array();
+  for (const auto& [name, link] : attached_names(cell)) json.push_back({{"name", name}, {"link", link}});
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include <sunder/io/robot/srdf.h>
 #include <sunder/robot/cell.h>
 
+#include <array>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -30,7 +31,8 @@ robot::Cell read_cell(Talk& talk, const std::vector<std::string>& files, const s
 // "NAME=LINK" or "NAME=LINK@POSE" each (Cell::attach). Throws Error.
 void attach(const std::vector<std::string>& words, robot::Cell& cell);
 
-// What is attached: [{"name": "gripper", "link": "tool0"}, ..]
+// What is attached, and the link: of robots, then of bodies. [{"name": "gripper", "link": "tool0"}, ..]
+std::vector<std::array<std::string, 2>> attached_names(const robot::Cell& cell);
 Json attached_json(const robot::Cell& cell);
 
 // Pairs of bodies out of a word of --allow: "adjacent", "NAME,NAME", or a file with two names a line. Throws Error.

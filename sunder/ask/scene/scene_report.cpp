@@ -405,6 +405,7 @@ Report report_of(const SceneReport& scene) {
   report.tell(fmt::format("{} with {}{}\n", bodies.size() == 1 ? "1 body" : fmt::format("{} bodies", bodies.size()),
                           count_of(scene.placements.front().answer.counts.parts, "part"),
                           placements > 1 ? fmt::format(", {} placements", placements) : ""));
+  for (const auto& [name, link] : attached_names(scene.cell)) report.tell(name + " moves with " + link + "\n");
   if (bodies.size() <= most_in_matrix && bodies.size() > 1) report.tell(matrix_text(scene));
   report.tell(counts_text(scene));
 
