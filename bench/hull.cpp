@@ -53,17 +53,11 @@ Contest hierarchy_contest(const std::vector<sunder::Point3>& given, bool of_pola
   using namespace sunder::solid;
   const auto same = std::make_shared<const std::vector<sunder::Point3>>(given);
   const ConvexPolyhedron body(given);
-  const auto begin = std::make_shared<std::vector<std::uint32_t>>(1, 0u);
-  const auto corners = std::make_shared<std::vector<std::uint32_t>>();
-  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
-    corners->insert(corners->end(), body.facet(f).begin(), body.facet(f).end());
-    begin->push_back(static_cast<std::uint32_t>(corners->size()));
-  }
   Contest made;
   made.truths = {of_polar ? body.facet_count() : body.vertices().size()};
   made.subjects = {entry_by_input("sunder", of_polar ? "polar hierarchy" : "hierarchy", 1, [=](std::size_t) -> Asked {
-    if (of_polar) return [=] { return make_polar_hierarchy(body.vertices(), *begin, *corners).hierarchy.nodes.size(); };
-    return [=] { return make_hierarchy(body.vertices(), *begin, *corners).nodes.size(); };
+    if (of_polar) return [=] { return PolarHierarchy::make(body).hierarchy.nodes.size(); };
+    return [=] { return Hierarchy::make(body).nodes.size(); };
   })};
   made.peers = {entry_by_input("hull", "ConvexPolyhedron", 1, [=](std::size_t) -> Asked {
     return [=]() -> std::uint64_t {

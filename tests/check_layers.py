@@ -19,6 +19,9 @@ L8  No header gives a type of a namespace within sunder the name of one of sunde
     would depend on what else is included.
 L9  ask prints nothing and asks nobody: it knows no stream of the process, no terminal and no environment (ask/talk.h
     has what it tells), and no variable outlives a call.
+L10 Only predicate evaluates formulas in stages: nothing else names a stage, a formula or what lifts points to it.
+    What needs numbers asks for coordinates<Dyadic>(point).
+L11 No two representations of a layer have the same slot, for they may lie in one object (sunder/base/lazy_slots.h).
 
 Tests beside the sources (x_test.cpp, x_test.h) are held to L1, L2, L5 and L6.
 Exit code 0: in order. 1: not, one line for each finding. 2: nothing was found to check.
@@ -58,8 +61,8 @@ FRONT_DOORS = {"sunder/sunder.h", "sunder/version.h"}
 ORDER = {
     "number": ["exact"],
     "predicate": ["filter", "point", "line", "disc"],
-    "planar": ["represent", "object", "pair", "sweep", "discs", "segments", "boxes", "polygons", "region"],
-    "solid": ["hull", "represent", "object", "mesh", "search", "exact", "line", "pair", "section", "descent", "drums", "round"],
+    "planar": ["object", "pair", "sweep", "discs", "segments", "boxes", "polygons", "region"],
+    "solid": ["hull", "object", "represent", "mesh", "search", "exact", "line", "pair", "section", "descent", "drums", "round"],
     "polytope": ["object", "represent", "pair", "hull", "region"],
     "io": ["text", "mesh", "plane", "robot"],
     "ask": ["set", "scene", "pair", "region"],
@@ -99,6 +102,7 @@ ASK_REFUSED = re.compile(r"\b(stdout|stderr|stdin|STD(?:IN|OUT|ERR)_FILENO|isatt
 ASK_STATE = re.compile(
     r"^(?!constexpr |const |inline const(?:expr)? |extern const |using |namespace |struct |class |enum |friend |typedef |return )"
     r"[\w:][\w:<>,*& ]* \w+(?:\{[^}]*\}| = [^()]*)?;|^ *(?:static|thread_local) (?!constexpr |const )[\w:<>, ]+ \w+(?:;|\{| =)")
+STAGES = re.compile(r"\b(\w+Stage\b|lift<|decide(?:_sharply)?\(&?tally|\w+_formula\b)|sunder/predicate/(?:filter/(?:sharp_stage|stages)|disc/disc_stages)\.h")
 
 CONTRACT = "sunder/base/contract.cpp"  # its one purpose is to say so and to end the process
 
@@ -107,6 +111,7 @@ FOLDERS = ["sunder", "cli", "python", "verifier", "tests", "fuzz", "bench", "exa
 LONGEST = 600
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 NAMESPACE = re.compile(r"namespace ((?:\w+)(?:::\w+)*) \{|\}  // namespace (\w+)$")
+SLOT = re.compile(r"^ *static constexpr std::size_t slot = (\d+);", re.MULTILINE)
 TYPE = re.compile(r"(?:struct|class|enum class|enum|using) (\w+)(?: final)?(?: :.*)? (?:\{|=)")
 
 
@@ -226,6 +231,11 @@ def check_file(root, path):
         if match and bare[number - 1].strip():  # not commented out
             for finding in check_include(path, test, match.group(1), match.group(2)):
                 yield number, finding
+    if layer not in (None, "predicate", "verifier") and not test:
+        for number, line in enumerate(bare, 1):
+            match = STAGES.search(line)
+            if match:
+                yield number, "L10: %s: formulas are evaluated in predicate alone" % match.group()
     if layer in CORE and not test and path != CONTRACT:
         for number, line in enumerate(bare, 1):
             match = CORE_CALLS_REFUSED.search(line)
@@ -282,11 +292,23 @@ def namesakes(root, paths):
             yield "%s:%d: L8: %s is a type of sunder, too" % (path, number, name)
 
 
+def shared_slots(root, paths):
+    taken = {}
+    for path in paths:
+        with open(os.path.join(root, path), encoding="ascii", errors="replace") as stream:
+            text = stream.read()
+        for match in SLOT.finditer(text):
+            other = taken.setdefault((place_of(path)[0], match.group(1)), path)
+            if other != path:
+                yield "%s:%d: L11: %s has slot %s, too" % (path, text.count("\n", 0, match.start(1)) + 1, other, match.group(1))
+
+
 def check(root):
     """(findings as text, number of files, number of C++ files in layers)"""
     findings, files, in_layers = [], 0, 0
     headers = [p for p in sources_of(root) if re.match(r"sunder/.*(?<!_test)\.h$", p)]
     findings += namesakes(root, headers)
+    findings += shared_slots(root, headers)
     for path in sources_of(root):
         files += 1
         in_layers += place_of(path)[0] is not None and path.endswith((".h", ".cpp"))

@@ -19,6 +19,9 @@ GOOD = {
     "sunder/base/contract.cpp": "void f() { std::abort(); }\n",
     "sunder/solid/hull/convex_hull.h": "#include <sunder/number/sign.h>\n",
     "sunder/solid/object/body.h": "#include <sunder/solid/hull/convex_hull.h>\n",
+    "sunder/solid/represent/drums.h": "#include <sunder/solid/object/body.h>\nstruct Drums {\n"
+                                      "  static constexpr std::size_t slot = 5;\n};\n",
+    "sunder/polytope/represent/tree.h": "struct Tree {\n  static constexpr std::size_t slot = 5;\n};\n",
     "sunder/solid/pair/body_body.cpp": "#include <sunder/solid/object/body.h>\n#include <cstdio>\n"
                                        "// printf(\"not code\");\nconst char* text = \"printf(1)\";\n"
                                        "int n = std::snprintf(p, 8, \"%d\", 1);\nvoid print_to(int); bool b = x.exit(1);\n",
@@ -31,6 +34,7 @@ GOOD = {
     "cli/program.cpp": "#include <iostream>\n#include \"words.h\"\n#include <sunder/ask/verb.h>\n#include <CLI/App.hpp>\n",
     "python/bind.cpp": "#include \"common.h\"\n#include <sunder/solid/object/body.h>\n#include <nanobind/nanobind.h>\n",
     "verifier/verify.cpp": "#include \"verify.h\"\n#include <boost/multiprecision/cpp_int.hpp>\n",
+    "sunder/predicate/point/turn.cpp": "Sign s = decide(tally, turn_formula, lift<ExactStage>(a));\n",
     "tests/a_test.cpp": "#include <sunder/scene/scene.h>\n#include <gtest/gtest.h>\n",
     "sunder/solid/pair/table.cpp": "// long because: it is a table\n" + "int x;\n" * 700,
 }
@@ -42,6 +46,7 @@ BAD = {
     "up a layer, spaced": ("sunder/base/cost.h", "  #  include <sunder/number/sign.h>\n", "L1"),
     "to a sibling": ("sunder/planar/pair/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
     "up a folder": ("sunder/solid/hull/x.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
+    "a representation in an object": ("sunder/solid/object/x.cpp", "#include <sunder/solid/represent/drums.h>\n", "L1"),
     "up a folder from the layer itself": ("sunder/solid/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
     "a folder without a place": ("sunder/solid/other/x.h", "#include <sunder/solid/object/body.h>\n", "L1"),
     "up from a test": ("sunder/number/sign_test.cpp", "#include <sunder/solid/object/body.h>\n", "L1"),
@@ -49,7 +54,6 @@ BAD = {
     "the verifier from the core": ("sunder/certificate/x.cpp", "#include <verifier/verify.h>\n", "L1"),
     "questions from pictures": ("sunder/picture/x.cpp", "#include <sunder/ask/verb.h>\n", "L1"),
     "CLI11 in questions": ("sunder/ask/x.cpp", "#include <CLI/App.hpp>\n", "L3"),
-    "the program from Python": ("python/x.cpp", "#include <sunder/ask/report.h>\n", "L1"),
     "Python from the program": ("cli/x.cpp", "#include <python/bind.h>\n", "L1"),
     "nanobind in the core": ("sunder/scene/x.cpp", "#include <nanobind/nanobind.h>\n", "L3"),
     "the library from the verifier": ("verifier/x.cpp", "#include <sunder/base/error.h>\n", "L1"),
@@ -96,6 +100,10 @@ BAD = {
         "namespace sunder::planar {\nint x;\n}  // namespace sunder::planar\n\nnamespace sunder::solid {\nstruct Sign {\n};\n}\n", "L8"),
     "a namesake": ("sunder/solid/pair/x.h", "namespace sunder::solid {\nstruct Sign {\n};\n}\n", "L8"),
     "a namesake of an alias": ("sunder/solid/pair/x.h", "namespace sunder::solid {\nusing Sign = int;\n}\n", "L8"),
+    "one slot for two": ("sunder/solid/represent/x.h", "struct X {\n  static constexpr std::size_t slot = 5;\n};\n", "L11"),
+    "stages outside of predicate": ("sunder/solid/pair/x.cpp", "#include <sunder/predicate/filter/stages.h>\n", "L10"),
+    "a formula outside of predicate": ("sunder/solid/pair/x.cpp", "Sign s = decide(&tally_, turn_formula, a, b, c);\n", "L10"),
+    "a point lifted outside of predicate": ("cli/x.cpp", "auto x = lift<Exact>(a);\n", "L10"),
     "a long file": ("sunder/base/x.h", "int x;\n" * 601, "L6"),
     "a long file without a reason": ("sunder/base/x.h", "// long because: \n" + "int x;\n" * 601, "L6"),
 }

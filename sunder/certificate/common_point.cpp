@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <algorithm>
 
@@ -33,7 +33,7 @@ CommonPoint common_point(const PairCertificate& certificate, std::span<const Pos
   for (std::size_t k = 0; k < vertices.size(); ++k) {
     (k < of_a ? point.of_a : point.of_b).parts.push_back({certificate.vertices[k], weights[k]});
     if (k >= of_a) continue;
-    const Vector3<Dyadic> p = lift<ExactStage>(vertices[k]);
+    const Vector3<Dyadic> p = coordinates<Dyadic>(vertices[k]);
     sum = {sum.x + weights[k] * p.x, sum.y + weights[k] * p.y, sum.z + weights[k] * p.z};
     point.at.denominator = point.at.denominator + weights[k];
   }

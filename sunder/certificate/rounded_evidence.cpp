@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/rounded_evidence.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <cmath>
 
@@ -21,7 +21,7 @@ RoundedGap rounded_gap(const PairCertificate& c, const PlacedVertices& a, const 
   }
   const Point3 near{nearest_ratio(d.x, longest), nearest_ratio(d.y, longest), nearest_ratio(d.z, longest)};
   const double length = std::sqrt(near.x * near.x + near.y * near.y + near.z * near.z);
-  const Vector3<Dyadic> between = lift<ExactStage>(b[c.extreme_b]) - lift<ExactStage>(a[c.extreme_a]);
+  const Vector3<Dyadic> between = coordinates<Dyadic>(b[c.extreme_b]) - coordinates<Dyadic>(a[c.extreme_a]);
   return {{near.x / length, near.y / length, near.z / length},
           nearest_ratio(dot(d, between), longest * Dyadic(length))};
 }

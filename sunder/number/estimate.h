@@ -32,11 +32,6 @@ inline double bound(const DoubleDouble& v, double e) { return e * (1 + 0x1p-40) 
 
 }  // namespace estimate_detail
 
-// As a stage of a formula (predicate/filter/stages.h).
-struct EstimateStage {
-  static Estimate read(double x) { return x; }
-};
-
 inline Estimate operator-(const Estimate& a) { return {-a.value, a.error}; }
 
 inline Estimate operator+(const Estimate& a, const Estimate& b) {

@@ -1,7 +1,7 @@
 // The painter's algorithm: polygons of a picture in an order in which nearer ones come later, cut where they cross.
 #pragma once
 
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/vector.h>
 
 #include <cstdint>
 #include <vector>

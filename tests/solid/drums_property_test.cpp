@@ -5,6 +5,7 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 
 #include <gtest/gtest.h>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -91,7 +92,8 @@ std::vector<Case> random_cases(std::uint64_t seed, int count) {
       points.push_back({number(), number(), number()});
     }
     const ConvexPolyhedron body(points);
-    if (body.drums().drum_count() == 0 || body.drums().direction() != Point3{0, 0, 1}) continue;
+    const Drums& drums = solid::represent::of<Drums>(body);
+    if (drums.drum_count() == 0 || drums.direction() != Point3{0, 0, 1}) continue;
     const auto number = [&] { return static_cast<int>(random.between(-9, 9)); };
     const Normal n{number(), number(), number()};
     if (n.x == 0 && n.y == 0) continue;  // level: no lemma about these
@@ -103,7 +105,7 @@ std::vector<Case> random_cases(std::uint64_t seed, int count) {
 TEST(DrumsProperty, Lemma6TheShadowPolygonIsConvex) {
   int turns = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(6), scaled_count(500))) {
-    const Shadow q = shadow_of(body, body.drums(), n);
+    const Shadow q = shadow_of(body, solid::represent::of<Drums>(body), n);
     for (std::size_t i = 2; i < q.least.size(); ++i) {
       ASSERT_GE(turn(q.least[i - 2], q.least[i - 1], q.least[i]), 0);
       ASSERT_LE(turn(q.greatest[i - 2], q.greatest[i - 1], q.greatest[i]), 0);
@@ -117,7 +119,7 @@ TEST(DrumsProperty, Lemma7ThePlaneMeetsTheBodyWhereItsLineMeetsTheShadow) {
   Random random(chosen_seed(7));
   int meet = 0, apart = 0, touch = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(7), scaled_count(500))) {
-    const Shadow q = shadow_of(body, body.drums(), n);
+    const Shadow q = shadow_of(body, solid::represent::of<Drums>(body), n);
     for (int round = 0; round < 5; ++round) {
       const Point3& some = body.vertices()[random.below(body.vertices().size())];
       const Fraction offset = Fraction(random.between(-3, 3)) / 2 + sideways(n, Fraction(some.x), Fraction(some.y)) +
@@ -221,7 +223,7 @@ TEST(DrumsProperty, Lemma9APolygonPartedFromTheCornersMeetsTheSectionInPocketsBe
     const Point3& some = body.vertices()[random.below(body.vertices().size())];
     const Fraction offset = Fraction(random.between(-50, 50)) / 7 + sideways(n, Fraction(some.x), Fraction(some.y)) +
                             n.z * Fraction(some.z) + Fraction(1) / 13;
-    const Outline q = section_of(body, body.drums(), n, offset);
+    const Outline q = section_of(body, solid::represent::of<Drums>(body), n, offset);
     std::vector<std::size_t> corners;  // of W, in q
     Outline w;
     for (std::size_t k = 0; k < q.size(); ++k) {
@@ -280,7 +282,7 @@ TEST(DrumsProperty, Lemma9APolygonPartedFromTheCornersMeetsTheSectionInPocketsBe
 TEST(DrumsProperty, OneLateralEdgeIsExtremeAllThroughADrum) {
   int drums_seen = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(8), scaled_count(500))) {
-    const Drums& drums = body.drums();
+    const Drums& drums = solid::represent::of<Drums>(body);
     for (std::uint32_t drum = 0; drum < drums.drum_count(); ++drum) {
       std::vector<Fraction> low, high;
       for (std::uint32_t k = 0; k < drums.size(drum); ++k) {

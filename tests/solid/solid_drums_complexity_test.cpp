@@ -11,6 +11,7 @@
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 
 #include <gtest/gtest.h>
@@ -110,7 +111,7 @@ TEST(SolidDrumsComplexity, ProbesGrowAsPowersOfTheLogarithm) {
       const std::size_t n = vertices.size();
       const double log_n = std::log2(static_cast<double>(n));
       if (n < 8) continue;
-      EXPECT_LE(body.drums().steps_of_access(), 2 * log_n);
+      EXPECT_LE(solid::represent::of<solid::Drums>(body).steps_of_access(), 2 * log_n);
       const auto [low, high] = body.box();
       const auto near = [&] {
         const auto between = [&](double a, double b) { return a + random.uniform(-0.3, 1.3) * (b - a); };
@@ -203,11 +204,12 @@ TEST(SolidDrumsComplexity, Space) {
       Random random(7);
       const ConvexPolyhedron body(shape.make(std::size_t{1} << static_cast<unsigned>(power), random));
       const auto n = static_cast<double>(body.vertices().size());
-      const auto persistent = static_cast<double>(body.drums().memory());
+      const solid::Drums& drums = solid::represent::of<solid::Drums>(body);
+      const auto persistent = static_cast<double>(drums.memory());
       EXPECT_LE(persistent, 64 * n * std::log2(n)) << shape.name;
       double listed = 0;  // 0: too long
       try {
-        listed = static_cast<double>(body.make_drums(body.drums().direction(), solid::DrumsForm::listed).memory());
+        listed = static_cast<double>(solid::Drums(body, drums.direction(), solid::DrumsForm::listed).memory());
       } catch (const Error&) {
       }
       std::printf("%-14.*s %7.0f %14.0f %14.0f %12.1f\n", static_cast<int>(shape.name.size()), shape.name.data(), n,

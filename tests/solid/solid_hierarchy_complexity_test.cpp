@@ -13,6 +13,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/support.h>
 
 #include <gtest/gtest.h>
@@ -235,7 +236,7 @@ TEST(SolidHierarchyComplexity, Lemma42AtMostOneVertexIsBeyondAndANeighbour) {
     for (const std::size_t n : {20u, 200u, 1000u}) {
       const ConvexPolyhedron body(shape.make(n, random));
       if (body.vertices().size() < 5) continue;
-      const Hierarchy& h = body.hierarchy();
+      const Hierarchy& h = solid::represent::of<Hierarchy>(body);
       const int times = scaled_count(40);
       for (int i = 0; i < times; ++i) {
         const Affine3 identity;
@@ -270,7 +271,7 @@ TEST(SolidHierarchyComplexity, AWalkFromLevelToLevelCostsOneRun) {
   for (const SolidShape& shape : all_solid_shapes()) {
     SCOPED_TRACE(shape.name);
     const ConvexPolyhedron body(shape.make(500, random));
-    const Hierarchy& h = body.hierarchy();
+    const Hierarchy& h = solid::represent::of<Hierarchy>(body);
     solid::CompareAlong<double> compare(body);
     const solid::TurnBy<solid::CompareAlong<double>> turn{compare};
     std::uint64_t in_pieces = 0, whole = 0;
@@ -324,7 +325,7 @@ TEST(SolidHierarchyComplexity, ScanningAllNeighboursIsLinearOnStackedBodies) {
   const Point3 to_the_hub{0.01, 0.02, 1};
   for (const std::size_t n : {256u, 4096u, 65536u}) {
     const ConvexPolyhedron body(solid_shapes::stacked(n));
-    const auto naive = static_cast<double>(probes_of_naive_walk(body.hierarchy(), to_the_hub));
+    const auto naive = static_cast<double>(probes_of_naive_walk(solid::represent::of<Hierarchy>(body), to_the_hub));
     // Hub over hub, near and touching.
     const double logs = std::log2(n) * std::log2(n);
     std::uint64_t ours = 0;

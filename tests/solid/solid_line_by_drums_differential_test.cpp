@@ -7,6 +7,7 @@
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 
 #include <gtest/gtest.h>
 
@@ -87,7 +88,7 @@ TEST(SolidLineByDrumsDifferential, SectionsBetweenSlices) {
     points.push_back({std::cos(t) + 8, 0.75 * std::sin(t), 1});
   }
   const solid::ConvexPolyhedron body(points);
-  ASSERT_EQ(body.drums().drum_count(), 1u);
+  ASSERT_EQ(solid::represent::of<solid::Drums>(body).drum_count(), 1u);
   int meets = 0;
   const int count = scaled_count(400);
   for (int i = 0; i < count; ++i) {

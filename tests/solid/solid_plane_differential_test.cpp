@@ -131,7 +131,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
     const PairCase c = pairs.next();
     const auto [low, high] = c.a.box();
     const Point3 direction = low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
-    const solid::Drums listed = c.a.make_drums(direction, solid::DrumsForm::listed);
+    const solid::Drums listed(c.a, direction, solid::DrumsForm::listed);
     for (int f = 0; f < plane_family_count && i < count; ++f, ++i) {
       const auto family = static_cast<PlaneFamily>(f);
       const Pose pose = family == PlaneFamily::level && i % 2 == 0 ? Pose() : c.pose_a;

@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   if (shape == shapes.end()) return 2;
   Random random(std::strtoull(argv[3], nullptr, 10));
   const ConvexPolyhedron body(shape->make(std::strtoull(argv[2], nullptr, 10), random));
-  const Drums drums = body.make_drums({0, 0, 1}, sunder::solid::DrumsForm::persistent);
+  const Drums drums(body, {0, 0, 1}, sunder::solid::DrumsForm::persistent);
   const auto vertices = body.vertices();
   for (std::uint32_t d = 0; d < drums.drum_count(); ++d) {
     std::printf("%u", drums.size(d));

@@ -1,6 +1,6 @@
 #include <sunder/ask/pair/pair_space.h>
 
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_claims.h>
 
@@ -62,9 +62,9 @@ class PlanePair : public PairQuestion {
   // Of the nearest vertex, rounded.
   double distance() const {
     const Posed3 vertex{body_.mesh.hull.vertices()[answer_.nearest], &body_.pose.affine(), false};
-    const auto [x, y, z] = lift<ExactStage>(vertex);
+    const auto [x, y, z] = coordinates<Dyadic>(vertex);
     const Dyadic height = solid::height(plane_, {x, y, z, 1.0});
-    const solid::Exact3 n = lift<ExactStage>(plane_.normal);
+    const solid::Exact3 n = coordinates<Dyadic>(plane_.normal);
     return std::sqrt(nearest_ratio(height * height, dot(n, n)));
   }
   Point3 point() const { return nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_)); }

@@ -5,7 +5,7 @@
 #include <sunder/io/robot/scene_file.h>
 #include <sunder/io/text/file.h>
 #include <sunder/io/text/text.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <fmt/format.h>
 
@@ -53,7 +53,7 @@ std::optional<Point3> in_doubles(const Exact3& x) {
 }  // namespace
 
 std::optional<Point3> exact_image(const solid::Pose& pose, const Point3& p) {
-  return in_doubles(lift<ExactStage>(Posed3{p, &pose.affine(), false}));
+  return in_doubles(coordinates<Dyadic>(Posed3{p, &pose.affine(), false}));
 }
 
 namespace {
@@ -68,7 +68,7 @@ std::optional<solid::Pose> exactly_composed(const solid::Pose& outer, const soli
   turned.translation = {};
   std::array<double, 9> linear;
   for (std::size_t j = 0; j < 3; ++j) {
-    const auto column = in_doubles(lift<ExactStage>(Posed3{{m[j], m[3 + j], m[6 + j]}, &turned, false}));
+    const auto column = in_doubles(coordinates<Dyadic>(Posed3{{m[j], m[3 + j], m[6 + j]}, &turned, false}));
     if (!column) return std::nullopt;
     for (std::size_t i = 0; i < 3; ++i) linear[3 * i + j] = (*column)[i];
   }
@@ -78,8 +78,8 @@ std::optional<solid::Pose> exactly_composed(const solid::Pose& outer, const soli
 // The normal of the image of a plane: the cofactors of the linear part times its normal, up to a power of two.
 std::optional<Point3> exact_normal(const solid::Pose& pose, const Point3& normal) {
   const auto& m = pose.affine().linear;
-  const auto column = [&](std::size_t j) { return lift<ExactStage>(Point3{m[j], m[3 + j], m[6 + j]}); };
-  const Exact3 n = lift<ExactStage>(normal), x = column(0), y = column(1), z = column(2);
+  const auto column = [&](std::size_t j) { return coordinates<Dyadic>(Point3{m[j], m[3 + j], m[6 + j]}); };
+  const Exact3 n = coordinates<Dyadic>(normal), x = column(0), y = column(1), z = column(2);
   const Exact3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
   const auto row = [&](const Dyadic& p, const Dyadic& q, const Dyadic& r) { return p * n.x + q * n.y + r * n.z; };
   Exact3 image{row(yz.x, zx.x, xy.x), row(yz.y, zx.y, xy.y), row(yz.z, zx.z, xy.z)};

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/planar/object/edge_boxes.h>
 #include <sunder/planar/object/segments.h>
-#include <sunder/planar/represent/edge_boxes.h>
 
 #include <cstdint>
 #include <span>

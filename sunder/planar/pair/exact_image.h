@@ -3,7 +3,7 @@
 
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/line/crossing.h>
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 namespace sunder::planar {
 
 inline Vector2<Dyadic> image(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
-  return lift<ExactStage>(Posed2{polygon[v], &pose.affine(), false});
+  return coordinates<Dyadic>(Posed2{polygon[v], &pose.affine(), false});
 }
 inline ExactPoint2 exact_vertex(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v) {
   const Vector2<Dyadic> p = image(polygon, pose, v);

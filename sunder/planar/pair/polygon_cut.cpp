@@ -31,7 +31,7 @@ std::string_view name_of(CutKind kind) {
 
 ExactEnd exact_end(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b,
                    const CutEnd& end) {
-  const Exact from = lift<ExactStage>(a), to = lift<ExactStage>(b);
+  const Exact from = coordinates<Dyadic>(a), to = coordinates<Dyadic>(b);
   const std::uint32_t v = end.place == Place::inside ? 0 : end.feature, w = polygon.next(v);
   const Exact start = image(polygon, pose, v), stop = image(polygon, pose, w);
   const auto at = [](const Exact& p) { return ExactPoint2{p.x, p.y, Dyadic(1.0)}; };

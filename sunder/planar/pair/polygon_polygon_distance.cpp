@@ -24,7 +24,7 @@
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <cmath>
 
@@ -35,13 +35,13 @@ namespace {
 // The square of the distance of a point from a point, or from a line, exactly.
 template <class V>
 std::array<Dyadic, 2> squared_from_point(const V& p, const V& q) {
-  const auto d = lift<ExactStage>(q) - lift<ExactStage>(p);
+  const auto d = coordinates<Dyadic>(q) - coordinates<Dyadic>(p);
   return {dot(d, d), Dyadic(1)};
 }
 template <class V>
 std::array<Dyadic, 2> squared_from_line(const V& p, const V& from, const V& to) {
-  const auto e = lift<ExactStage>(to) - lift<ExactStage>(from);
-  const Dyadic height = cross(e, lift<ExactStage>(p) - lift<ExactStage>(from));
+  const auto e = coordinates<Dyadic>(to) - coordinates<Dyadic>(from);
+  const Dyadic height = cross(e, coordinates<Dyadic>(p) - coordinates<Dyadic>(from));
   return {height * height, dot(e, e)};
 }
 

@@ -53,14 +53,14 @@ PolygonCommon common_of(const PolygonHalfPlane& half, const PolygonCut& by_line)
 
 Exact along(const Unbounded& other) {
   const Line line = line_of(other);
-  return lift<ExactStage>(line.b) - lift<ExactStage>(line.a);
+  return coordinates<Dyadic>(line.b) - coordinates<Dyadic>(line.a);
 }
 
 Exact left_of(const Exact& d) { return {-d.y, d.x}; }
 
 // From the point a to p, times p's denominator.
 Exact way_to(const ExactPoint2& p, const Unbounded& other) {
-  const Exact a = lift<ExactStage>(line_of(other).a);
+  const Exact a = coordinates<Dyadic>(line_of(other).a);
   return Exact{p.x, p.y} - Exact{a.x * p.denominator, a.y * p.denominator};
 }
 
@@ -248,7 +248,7 @@ void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const Conve
 }
 
 std::optional<Point2> exact_image(const Pose& pose, const Point2& p) {
-  const Exact exact = lift<ExactStage>(Posed2{p, &pose.affine(), false});
+  const Exact exact = coordinates<Dyadic>(Posed2{p, &pose.affine(), false});
   const Point2 image{exact.x.nearest(), exact.y.nearest()};
   if (!std::isfinite(image.x) || !std::isfinite(image.y)) return std::nullopt;
   if (!(Dyadic(image.x) == exact.x) || !(Dyadic(image.y) == exact.y)) return std::nullopt;

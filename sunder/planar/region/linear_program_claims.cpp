@@ -1,7 +1,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/planar/region/linear_program_claims.h>
 #include <sunder/planar/region/regions_claims.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <array>
 #include <vector>
@@ -15,7 +15,7 @@ using ExactVector = Vector2<Dyadic>;
 // The direction of the half-plane's line, which has it on its left.
 ExactVector along(const Constraint& h) { return {-h.b, h.a}; }
 
-ExactVector along(const LeftOf& h) { return lift<ExactStage>(h.to) - lift<ExactStage>(h.from); }
+ExactVector along(const LeftOf& h) { return coordinates<Dyadic>(h.to) - coordinates<Dyadic>(h.from); }
 
 // The normal, times a positive number that all three numbers of the half-plane may be multiplied by.
 ExactVector normal(const Constraint& h) { return {h.a, h.b}; }

@@ -6,11 +6,19 @@ namespace sunder {
 
 namespace {
 
-template <class P>
-Sign orient_2d_along_axis(int axis, const P& a, const P& b, const P& c, StageTally* tally) {
+template <class P, class Q>
+Sign orient_2d_along_axis(int axis, const P& a, const P& b, const Q& c, StageTally* tally) {
   if (axis == 0) return decide(tally, orient_2d_formula<0>, a, b, c);
   if (axis == 1) return decide(tally, orient_2d_formula<1>, a, b, c);
   return decide(tally, orient_2d_formula<2>, a, b, c);
+}
+
+template <class P>
+bool are_collinear_along_axes(const Point3& a, const Point3& b, const P& c, StageTally* tally) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (orient_2d_along_axis(axis, a, b, c, tally) != Sign::zero) return false;
+  }
+  return true;
 }
 
 // Two sums of two doubles each: the rounded numbers, and what rounding left of them.
@@ -75,6 +83,22 @@ Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 
 Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d, StageTally* tally) {
   return decide(tally, orient_3d_formula, a, b, c, d);
+}
+
+Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Point3& d, StageTally* tally) {
+  return decide(tally, orient_3d_formula, a, b, c, d);
+}
+
+Sign orient_3d(const Point3& a, const Point3& b, const Posed3& c, const Posed3& d, StageTally* tally) {
+  return decide(tally, orient_3d_formula, a, b, c, d);
+}
+
+bool are_collinear(const Point3& a, const Point3& b, const Point3& c, StageTally* tally) {
+  return are_collinear_along_axes(a, b, c, tally);
+}
+
+bool are_collinear(const Point3& a, const Point3& b, const Posed3& c, StageTally* tally) {
+  return are_collinear_along_axes(a, b, c, tally);
 }
 
 Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* tally) {

@@ -31,6 +31,12 @@ Sign orient_2d_along(int axis, const Posed3& a, const Posed3& b, const Posed3& c
 // (Shewchuk's orient3d has the opposite sign: mind it when comparing.)
 Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& d, StageTally* tally = nullptr);
 Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d, StageTally* tally = nullptr);
+Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Point3& d, StageTally* tally = nullptr);
+Sign orient_3d(const Point3& a, const Point3& b, const Posed3& c, const Posed3& d, StageTally* tally = nullptr);
+
+// Are they on one line? By orient_2d along the axes, up to the first that is not zero.
+bool are_collinear(const Point3& a, const Point3& b, const Point3& c, StageTally* tally = nullptr);
+bool are_collinear(const Point3& a, const Point3& b, const Posed3& c, StageTally* tally = nullptr);
 
 // The sign of b's coordinate minus a's (axis 0: x, 1: y, 2: z).
 Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* tally = nullptr);

@@ -10,7 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace sunder {
@@ -61,12 +63,8 @@ struct OrientRecord {
     exact += static_cast<int>(tally.exact);
   }
 
-  void check_side(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-    check(
-        orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
-        true_side(image(a), image(b), image(c), image(d)), a, b, c, d);
-  }
-  void check_side(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d) {
+  template <class P, class Q, class R, class S>
+  void check_side(const P& a, const Q& b, const R& c, const S& d) {
     check(
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
         true_side(image(a), image(b), image(c), image(d)), a, b, c, d);
@@ -245,6 +243,38 @@ TEST(OrientTest, EachStageOfPoints) {
   }
   EXPECT_GT(side_of[near_tie].exact, n / kinds / 10);
   EXPECT_GT(side_of[near_tie_by_units].exact, n / kinds / 3);
+}
+
+// Points of the world among posed ones, and of three points whether they are on one line.
+TEST(OrientTest, PointsOfBothKinds) {
+  Random random(tests::chosen_seed(5));
+  const int n = tests::scaled_count(20000, 1000);
+  OrientRecord sides;
+  int collinear = 0;
+  for (int i = 0; i < n; ++i) {
+    const Kind kind = static_cast<Kind>(i % kinds);
+    const std::array<Point3, 4> p = four_points(random, kind);
+    const Affine3 pose = i % 2 == 0 ? Affine3{} : any_pose(random);
+    const Posed3 c = posed(p[2], pose), d = posed(p[3], pose);
+    sides.check_side(p[0], p[1], c, d);
+    sides.check_side(posed(p[0], pose), posed(p[1], pose), c, p[3]);
+    if (HasFatalFailure()) FAIL() << "instance " << i << ", kind " << kind;
+    for (const Posed3& at : {d, Posed3{p[0], &pose, false}}) {
+      const ExactVector a = image(p[0]), b = image(p[1]), q = image(at);
+      std::uint32_t zeros = 0;
+      while (zeros < 3 && true_turn(a, b, q, (zeros + 1) % 3, (zeros + 2) % 3) == Sign::zero) ++zeros;
+      StageTally tally;
+      ASSERT_EQ(are_collinear(p[0], p[1], at, &tally), zeros == 3) << i;
+      ASSERT_EQ(tally.rounded + tally.interval + tally.exact, std::min(zeros + 1, 3u)) << i;
+      if (i % 2 == 0) {
+        ASSERT_EQ(are_collinear(p[0], p[1], at.point), zeros == 3) << i;
+      }
+      collinear += zeros == 3;
+    }
+  }
+  EXPECT_GT(sides.rounded, n / 4);
+  EXPECT_GT(sides.zero, n / 100);
+  EXPECT_GT(collinear, n / 4);
 }
 
 TEST(OrientTest, EachStageOfPosedPoints) {

@@ -1,6 +1,8 @@
 #include <tests/support/exact.h>
 
 #include <sunder/base/random.h>
+#include <sunder/predicate/coordinates.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/predicate/point/plane_side.h>
 
 #include <gtest/gtest.h>
@@ -52,6 +54,36 @@ TEST(PlaneSideTest, ByExactArithmetic) {
   }
   EXPECT_GT(zeros, 4000);
   EXPECT_GT(exact, 4000);
+}
+
+// Planes through three points; every second point is in the plane but for the last bits of one coordinate.
+TEST(PlaneSideTest, OfEstimates) {
+  Random random(8);
+  int zeros = 0, exact = 0, sure = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const auto any = [&] { return Point3{random.unit(), random.unit(), random.unit()}; };
+    const Point3 a = any(), b = any(), c = any();
+    Point3 p = any();
+    if (round % 2 == 0) p = {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, std::nextafter(a.z / 2 + b.z / 2, round % 4 - 1)};
+    if (round % 5 == 0) p = c;
+    const auto normal = [&]<class Number>(Number) {
+      const Vector3<Number> from = coordinates<Number>(a);
+      return cross(coordinates<Number>(b) - from, coordinates<Number>(c) - from);
+    };
+    StageTally tally;
+    const Sign side = side_of_plane(
+        normal(Estimate()), coordinates<Estimate>(a), coordinates<Estimate>(p),
+        [&] { return dot(normal(Dyadic()), coordinates<Dyadic>(p) - coordinates<Dyadic>(a)); }, &tally);
+    ASSERT_EQ(side, orient_3d(a, b, c, p)) << round;
+    ASSERT_EQ(tally.rounded, 0u);
+    ASSERT_EQ(tally.interval + tally.exact, 1u);
+    zeros += side == Sign::zero;
+    exact += tally.exact > 0;
+    sure += tally.interval > 0;
+  }
+  EXPECT_GE(zeros, 400);
+  EXPECT_GE(exact, 400);
+  EXPECT_GT(sure, 1500);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 namespace sunder {
 
 std::optional<ExactWay> exact_way(std::span<const Posed3> a, std::span<const Posed3> b) {
-  const FlatArrows<Dyadic> arrows = flat_arrows<ExactStage>(a, b);
+  const FlatArrows<Dyadic> arrows = flat_arrows<Dyadic>(a, b);
   ExactWay found{shortest_way(arrows), {}};
   ShortestWay<Dyadic>& way = found.way;
   const Sign side = way.reach.sign();
@@ -20,7 +20,7 @@ std::optional<ExactWay> exact_way(std::span<const Posed3> a, std::span<const Pos
 }
 
 EnclosedWay enclosed_way(std::span<const Posed3> a, std::span<const Posed3> b) {
-  const FlatArrows<Interval> arrows = flat_arrows<IntervalStage>(a, b);
+  const FlatArrows<Interval> arrows = flat_arrows<Interval>(a, b);
   const ShortestWay<Interval> found = shortest_way(arrows);
   const std::array<Interval, 4> weights = weights_of(arrows, found);
   bool is_sure = true;

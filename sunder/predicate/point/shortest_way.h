@@ -10,6 +10,7 @@
 // and each edge is gone along by its weight, over the same denominator.
 #pragma once
 
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/filter/stages.h>
 #include <sunder/predicate/posed.h>
 
@@ -85,19 +86,18 @@ std::array<T, 4> weights_of(const FlatArrows<T>& of, const ShortestWay<T>& found
 }
 
 // Between the exact images. Requires one point of each at least, four in all at most; those of one body have one pose.
-template <class Stage>
-auto flat_arrows(std::span<const Posed3> a, std::span<const Posed3> b) {
-  using T = decltype(Stage::read(0.0));
+template <class T>
+FlatArrows<T> flat_arrows(std::span<const Posed3> a, std::span<const Posed3> b) {
   const auto turned = [](const Posed3& from, const Posed3& to) {
-    const auto d = lift<Stage>(to.point) - lift<Stage>(from.point);
+    const Vector3<T> d = coordinates<T>(to.point) - coordinates<T>(from.point);
     const auto row = [&](std::size_t i) {
       const auto& m = from.pose->linear;
-      return (Stage::read(m[i]) * d.x + Stage::read(m[i + 1]) * d.y) + Stage::read(m[i + 2]) * d.z;
+      return (T(m[i]) * d.x + T(m[i + 1]) * d.y) + T(m[i + 2]) * d.z;
     };
     return Vector3<T>{row(0), row(3), row(6)};
   };
   FlatArrows<T> arrows;
-  arrows.r = lift<Stage>(b[0]) - lift<Stage>(a[0]);
+  arrows.r = coordinates<T>(b[0]) - coordinates<T>(a[0]);
   for (const Posed3& p : a.subspan(1)) arrows.e[arrows.edges++] = turned(a[0], p);
   arrows.edges_of_a = arrows.edges;
   for (const Posed3& p : b.subspan(1)) arrows.e[arrows.edges++] = turned(p, b[0]);

@@ -2,6 +2,7 @@
 // polar_hierarchy.h), with the vertices of the other, P, mapped into it. Rounded: nothing here decides anything.
 #pragma once
 
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
 #include <sunder/solid/search/placed.h>
 
@@ -54,7 +55,7 @@ class PolarFrame {
  public:
   using Vector = VectorOf<Real>;
 
-  PolarFrame(const Placed& p, const Placed& r) : p_(p), r_(r), polar_(r.body.polar_hierarchy()) {
+  PolarFrame(const Placed& p, const Placed& r) : p_(p), r_(r), polar_(represent::of<PolarHierarchy>(r.body)) {
     // N, from the frame of R to the world, with a scale that makes its numbers at most 1.
     const std::array<double, 3> to_one{polar_.to_one.x, polar_.to_one.y, polar_.to_one.z};
     const auto entry = [&](std::size_t i, std::size_t j) { return r.pose.linear[3 * i + j] / to_one[j]; };

@@ -3,6 +3,9 @@
 #include <sunder/solid/descent/polar_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/of.h>
+#include <sunder/solid/represent/polar_hierarchy.h>
 #include <sunder/solid/search/axis_scaled.h>
 
 #include <algorithm>
@@ -94,8 +97,8 @@ PolarRun polyhedron_polyhedron_polar_run(const ConvexPolyhedron& body_a, const P
   const Placed &p = of_b ? a : b, &r = of_b ? b : a;
   Cost cost;
   PolarWalk<double>(p, r, cost, &run.rounds).run();
-  run.levels_p = p.graph.vertices.size() < 3 ? 1 : p.body.hierarchy().level_end.size();
-  run.levels_q = r.body.polar_hierarchy().hierarchy.level_end.size();
+  run.levels_p = p.graph.vertices.size() < 3 ? 1 : represent::of<Hierarchy>(p.body).level_end.size();
+  run.levels_q = represent::of<PolarHierarchy>(r.body).hierarchy.level_end.size();
   return run;
 }
 

@@ -5,7 +5,9 @@
 #include <sunder/solid/line/polyhedron_line_answer.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
+#include <sunder/solid/represent/drums.h>
 #include <sunder/solid/represent/facet_graph.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/section/scaled_pose.h>
 #include <sunder/solid/section/section_search.h>
 
@@ -120,7 +122,7 @@ class LineByDrums {
   // edges at v are the body's outline; the line is beyond one of them, or both.
   template <class Holds>
   bool beside(std::uint32_t v, const Point3& normal, const Point3& along, const Holds& holds) const {
-    const FacetGraph& graph = body_.body.facet_graph();
+    const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
     const std::span<const std::uint32_t> around = body_.body.neighbours(v);
     const auto n = static_cast<std::uint32_t>(around.size());
     const auto facet = [&](std::uint32_t k) { return graph.edge(v, around[k % n])->facet; };
@@ -141,7 +143,7 @@ class LineByDrums {
 PolyhedronCut cut_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b,
                            OwnEnds ends) {
   return cut_by(body, pose, a, b, ends, [](const Placed& placed, const Line& line, const auto& holds, Cost& cost) {
-    const LineByDrums method(placed, placed.body.drums(), line, cost);
+    const LineByDrums method(placed, represent::of<Drums>(placed.body), line, cost);
     return method.propose<double>(holds) || method.propose<DoubleDouble>(holds);
   });
 }

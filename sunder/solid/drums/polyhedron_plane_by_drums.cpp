@@ -3,6 +3,8 @@
 // furthest to both sides of T; as Q's sides are seen lateral edges, each the extreme one of its drum, their directions
 // are searched (the conclusion's binary search on edge directions), until a vertex on the other side is found.
 #include <sunder/predicate/point/plane_side.h>
+#include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/drum_search.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_answer.h>
@@ -26,7 +28,7 @@ PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Dr
 }
 
 PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane) {
-  return polyhedron_plane_by_drums(body, body.drums(), pose, plane);
+  return polyhedron_plane_by_drums(body, represent::of<Drums>(body), pose, plane);
 }
 
 }  // namespace sunder::solid

@@ -3,6 +3,8 @@
 // edge of the body: then the plane along both does (Lemma 12, its first case).
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/section/section_against.h>
 
 #include <algorithm>
@@ -20,7 +22,7 @@ class PolygonByDrums {
       : body_(body),
         polygon_(polygon),
         cost_(cost),
-        drums_(body.body.drums()),
+        drums_(represent::of<Drums>(body.body)),
         search_(drums_, body.body.vertices(), cost),
         frame_(body.pose, drums_.shrink()),
         thirds_(thirds_of(polygon.body.facet(0))),

@@ -15,6 +15,8 @@
 #include <sunder/solid/drums/drum_polygons.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
+#include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/axis_scaled.h>
 #include <sunder/solid/search/matrix_game.h>
 #include <sunder/solid/section/section_against.h>
@@ -58,12 +60,12 @@ class PolyhedraByDrums {
       : q_(q),
         p_(p),
         cost_(cost),
-        search_q_(q.body.drums(), q.body.vertices(), cost),
-        search_p_(p.body.drums(), p.body.vertices(), cost),
-        frame_q_(q.pose, q.body.drums().shrink()),
-        frame_p_(p.pose, p.body.drums().shrink(), frame_q_),
-        from_(image(p, p.body.drums().vertex_of(0))),
-        base_q_(frame_q_.way_to_image<Real>(from_, search_q_.vertex(q.body.drums().vertex_of(0)))),
+        search_q_(represent::of<Drums>(q.body), q.body.vertices(), cost),
+        search_p_(represent::of<Drums>(p.body), p.body.vertices(), cost),
+        frame_q_(q.pose, represent::of<Drums>(q.body).shrink()),
+        frame_p_(p.pose, represent::of<Drums>(p.body).shrink(), frame_q_),
+        from_(image(p, represent::of<Drums>(p.body).vertex_of(0))),
+        base_q_(frame_q_.way_to_image<Real>(from_, search_q_.vertex(represent::of<Drums>(q.body).vertex_of(0)))),
         body_(search_p_, p, frame_q_, from_),
         base_p_(body_.at(drums().vertex_of(0))),
         proposals_(q) {}
@@ -107,7 +109,7 @@ class PolyhedraByDrums {
     const auto p = rounded_image(body[v]);
     return {p.x, p.y, p.z};
   }
-  const Drums& drums() const { return p_.body.drums(); }
+  const Drums& drums() const { return represent::of<Drums>(p_.body); }
   const LateralEdge& edge(std::uint32_t k) const { return search_p_.edge(drum_, k); }
 
   // ---- One plane ----------------------------------------------------------------------------------------------------

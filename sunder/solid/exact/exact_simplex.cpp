@@ -1,9 +1,10 @@
 #include <sunder/number/exact/basis_internal.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/exact/spanning_vertices.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/of.h>
 
 #include <algorithm>
 #include <optional>
@@ -49,7 +50,7 @@ class ExactSimplex {
     CommonPoint point;
     point.of_a = inner_weights(of_a, span_a);
     point.of_b = inner_weights(of_b, span_b);
-    const auto vertex = [&](std::uint32_t v) { return lift<ExactStage>(a_[v]); };
+    const auto vertex = [&](std::uint32_t v) { return coordinates<Dyadic>(a_[v]); };
     point.at = exact_point(numerators_of(point.of_a, vertex), point.of_a.denominator);
     return point;
   }
@@ -127,14 +128,14 @@ class ExactSimplex {
 
   // A point and a segment have one level, which is the body.
   static std::size_t level_count(const Placed& body) {
-    return body.graph.vertices.size() < 3 ? 1 : body.body.hierarchy().level_end.size();
+    return body.graph.vertices.size() < 3 ? 1 : represent::of<Hierarchy>(body.body).level_end.size();
   }
 
   std::uint32_t extreme(const Placed& body, const WorldDirection& direction, End end, std::uint32_t start,
                         std::optional<std::size_t> level) {
     Along along(direction, body.pose, body.tame);
     if (!level || body.graph.vertices.size() < 3) return extreme_vertex_from(body, along, end, start, cost_, tally_);
-    const auto& level_end = body.body.hierarchy().level_end;
+    const auto& level_end = represent::of<Hierarchy>(body.body).level_end;
     return extreme_vertex_of_ranks(body, along, end, level_end[std::min(*level, level_end.size() - 1)], cost_, tally_);
   }
 
@@ -155,7 +156,7 @@ class ExactSimplex {
   }
 
   Column column(const BasicVariable& v) const {
-    const Vector3<Dyadic> p = lift<ExactStage>(v.kind == of_a ? a_[v.index] : b_[v.index]);
+    const Vector3<Dyadic> p = coordinates<Dyadic>(v.kind == of_a ? a_[v.index] : b_[v.index]);
     const Vector3<Integer> q{scaled(p.x), scaled(p.y), scaled(p.z)};
     if (v.kind == of_a) return {q.x, q.y, q.z, 1, 0};
     return {-q.x, -q.y, -q.z, basis_.rows() == 4 ? -1 : 0, 1};

@@ -1,5 +1,5 @@
 #include <sunder/number/exact/basis_internal.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/sweep_simplex.h>
 #include <sunder/solid/search/extreme_vertex.h>
 #include <sunder/solid/search/placed.h>
@@ -32,7 +32,7 @@ struct Turned {
   Turned(const ConvexPolyhedron& body, const Pose& pose) : placed(body, pose) { linear.linear = pose.affine().linear; }
 
   Vector3<Dyadic> operator[](std::uint32_t v) const {
-    return lift<ExactStage>(Posed3{placed.graph.vertices[v], &linear, false});
+    return coordinates<Dyadic>(Posed3{placed.graph.vertices[v], &linear, false});
   }
   Exponents exponents() const {
     const Exponents m = exponents_of(size_range(std::span<const double>(linear.linear))),

@@ -1,6 +1,6 @@
 #include <sunder/number/exact_vector.h>
 #include <sunder/number/integer_internal.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/line/flat_body.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 // From p to x, times the denominator of x.
 Exact3 way_to(const ExactPoint3& x, const Point3& p) {
-  return Exact3{x.x, x.y, x.z} - times(x.denominator, lift<ExactStage>(p));
+  return Exact3{x.x, x.y, x.z} - times(x.denominator, coordinates<Dyadic>(p));
 }
 
 // The double that x is, if it is one.
@@ -109,7 +109,7 @@ struct Sum {
 
 // Of a + t (b - a): t as a fraction.
 std::pair<Dyadic, Dyadic> parameter(const Point3& a, const Point3& b, const ExactPoint3& x) {
-  const Exact3 way = lift<ExactStage>(b) - lift<ExactStage>(a);
+  const Exact3 way = coordinates<Dyadic>(b) - coordinates<Dyadic>(a);
   return {dot(way, way_to(x, a)), dot(way, way) * x.denominator};
 }
 
@@ -137,11 +137,11 @@ Combination of_plane(const Plane& plane, const FlatBody& body, const ExactPoint3
 }  // namespace
 
 Dyadic level(const Plane& plane) {
-  return dot(lift<ExactStage>(plane.normal), lift<ExactStage>(plane.point)) + Dyadic(plane.offset);
+  return dot(coordinates<Dyadic>(plane.normal), coordinates<Dyadic>(plane.point)) + Dyadic(plane.offset);
 }
 
 Dyadic height(const Plane& plane, const ExactPoint3& x) {
-  return dot(lift<ExactStage>(plane.normal), way_to(x, plane.point)) - Dyadic(plane.offset) * x.denominator;
+  return dot(coordinates<Dyadic>(plane.normal), way_to(x, plane.point)) - Dyadic(plane.offset) * x.denominator;
 }
 
 std::optional<Point3> exact_point_of(const Plane& plane) {

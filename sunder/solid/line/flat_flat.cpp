@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/line/flat_flat.h>
 #include <sunder/solid/line/plane_line.h>
 #include <sunder/solid/line/plane_plane.h>
@@ -12,7 +12,7 @@ namespace sunder::solid {
 
 namespace {
 
-Exact3 lifted(const Point3& p) { return lift<ExactStage>(p); }
+Exact3 lifted(const Point3& p) { return coordinates<Dyadic>(p); }
 Exact3 negative(const Exact3& v) { return {-v.x, -v.y, -v.z}; }
 std::array<Dyadic, 3> array_of(const Exact3& v) { return {v.x, v.y, v.z}; }
 bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }

@@ -11,10 +11,11 @@
 #include <sunder/base/cost.h>
 #include <sunder/solid/line/line_proposal.h>
 #include <sunder/solid/object/line.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/radial_walk.h>
-#include <sunder/solid/represent/search_graph_walk.h>
 #include <sunder/solid/search/placed.h>
 #include <sunder/solid/search/search_vector.h>
 
@@ -161,7 +162,7 @@ class FacetsByHierarchy {
   using Vector = VectorOf<Real>;
 
   FacetsByHierarchy(const ConvexPolyhedron& body, const FacetGraph& graph, Cost& cost)
-      : graph_(graph), hierarchy_(body.hierarchy()), cost_(cost) {
+      : graph_(graph), hierarchy_(represent::of<Hierarchy>(body)), cost_(cost) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const Vector p = scaled(hierarchy_.nodes[k].at);
       middle_ = {middle_.x + p.x * Real(0.25), middle_.y + p.y * Real(0.25), middle_.z + p.z * Real(0.25)};
@@ -275,7 +276,7 @@ class LineSearch {
 // holds(proposal): see polyhedron_line_answer.h. True where one held.
 template <class Holds>
 bool propose_by_facets(const Placed& body, const Line& line, const Holds& holds, Cost& cost) {
-  const FacetGraph& graph = body.body.facet_graph();
+  const FacetGraph& graph = represent::of<FacetGraph>(body.body);
   const LineInFrame<double> in_frame(body, graph, line);
   if (in_frame.is_finite) {
     FacetsByGraph by_graph(body.body, graph, cost);

@@ -1,4 +1,4 @@
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/dyadic.h>
 #include <sunder/predicate/line/arrows.h>
 #include <sunder/solid/line/flat_body.h>
 #include <sunder/solid/line/plane_plane.h>

@@ -1,5 +1,5 @@
 #include <sunder/base/names.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/line/polyhedron_cut.h>
 #include <sunder/solid/line/polyhedron_line_answer.h>
 #include <sunder/solid/search/placed.h>
@@ -38,13 +38,13 @@ ExactEnd exact_end(const ConvexPolyhedron& body, const Pose& pose, const Point3&
 }
 
 ExactEnd exact_end(const Placed& body, const Line& line, const CutEnd& end) {
-  const Exact from = lift<ExactStage>(line.a), to = lift<ExactStage>(line.b);
+  const Exact from = coordinates<Dyadic>(line.a), to = coordinates<Dyadic>(line.b);
   if (end.own != OwnEnd::none) {
     const bool is_a = end.own == OwnEnd::a;
     const Exact& p = is_a ? from : to;
     return {{p.x, p.y, p.z, 1.0}, {Dyadic(is_a ? 0.0 : 1.0)}};
   }
-  const auto vertex = [&](std::uint32_t v) { return lift<ExactStage>(body[v]); };
+  const auto vertex = [&](std::uint32_t v) { return coordinates<Dyadic>(body[v]); };
   const Exact way = to - from;
   const auto at = [&](ExactFraction t) -> ExactEnd {
     const auto& [n, m] = t;

@@ -1,10 +1,10 @@
-#include <sunder/predicate/filter/stages.h>
 #include <sunder/predicate/line/line_in_body.h>
 #include <sunder/predicate/line/line_planes.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/line/polyhedron_line_answer.h>
 #include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/radial_walk.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ LineAnswer::LineAnswer(const Placed& body, const Line& line)
 
 // Positive where a line that goes in this sense through a facet has the facet's edge from p to q on the left.
 Sign LineAnswer::turn(std::uint32_t p, std::uint32_t q, Sense sense) {
-  const Sign s = decide(&tally_, orient_3d_formula, line_.a, line_.b, body_[p], body_[q]);
+  const Sign s = orient_3d(line_.a, line_.b, body_[p], body_[q], &tally_);
   const Sign outward = s * orientation_;
   return sense == Sense::entering ? -outward : outward;
 }
@@ -48,7 +48,7 @@ Sign LineAnswer::facing(std::uint32_t facet) {
 
 Sign LineAnswer::beyond(const Point3& x, std::uint32_t facet) {
   const auto [u, v, w] = corners(facet);
-  return orientation_ * decide(&tally_, orient_3d_formula, u, v, w, x);
+  return orientation_ * orient_3d(u, v, w, x, &tally_);
 }
 
 // The facets' triangles from the first corner: the line goes through the fan between two corners. Seen along the line
@@ -105,7 +105,7 @@ bool LineAnswer::through(std::uint32_t enters, std::uint32_t leaves) {
       }
       const auto [p, q] = pierced.across;
       if (p == q || moves == most_moves) return false;
-      if (graph == nullptr) graph = &body_.body.facet_graph();
+      if (graph == nullptr) graph = &represent::of<FacetGraph>(body_.body);
       const auto next = graph->edge(q, p);
       if (!next) return false;  // no edge: the line is not in the facet's fan at all
       facet = next->facet;
@@ -148,12 +148,12 @@ void LineAnswer::decide_kind() {
 // ---- Exactly.
 
 std::array<Point3, 4> LineAnswer::top() const {
-  const auto& nodes = body_.body.hierarchy().nodes;
+  const auto& nodes = represent::of<Hierarchy>(body_.body).nodes;
   return {nodes[0].at, nodes[1].at, nodes[2].at, nodes[3].at};
 }
 
 Triangle LineAnswer::triangle_towards(const WayFromMiddle& way) {
-  const Hierarchy& hierarchy = body_.body.hierarchy();
+  const Hierarchy& hierarchy = represent::of<Hierarchy>(body_.body);
   const auto turn_of = [&](std::uint32_t i, std::uint32_t j) {
     return way.turn(hierarchy.nodes[i].at, hierarchy.nodes[j].at, &tally_);
   };
@@ -164,7 +164,7 @@ Triangle LineAnswer::triangle_towards(const WayFromMiddle& way) {
 // Of a point of the surface, in this closed triangle of a facet.
 CutFeature LineAnswer::feature_at(const Triangle& triangle, const WayFromMiddle& way) {
   const auto& points = body_.graph.vertices;
-  const FacetGraph& graph = body_.body.facet_graph();
+  const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
   std::array<bool, 3> on{};  // the edge from corner k on
   for (std::size_t k = 0; k < 3; ++k) {
     on[k] = way.turn(points[triangle[k]], points[triangle[(k + 1) % 3]], &tally_) == Sign::zero;
@@ -185,7 +185,7 @@ CutFeature LineAnswer::feature_at(const Triangle& triangle, const WayFromMiddle&
 void LineAnswer::finish() {
   const LineInBody line(line_.a, line_.b, body_.pose);
   const auto& points = body_.graph.vertices;
-  const FacetGraph& graph = body_.body.facet_graph();
+  const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
   const std::array<Point3, 4> middle = top();
   const auto corner = [&](const Triangle& t, std::size_t k) -> const Point3& { return points[t[k]]; };
   const auto number = [&](const Triangle& t) { return graph.facet_of(t[0], t[1], t[2]); };
@@ -238,34 +238,11 @@ bool LineAnswer::is_across() {
 
 void LineAnswer::clip(OwnEnds ends, bool is_point) {
   if (cut_.kind == CutKind::nothing || !ends.a) return;
-  const auto set_beyond = [&](std::uint32_t facet, OwnEnd own) { set_apart({CutParting::Kind::facet, facet, 0, own}); };
-  const Sign a_last = beyond(line_.a, cut_.leaves);
-  if (a_last == Sign::positive) return set_beyond(cut_.leaves, OwnEnd::a);
-  const Point3& b = is_point ? line_.a : line_.b;
-  const OwnEnd own_b = is_point ? OwnEnd::a : OwnEnd::b;
-  const Sign b_first = ends.b ? beyond(b, cut_.enters) : Sign::negative;
-  if (b_first == Sign::positive) return set_beyond(cut_.enters, own_b);
-  if (a_last == Sign::zero || b_first == Sign::zero) {
-    cut_.kind = CutKind::point;
-    if (a_last == Sign::zero) {
-      cut_.last.own = OwnEnd::a;
-      cut_.first = cut_.last;
-    } else {
-      cut_.first.own = own_b;
-      cut_.last = cut_.first;
-    }
-    return;
-  }
-  if (cut_.kind == CutKind::point) return;
-  const CutFeature between = cut_.kind == CutKind::along ? cut_.surface : CutFeature{CutPlace::inside, 0, 0};
-  const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
-    if (outward == Sign::positive) return;
-    if (outward == Sign::negative) end.at = between;
-    end.own = own;
-  };
-  shorten(beyond(line_.a, cut_.enters), cut_.first, OwnEnd::a);
-  if (ends.b) shorten(beyond(b, cut_.leaves), cut_.last, own_b);
-  if (is_point) cut_.kind = CutKind::point;
+  const auto facet = [&](bool at_last) { return at_last ? cut_.leaves : cut_.enters; };
+  clip_by(
+      ends, is_point,
+      [&](bool at_last, OwnEnd own) { return beyond(own == OwnEnd::a ? line_.a : line_.b, facet(at_last)); },
+      [&](bool at_last, OwnEnd own) { return CutParting{CutParting::Kind::facet, facet(at_last), 0, own}; });
 }
 
 PolyhedronCut LineAnswer::conclude(bool finished) {

@@ -80,12 +80,44 @@ class LineAnswer {
   void clip_flat(OwnEnds ends, bool is_point);
   CutParting parting_at(const CutEnd& end, Sign sense, OwnEnd beyond);
 
+  // From what the line has in common with the body to what the ray or segment has. beyond(at_last, own): positive where
+  // the own end is outside beyond the first or last end of that, zero where it is there; parting(at_last, own): what
+  // parts the body from it then.
+  template <class Beyond, class Parting>
+  void clip_by(OwnEnds ends, bool is_point, const Beyond& beyond, const Parting& parting);
+
   const Placed& body_;
   Line line_;
   Sign orientation_;  // of the pose
   PolyhedronCut cut_;
   StageTally tally_;
 };
+
+template <class Beyond, class Parting>
+void LineAnswer::clip_by(OwnEnds ends, bool is_point, const Beyond& beyond, const Parting& parting) {
+  const OwnEnd own_b = is_point ? OwnEnd::a : OwnEnd::b;
+  const Sign a_last = beyond(true, OwnEnd::a);
+  if (a_last == Sign::positive) return set_apart(parting(true, OwnEnd::a));
+  const Sign b_first = ends.b ? beyond(false, own_b) : Sign::negative;
+  if (b_first == Sign::positive) return set_apart(parting(false, own_b));
+  if (a_last == Sign::zero || b_first == Sign::zero) {
+    cut_.kind = CutKind::point;
+    CutEnd& end = a_last == Sign::zero ? cut_.last : cut_.first;
+    end.own = a_last == Sign::zero ? OwnEnd::a : own_b;
+    cut_.first = cut_.last = CutEnd(end);
+    return;
+  }
+  if (cut_.kind == CutKind::point) return;
+  const CutFeature between = cut_.kind == CutKind::along ? cut_.surface : CutFeature{CutPlace::inside, 0, 0};
+  const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
+    if (outward == Sign::positive) return;
+    if (outward == Sign::negative) end.at = between;
+    end.own = own;
+  };
+  shorten(beyond(false, OwnEnd::a), cut_.first, OwnEnd::a);
+  if (ends.b) shorten(beyond(true, own_b), cut_.last, own_b);
+  if (is_point) cut_.kind = CutKind::point;
+}
 
 // The answer of a method that proposes: propose(line, holds, cost) calls holds(proposal) until that is true, and tells
 // whether it was.

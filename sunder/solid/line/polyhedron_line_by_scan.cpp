@@ -1,6 +1,6 @@
 // The body as the common part of closed half-spaces, each of which cuts off a part of the line: slow and obvious.
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
@@ -29,9 +29,9 @@ bool equals(const ExactFraction& t, double x) { return order(t, {Dyadic(x)}) == 
 class Scan {
  public:
   Scan(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b)
-      : body_(body), a_(lift<ExactStage>(a)), way_(lift<ExactStage>(b) - a_) {
+      : body_(body), a_(coordinates<Dyadic>(a)), way_(coordinates<Dyadic>(b) - a_) {
     for (const Point3& p : body.vertices()) {
-      vertices_.push_back(lift<ExactStage>(Posed3{p, &pose.affine(), false}));
+      vertices_.push_back(coordinates<Dyadic>(Posed3{p, &pose.affine(), false}));
       sum_ = vertices_.size() == 1 ? vertices_[0] : sum(sum_, vertices_.back());
     }
     add_half_spaces();

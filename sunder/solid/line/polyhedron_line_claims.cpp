@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/line/line_in_body.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/solid/line/polyhedron_line.h>
@@ -9,6 +9,7 @@
 #include <sunder/solid/line/polyhedron_segment.h>
 #include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/radial_walk.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
@@ -48,9 +49,9 @@ class Claims {
         pose_(pose),
         ends_(ends_of(other)),
         line_(line_through(ends_.a, ends_.b)),
-        a_(lift<ExactStage>(ends_.a)),
-        b_(lift<ExactStage>(ends_.b)),
-        way_(lift<ExactStage>(line_.b) - a_),
+        a_(coordinates<Dyadic>(ends_.a)),
+        b_(coordinates<Dyadic>(ends_.b)),
+        way_(coordinates<Dyadic>(line_.b) - a_),
         cut_(cut) {}
 
   // Requires that they are apart.
@@ -170,7 +171,7 @@ class Claims {
   }
 
   static std::array<Dyadic, 3> numbers(const Exact& d) { return {d.x, d.y, d.z}; }
-  Exact vertex(std::uint32_t v) const { return lift<ExactStage>(placed_[v]); }
+  Exact vertex(std::uint32_t v) const { return coordinates<Dyadic>(placed_[v]); }
   Exact normal(std::uint32_t f) const {
     const std::span<const std::uint32_t> v = body_.facet(f);
     const Exact from = vertex(v[0]);
@@ -193,7 +194,7 @@ class Claims {
           if (of_line.kind != CutKind::along) break;
           if (at.place == CutPlace::facet) found.push_back(normal(at.feature));
           if (at.place != CutPlace::edge) continue;
-          found.push_back(normal(body_.facet_graph().edge(at.feature, at.other)->facet));
+          found.push_back(normal(represent::of<FacetGraph>(body_).edge(at.feature, at.other)->facet));
         }
         found.push_back(mixed(of_line.enters, of_line.leaves));
         for (const std::uint32_t f : {of_line.leaves, of_line.enters}) found.push_back(normal(f));
@@ -275,7 +276,7 @@ class Claims {
 
   // From the mean o of four vertices: p - o is in the cone of a triangle of the surface, and what is left is o's.
   Combination of_solid(const Exact& p, const Dyadic& whole, const ExactFraction& t) {
-    const Hierarchy& hierarchy = body_.hierarchy();
+    const Hierarchy& hierarchy = represent::of<Hierarchy>(body_);
     const auto& nodes = hierarchy.nodes;
     const WayFromMiddle way({nodes[0].at, nodes[1].at, nodes[2].at, nodes[3].at},
                             LineInBody(line_.a, line_.b, placed_.pose).at(t));

@@ -1,10 +1,12 @@
 // Points, segments and flat polygons of space, and a line, a ray or a segment: by signs of the vertices, and where the
 // line is in one plane with the body by exact numbers.
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/line/polyhedron_line_answer.h>
 #include <sunder/solid/represent/facet_graph.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
@@ -39,22 +41,18 @@ void LineAnswer::decide_flat(OwnEnds ends, bool is_point) {
 }
 
 void LineAnswer::decide_point() {
-  const Posed3 v = body_[0];
-  const bool is_on_line = decide(&tally_, orient_2d_formula<0>, line_.a, line_.b, v) == Sign::zero &&
-                          decide(&tally_, orient_2d_formula<1>, line_.a, line_.b, v) == Sign::zero &&
-                          decide(&tally_, orient_2d_formula<2>, line_.a, line_.b, v) == Sign::zero;
-  if (!is_on_line) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
+  if (!are_collinear(line_.a, line_.b, body_[0], &tally_)) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
   cut_.kind = CutKind::point;
   cut_.first = cut_.last = at_vertex(0);
 }
 
 void LineAnswer::decide_segment() {
-  if (decide(&tally_, orient_3d_formula, line_.a, line_.b, body_[0], body_[1]) != Sign::zero) {
+  if (orient_3d(line_.a, line_.b, body_[0], body_[1], &tally_) != Sign::zero) {
     return set_apart({Kind::edge_and_line, 0, 1, OwnEnd::a});
   }
   ++tally_.exact;
-  const Exact a = lift<ExactStage>(line_.a), way = lift<ExactStage>(line_.b) - a;
-  const Exact p = lift<ExactStage>(body_[0]), edge = lift<ExactStage>(body_[1]) - p;
+  const Exact a = coordinates<Dyadic>(line_.a), way = coordinates<Dyadic>(line_.b) - a;
+  const Exact p = coordinates<Dyadic>(body_[0]), edge = coordinates<Dyadic>(body_[1]) - p;
   const Exact normal = cross(way, edge);
   if (is_zero(normal)) {
     if (!is_zero(cross(way, p - a))) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
@@ -95,23 +93,23 @@ void LineAnswer::decide_polygon() {
 void LineAnswer::decide_in_plane() {
   const std::span<const std::uint32_t> cycle = body_.body.facet(0);
   const std::uint32_t n = static_cast<std::uint32_t>(cycle.size());
-  const Exact a = lift<ExactStage>(line_.a), way = lift<ExactStage>(line_.b) - a;
+  const Exact a = coordinates<Dyadic>(line_.a), way = coordinates<Dyadic>(line_.b) - a;
   const auto [u, v, w] = corners(0);
-  const Exact from = lift<ExactStage>(u);
-  const Exact left = cross(cross(lift<ExactStage>(v) - from, lift<ExactStage>(w) - from), way);
+  const Exact from = coordinates<Dyadic>(u);
+  const Exact left = cross(cross(coordinates<Dyadic>(v) - from, coordinates<Dyadic>(w) - from), way);
   const WorldDirection direction(left);
   Along along(direction, body_.pose, body_.tame);
   const auto height = [&](std::uint32_t vertex) {
     ++cut_.cost.probes;
     ++tally_.exact;
-    return dot(left, lift<ExactStage>(body_[vertex]) - a).sign();
+    return dot(left, coordinates<Dyadic>(body_[vertex]) - a).sign();
   };
   const std::uint32_t highest = extreme_vertex_from(body_, along, End::greatest, 0, cut_.cost, tally_),
                       lowest = extreme_vertex_from(body_, along, End::least, 0, cut_.cost, tally_);
   const Sign of_highest = height(highest), of_lowest = height(lowest);
   if (of_highest == Sign::negative) return set_apart({Kind::perpendicular, highest, 0, OwnEnd::a});
   if (of_lowest == Sign::positive) return set_apart({Kind::perpendicular, lowest, 0, OwnEnd::a});
-  const FacetGraph& graph = body_.body.facet_graph();
+  const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
   const auto position = [&](std::uint32_t vertex) {
     std::uint32_t k = graph.begin[vertex];
     while (graph.edges[k].facet != 0) ++k;
@@ -124,7 +122,7 @@ void LineAnswer::decide_in_plane() {
     cut_.first = cut_.last = at_vertex(vertex);
     for (const std::uint32_t other : {at(k + 1), at(k + n - 1)}) {
       if (height(other) != Sign::zero) continue;
-      const Exact edge = lift<ExactStage>(body_[other]) - lift<ExactStage>(body_[vertex]);
+      const Exact edge = coordinates<Dyadic>(body_[other]) - coordinates<Dyadic>(body_[vertex]);
       cut_.kind = CutKind::along;
       cut_.surface = at_edge(vertex, other).at;
       (dot(edge, way).sign() == Sign::positive ? cut_.last : cut_.first) = at_vertex(other);
@@ -166,14 +164,14 @@ CutParting LineAnswer::parting_at(const CutEnd& end, Sign sense, OwnEnd beyond) 
   if (end.at.place == CutPlace::edge) return {Kind::edge_in_plane, end.at.feature, end.at.other, beyond};
   // One of the vertex's edges, across which the line goes out.
   const auto [u, v, w] = corners(0);
-  const Exact from = lift<ExactStage>(u);
-  const Exact normal = cross(lift<ExactStage>(v) - from, lift<ExactStage>(w) - from);
-  const Exact way = lift<ExactStage>(line_.b) - lift<ExactStage>(line_.a);
-  const FacetGraph& graph = body_.body.facet_graph();
+  const Exact from = coordinates<Dyadic>(u);
+  const Exact normal = cross(coordinates<Dyadic>(v) - from, coordinates<Dyadic>(w) - from);
+  const Exact way = coordinates<Dyadic>(line_.b) - coordinates<Dyadic>(line_.a);
+  const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
   const std::uint32_t at = end.at.feature;
   for (std::uint32_t k = graph.begin[at]; k < graph.begin[at + 1]; ++k) {
     const auto& [to, facet, position] = graph.edges[k];
-    const Exact edge = lift<ExactStage>(body_[to]) - lift<ExactStage>(body_[at]);
+    const Exact edge = coordinates<Dyadic>(body_[to]) - coordinates<Dyadic>(body_[at]);
     const Sign outward = facet == 0 ? Sign::positive : Sign::negative;  // of facet 0's edge from `at`, or to it
     if (dot(cross(edge, normal), way).sign() * outward == sense) return {Kind::edge_in_plane, at, to, beyond};
   }
@@ -183,34 +181,17 @@ CutParting LineAnswer::parting_at(const CutEnd& end, Sign sense, OwnEnd beyond) 
 void LineAnswer::clip_flat(OwnEnds ends, bool is_point) {
   if (cut_.kind == CutKind::nothing || !ends.a) return;
   ++tally_.exact;
-  const double at_b = is_point ? 0 : 1;
-  const OwnEnd own_b = is_point ? OwnEnd::a : OwnEnd::b;
   const ExactFraction first = exact_end(body_, line_, cut_.first).along_line,
                       last = exact_end(body_, line_, cut_.last).along_line;
-  const Sign a_last = -order(last, 0);
-  const Sign b_first = ends.b ? order(first, at_b) : Sign::negative;
-  if (a_last == Sign::positive) return set_apart(parting_at(cut_.last, Sign::positive, OwnEnd::a));
-  if (b_first == Sign::positive) return set_apart(parting_at(cut_.first, Sign::negative, own_b));
-  if (a_last == Sign::zero || b_first == Sign::zero) {
-    cut_.kind = CutKind::point;
-    if (a_last == Sign::zero) {
-      cut_.last.own = OwnEnd::a;
-      cut_.first = cut_.last;
-    } else {
-      cut_.first.own = own_b;
-      cut_.last = cut_.first;
-    }
-    return;
-  }
-  if (cut_.kind == CutKind::point) return;
-  const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
-    if (outward == Sign::positive) return;
-    if (outward == Sign::negative) end.at = cut_.surface;
-    end.own = own;
-  };
-  shorten(order(first, 0), cut_.first, OwnEnd::a);
-  if (ends.b) shorten(-order(last, at_b), cut_.last, own_b);
-  if (is_point) cut_.kind = CutKind::point;
+  clip_by(
+      ends, is_point,
+      [&](bool at_last, OwnEnd own) {
+        const double at = own == OwnEnd::a ? 0 : 1;
+        return at_last ? -order(last, at) : order(first, at);
+      },
+      [&](bool at_last, OwnEnd own) {
+        return parting_at(at_last ? cut_.last : cut_.first, at_last ? Sign::positive : Sign::negative, own);
+      });
 }
 
 }  // namespace sunder::solid

@@ -1,6 +1,6 @@
 #include <sunder/number/double_double.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/mesh/mesh_sides.h>
@@ -32,7 +32,9 @@ struct Plane {
   double scaled = 1;  // the length of the exact normal, divided by longest
 };
 
-Vector3<Dyadic> exact_difference(const Point3& p, const Point3& q) { return lift<ExactStage>(p) - lift<ExactStage>(q); }
+Vector3<Dyadic> exact_difference(const Point3& p, const Point3& q) {
+  return coordinates<Dyadic>(p) - coordinates<Dyadic>(q);
+}
 
 Vector3<Dyadic> exact_normal(const std::array<Point3, 3>& c) {
   return cross(exact_difference(c[1], c[0]), exact_difference(c[2], c[0]));

@@ -1,17 +1,11 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/represent/drums.h>
-#include <sunder/solid/represent/facet_graph.h>
-#include <sunder/solid/represent/half_edges.h>
-#include <sunder/solid/represent/hierarchy.h>
-#include <sunder/solid/represent/polar.h>
-#include <sunder/solid/represent/polar_hierarchy.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace sunder::solid {
 
@@ -21,18 +15,7 @@ struct ConvexPolyhedron::Data {
   std::vector<std::uint32_t> source;
   std::vector<std::uint32_t> facet_begin;
   std::vector<std::uint32_t> facet_vertices;
-  mutable std::once_flag made_hierarchy;
-  mutable Hierarchy hierarchy;
-  mutable std::once_flag made_polar;
-  mutable Polar polar;
-  mutable std::once_flag made_polar_hierarchy;
-  mutable PolarHierarchy polar_hierarchy;
-  mutable std::once_flag made_half_edges;
-  mutable HalfEdges half_edges;
-  mutable std::once_flag made_drums;
-  mutable Drums drums;
-  mutable std::once_flag made_facet_graph;
-  mutable FacetGraph facet_graph;
+  LazySlots slots;
 };
 
 namespace {
@@ -43,11 +26,6 @@ std::uint32_t spread(std::uint32_t x) {
   x = (x | x << 8) & 0x0300f00f;
   x = (x | x << 4) & 0x030c30c3;
   return (x | x << 2) & 0x09249249;
-}
-
-void require_interior(const ConvexPolyhedron& body) {
-  if (body.dimension() == 3) return;
-  throw Error(ErrorCode::bad_shape, "a polyhedron without an interior has no polar about a point inside");
 }
 
 // The vertices along a Morton curve through their box, so that neighbours tend to share cache lines.
@@ -126,71 +104,20 @@ std::span<const std::uint32_t> ConvexPolyhedron::facet(std::uint32_t f) const {
   return {data_->facet_vertices.data() + data_->facet_begin[f], data_->facet_begin[f + 1] - data_->facet_begin[f]};
 }
 
+std::span<const std::uint32_t> ConvexPolyhedron::facet_begin() const { return data_->facet_begin; }
+
+std::span<const std::uint32_t> ConvexPolyhedron::facet_vertices() const { return data_->facet_vertices; }
+
 std::array<Point3, 2> ConvexPolyhedron::box() const { return {data_->graph.low, data_->graph.high}; }
 
 const SearchGraph& ConvexPolyhedron::search_graph() const { return data_->graph; }
 
-const Hierarchy& ConvexPolyhedron::hierarchy() const {
-  SUNDER_REQUIRE(vertices().size() >= 3);
-  std::call_once(data_->made_hierarchy, [this] {
-    data_->hierarchy = make_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
-  });
-  return data_->hierarchy;
-}
-
-const Polar& ConvexPolyhedron::polar() const {
-  require_interior(*this);
-  std::call_once(data_->made_polar, [this] {
-    data_->polar = make_polar(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
-  });
-  return data_->polar;
-}
-
-const PolarHierarchy& ConvexPolyhedron::polar_hierarchy() const {
-  require_interior(*this);
-  std::call_once(data_->made_polar_hierarchy, [this] {
-    data_->polar_hierarchy = make_polar_hierarchy(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
-  });
-  return data_->polar_hierarchy;
-}
-
-const HalfEdges& ConvexPolyhedron::half_edges() const {
-  SUNDER_REQUIRE(vertices().size() >= 3);
-  std::call_once(data_->made_half_edges, [this] {
-    data_->half_edges =
-        make_half_edges(static_cast<std::uint32_t>(vertices().size()), data_->facet_begin, data_->facet_vertices);
-  });
-  return data_->half_edges;
-}
-
-const Drums& ConvexPolyhedron::drums() const {
-  std::call_once(data_->made_drums, [this] {
-    const Point3 &low = data_->graph.low, &high = data_->graph.high;
-    const Point3 direction = low.z < high.z ? Point3{0, 0, 1} : low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
-    data_->drums = make_drums(direction, DrumsForm::persistent);
-  });
-  return data_->drums;
-}
-
-Drums ConvexPolyhedron::make_drums(const Point3& direction, DrumsForm form) const {
-  return {data_->graph.vertices, data_->facet_begin, data_->facet_vertices, direction, form};
-}
-
-const FacetGraph& ConvexPolyhedron::facet_graph() const {
-  SUNDER_REQUIRE(vertices().size() >= 3);
-  std::call_once(data_->made_facet_graph, [this] {
-    data_->facet_graph = make_facet_graph(data_->graph.vertices, data_->facet_begin, data_->facet_vertices);
-  });
-  return data_->facet_graph;
-}
+const LazySlots& ConvexPolyhedron::slots() const { return data_->slots; }
 
 std::size_t ConvexPolyhedron::memory() const {
   const auto bytes = [](const std::vector<std::uint32_t>& of) { return of.capacity() * sizeof(of[0]); };
-  std::size_t sum = sizeof(*data_) + data_->graph.memory() + bytes(data_->source) + bytes(data_->facet_begin) +
-                    bytes(data_->facet_vertices);
-  if (vertices().size() >= 3) sum += hierarchy().memory();
-  if (dimension() == 3) sum += polar_hierarchy().hierarchy.memory();
-  return sum;
+  return sizeof(*data_) + data_->graph.memory() + bytes(data_->source) + bytes(data_->facet_begin) +
+         bytes(data_->facet_vertices);
 }
 
 }  // namespace sunder::solid

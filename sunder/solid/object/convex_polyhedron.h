@@ -3,24 +3,19 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/base/lazy_slots.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/hull/convex_hull.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 namespace sunder::solid {
 
-struct SearchGraph;     // what searches walk on; see solid/represent/search_graph.h
-struct Hierarchy;       // where the search graph is slow; see solid/represent/hierarchy.h
-struct Polar;           // facets as vertices; see solid/represent/polar.h
-struct PolarHierarchy;  // of that; see solid/represent/polar_hierarchy.h
-struct HalfEdges;       // from facet to facet; see solid/represent/half_edges.h
-class Drums;            // a stack of cross-sections; see solid/represent/drums.h
-enum class DrumsForm : std::uint8_t;
-struct FacetGraph;  // what searches along lines walk on; see solid/represent/facet_graph.h
+struct SearchGraph;  // its vertices and edges as searches read them; see solid/object/search_graph.h
 
 // Immutable, and cheap to copy (copies share one block of memory); any number of threads may use one at once.
 //
@@ -49,37 +44,21 @@ class ConvexPolyhedron {
   std::uint32_t facet_count() const;
   std::span<const std::uint32_t> facet(std::uint32_t f) const;
 
+  // All of them at once: facet f is facet_vertices()[facet_begin()[f] .. facet_begin()[f + 1]).
+  std::span<const std::uint32_t> facet_begin() const;
+  std::span<const std::uint32_t> facet_vertices() const;
+
   // The smallest and the largest coordinates.
   std::array<Point3, 2> box() const;
 
+  // Part of the object, and not one of the representations that are made on demand: most queries read it, and nothing
+  // else.
   const SearchGraph& search_graph() const;
 
-  // Made on first use, in O(n), and then shared. Requires three vertices or more.
-  const Hierarchy& hierarchy() const;
+  // Where its representations are kept; see solid/represent/of.h.
+  const LazySlots& slots() const;
 
-  // Its polar about a point inside (solid/represent/polar.h). Made on first use, in O(n), and then shared.
-  // Throws Error: bad_shape if the dimension is not 3.
-  const Polar& polar() const;
-
-  // The hierarchy of its polar. Made on first use, in O(n), and then shared. Throws as polar().
-  const PolarHierarchy& polar_hierarchy() const;
-
-  // Made on first use, in O(n), and then shared. Requires three vertices or more.
-  const HalfEdges& half_edges() const;
-
-  // Its drums, bottom up along z (a body in one level plane along x, or y), in the persistent form. Made on first use,
-  // in O(n log n), and then shared.
-  const Drums& drums() const;
-
-  // Others. Throws as the constructor of Drums.
-  Drums make_drums(const Point3& direction, DrumsForm form) const;
-
-  // Which facets rays go through, and which lie at edges. Made on first use, in O(n log n), and then shared. Requires
-  // three vertices or more.
-  const FacetGraph& facet_graph() const;
-
-  // Bytes of all that searches walk on, with the hierarchies, which it makes; without polar(), drums(),
-  // facet_graph() and half_edges().
+  // Bytes, without representations.
   std::size_t memory() const;
 
  private:

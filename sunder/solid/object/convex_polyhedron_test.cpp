@@ -2,7 +2,7 @@
 #include <sunder/base/error.h>
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <tests/support/doubles.h>
 #include <tests/support/shapes.h>

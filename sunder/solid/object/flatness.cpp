@@ -1,4 +1,4 @@
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/flatness.h>
 
@@ -12,15 +12,8 @@ namespace {
 using Exact = Vector3<Dyadic>;
 
 Exact exact_cross(const Point3& a, const Point3& b, const Point3& c) {
-  const Exact from = lift<ExactStage>(a);
-  return cross(lift<ExactStage>(b) - from, lift<ExactStage>(c) - from);
-}
-
-bool are_collinear(const Point3& a, const Point3& b, const Point3& c) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (orient_2d_along(axis, a, b, c) != Sign::zero) return false;
-  }
-  return true;
+  const Exact from = coordinates<Dyadic>(a);
+  return cross(coordinates<Dyadic>(b) - from, coordinates<Dyadic>(c) - from);
 }
 
 // The point with the greatest measure; a measure that overflows is greatest.
@@ -77,10 +70,10 @@ Flatness flatness(std::span<const Point3> points) {
   const auto [i, j, k] = *three;
   const Point3 &a = points[i], &b = points[j], &c = points[k];
   Dyadic most;
-  const Exact normal = exact_cross(a, b, c), from = lift<ExactStage>(a);
+  const Exact normal = exact_cross(a, b, c), from = coordinates<Dyadic>(a);
   for (std::uint32_t v = 0; v < points.size(); ++v) {
     if (orient_3d(a, b, c, points[v]) == Sign::zero) continue;
-    Dyadic height = dot(normal, lift<ExactStage>(points[v]) - from);
+    Dyadic height = dot(normal, coordinates<Dyadic>(points[v]) - from);
     if (height.sign() == Sign::negative) height = -height;
     if (!result.is_flat && (height - most).sign() != Sign::positive) continue;
     result = {false, v, *three, 0};

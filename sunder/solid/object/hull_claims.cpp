@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/number/vector.h>
 #include <sunder/solid/object/hull_claims.h>
 
 #include <algorithm>

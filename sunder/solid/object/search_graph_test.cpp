@@ -2,7 +2,7 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/solid/object/convex_polyhedron.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <tests/support/doubles.h>
 #include <tests/support/scale.h>
@@ -118,8 +118,8 @@ int count_wrong_entries(const ConvexPolyhedron& body) {
     const std::uint32_t row = i / graph.side, column = i % graph.side;
     const double u = (2.0 * column + 1) / graph.side - 1, v = (2.0 * row + 1) / graph.side - 1;
     const WorldDirection direction(on_octahedron(u, v));
-    const Affine3 identity;
-    Along along(direction, identity, false);
+    const Affine3 at_home;
+    Along along(direction, at_home, false);
     const Point3 entry = graph.block(graph.table[i]).at();
     for (const Point3& p : body.vertices()) {
       if (along.compare(entry, p) == Sign::positive) {

@@ -11,7 +11,7 @@ ClosestPoints closest_points(const ClosestFeatures& closest) {
     PointOf made;
     Vector3<Dyadic> numerators{};
     for (std::size_t k = begin; k < end; ++k) {
-      numerators = sum(numerators, times(weights[k], lift<ExactStage>(images[k])));
+      numerators = sum(numerators, times(weights[k], coordinates<Dyadic>(images[k])));
       made.of_body.parts.push_back({f.vertices[k], weights[k]});
     }
     made.of_body.denominator = way.denominator;

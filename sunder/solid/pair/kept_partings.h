@@ -7,7 +7,7 @@
 #include <sunder/predicate/point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <cstdint>
 #include <limits>

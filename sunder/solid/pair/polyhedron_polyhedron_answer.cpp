@@ -1,8 +1,8 @@
 #include <sunder/certificate/direction.h>
 #include <sunder/predicate/point/common_point.h>
 #include <sunder/solid/exact/exact_simplex.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/represent/search_graph_walk.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
 #include <algorithm>
@@ -153,7 +153,7 @@ class Disposal {
   bool apart_along_perpendicular(const Proposal& p) {
     using Vector = Vector3<Dyadic>;
     const auto corner = [&](std::size_t i) {
-      return lift<ExactStage>(a_[p.vertices[i]]) - lift<ExactStage>(b_[p.vertices[p.count_a + i]]);
+      return coordinates<Dyadic>(a_[p.vertices[i]]) - coordinates<Dyadic>(b_[p.vertices[p.count_a + i]]);
     };
     const Vector w0 = corner(0);
     Vector from_origin = w0;  // perpendicular to the simplex, on its side of the origin

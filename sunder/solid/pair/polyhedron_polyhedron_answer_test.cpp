@@ -3,8 +3,8 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/solid/object/bodies_test.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
-#include <sunder/solid/represent/search_graph_walk.h>
 #include <sunder/solid/search/caratheodory.h>
 #include <sunder/solid/search/placed_check_test.h>
 #include <sunder/solid/search/simplex_proposals.h>

@@ -1,4 +1,4 @@
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_boundary.h>
 #include <sunder/solid/search/extreme_vertex.h>
@@ -62,7 +62,7 @@ BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& 
                           const Pose& pose_q) {
     if (q.dimension() != 3) return false;
     const auto image = [](const ConvexPolyhedron& body, const Pose& pose, std::uint32_t v) {
-      return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false});
+      return coordinates<Dyadic>(Posed3{body.vertices()[v], &pose.affine(), false});
     };
     for (std::uint32_t f = 0; f < q.facet_count(); ++f) {
       const auto u = image(q, pose_q, q.facet(f)[0]);

@@ -26,7 +26,7 @@ class DepthSearch {
   DepthSearch(const Placed& a, const Placed& b, PolyhedronDepth& found)
       : a_(a), b_(b), found_(found), polytope_([this](std::uint32_t corner) {
           const auto [v, w] = corners_[corner];
-          return lift<ExactStage>(a_[v]) - lift<ExactStage>(b_[w]);
+          return coordinates<Dyadic>(a_[v]) - coordinates<Dyadic>(b_[w]);
         }) {}
 
   void run() {
@@ -46,7 +46,7 @@ class DepthSearch {
 
   std::uint32_t add(const Corner& corner) {
     corners_.push_back(corner);
-    return polytope_.add_corner(lift<EstimateStage>(a_[corner[0]]) - lift<EstimateStage>(b_[corner[1]]));
+    return polytope_.add_corner(coordinates<Estimate>(a_[corner[0]]) - coordinates<Estimate>(b_[corner[1]]));
   }
 
   void remove_last() {
@@ -169,7 +169,7 @@ class DepthSearch {
       const Vector3<Dyadic> normal = polytope_.exact_normal(alive[k]);
       const WorldDirection direction(normal);
       const auto [v, w] = furthest(direction, corners_[facets[alive[k]].corner[0]]);
-      const Dyadic along = dot(normal, lift<ExactStage>(a_[v]) - lift<ExactStage>(b_[w]));
+      const Dyadic along = dot(normal, coordinates<Dyadic>(a_[v]) - coordinates<Dyadic>(b_[w]));
       exact_ += 2;
       const double high = root(along * along, dot(normal, normal)).high;
       if (found_.direction && high >= found_.depth.high) continue;

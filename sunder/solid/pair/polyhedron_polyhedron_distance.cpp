@@ -6,9 +6,9 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/estimate_ratio.h>
 #include <sunder/number/root.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
-#include <sunder/solid/represent/search_graph_walk.h>
 #include <sunder/solid/search/closest_features.h>
 #include <sunder/solid/search/extreme_vertex.h>
 #include <sunder/solid/search/graph_support.h>
@@ -126,7 +126,7 @@ class Closest {
   }
 
   static void add(VertexSet<Dyadic>& set, const Placed& body, std::uint32_t v) {
-    if (!set.has(v)) set.add(v, lift<ExactStage>(body[v]));
+    if (!set.has(v)) set.add(v, coordinates<Dyadic>(body[v]));
   }
   static void keep(VertexSet<Dyadic>& set, std::span<const std::uint32_t> vertices) {
     VertexSet<Dyadic> kept;
@@ -182,35 +182,34 @@ ExactWay ClosestFeatures::way() const {
   return *exact_way(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
 }
 
-template <class Stage>
+template <class Number>
 auto ClosestFeatures::arrows_in() const {
   const std::array<Posed3, 4> posed = images();
   const std::span<const Posed3> all(posed);
-  return flat_arrows<Stage>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
+  return flat_arrows<Number>(all.first(features_.count_a), all.subspan(features_.count_a, features_.count_b));
 }
 
-template <class Stage>
+template <class Number>
 auto ClosestFeatures::way_in() const {
-  return shortest_way(arrows_in<Stage>());
+  return shortest_way(arrows_in<Number>());
 }
 
 // The nearest points, of A and of B, over a denominator.
-template <class Stage>
+template <class Number>
 auto ClosestFeatures::ends_in() const {
-  using T = decltype(Stage::read(0.0));
-  const auto arrows = arrows_in<Stage>();
-  const ShortestWay<T> way = shortest_way(arrows);
-  const std::array<T, 4> weights = weights_of(arrows, way);
+  const auto arrows = arrows_in<Number>();
+  const ShortestWay<Number> way = shortest_way(arrows);
+  const std::array<Number, 4> weights = weights_of(arrows, way);
   const std::array<Posed3, 4> posed = images();
   struct Ends {
-    std::array<std::array<T, 3>, 2> of;
-    T denominator;
+    std::array<std::array<Number, 3>, 2> of;
+    Number denominator;
   };
-  const T zero = Stage::read(0.0);
+  const Number zero(0.0);
   Ends ends{{{{zero, zero, zero}, {zero, zero, zero}}}, way.denominator};
   for (std::size_t k = 0; k < std::size_t{features_.count_a} + features_.count_b; ++k) {
     auto& [x, y, z] = ends.of[k < features_.count_a ? 0 : 1];
-    const auto at = lift<Stage>(posed[k]);
+    const auto at = coordinates<Number>(posed[k]);
     x = x + at.x * weights[k];
     y = y + at.y * weights[k];
     z = z + at.z * weights[k];
@@ -219,7 +218,7 @@ auto ClosestFeatures::ends_in() const {
 }
 
 std::array<Point3, 2> ClosestFeatures::nearest_points() const {
-  const auto sure = ends_in<EstimateStage>();
+  const auto sure = ends_in<Estimate>();
   std::array<Point3, 2> points;
   bool is_sure = true;
   for (std::size_t k = 0; k < 6 && is_sure; ++k) {
@@ -229,7 +228,7 @@ std::array<Point3, 2> ClosestFeatures::nearest_points() const {
     points[k / 3][k % 3] = nearest.value_or(0) + 0.0;  // no zero below zero
   }
   if (is_sure) return points;
-  const auto exact = ends_in<ExactStage>();
+  const auto exact = ends_in<Dyadic>();
   for (std::size_t k = 0; k < 6; ++k) {
     points[k / 3][k % 3] = nearest_ratio(exact.of[k / 3][k % 3], exact.denominator);
   }
@@ -237,12 +236,12 @@ std::array<Point3, 2> ClosestFeatures::nearest_points() const {
 }
 
 std::array<Dyadic, 2> ClosestFeatures::squared() const {
-  const ShortestWay<Dyadic> found = way_in<ExactStage>();
+  const ShortestWay<Dyadic> found = way_in<Dyadic>();
   return {found.squared(), found.denominator};
 }
 
 Interval ClosestFeatures::distance() const {
-  const ShortestWay<Estimate> estimate = way_in<EstimateStage>();
+  const ShortestWay<Estimate> estimate = way_in<Estimate>();
   if (const auto sure = sure_root(estimate.squared(), estimate.denominator)) return *sure;
   const auto [numerator, denominator] = squared();
   return root(numerator, denominator);

@@ -47,11 +47,11 @@ class ClosestFeatures {
   std::array<Posed3, 4> images() const;
 
  private:
-  template <class Stage>
+  template <class Number>
   auto arrows_in() const;
-  template <class Stage>
+  template <class Number>
   auto way_in() const;
-  template <class Stage>
+  template <class Number>
   auto ends_in() const;
 
   FeatureVertices features_;

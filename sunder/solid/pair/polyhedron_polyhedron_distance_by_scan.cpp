@@ -1,7 +1,8 @@
 // The oracle: of all pairs of a vertex, an edge or a triangle of the one body and of the other, four vertices in all at
 // most, those that face each other and are the least distance apart. Shares nothing with the search: the nearest points
 // of two flats come from the normal equations (e_i e_j) s = (e_i r), by determinants.
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/interval.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/search/placed.h>
@@ -73,10 +74,10 @@ Square<T> square_between(const std::vector<Vector3<T>>& a, const Part& p, const 
   return {all_of({s, t, whole - s - t}), numerator, whole};
 }
 
-template <class Stage>
-auto images(const Placed& body) {
-  std::vector<decltype(lift<Stage>(body[0]))> all;
-  for (std::uint32_t v = 0; v < body.graph.vertices.size(); ++v) all.push_back(lift<Stage>(body[v]));
+template <class Number>
+std::vector<Vector3<Number>> images(const Placed& body) {
+  std::vector<Vector3<Number>> all;
+  for (std::uint32_t v = 0; v < body.graph.vertices.size(); ++v) all.push_back(coordinates<Number>(body[v]));
   return all;
 }
 
@@ -87,8 +88,8 @@ PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron
   PolyhedronDistance out{polyhedron_polyhedron_by_scan(body_a, pose_a, body_b, pose_b), {}};
   if (out.meet()) return out;
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  const auto enclosed_a = images<IntervalStage>(a), enclosed_b = images<IntervalStage>(b);
-  const auto exact_a = images<ExactStage>(a), exact_b = images<ExactStage>(b);
+  const auto enclosed_a = images<Interval>(a), enclosed_b = images<Interval>(b);
+  const auto exact_a = images<Dyadic>(a), exact_b = images<Dyadic>(b);
   const std::vector<Part> parts_a = parts_of(body_a), parts_b = parts_of(body_b);
   Square<Dyadic> least{Guess::unsure, {}, {}};
   Interval least_enclosed;

@@ -1,4 +1,5 @@
 #include <sunder/predicate/point/along.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
 
 #include <algorithm>
@@ -101,8 +102,13 @@ std::vector<std::uint32_t> order_sideways(const std::vector<LateralEdge>& edges,
 
 }  // namespace
 
-Drums::Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
-             std::span<const std::uint32_t> facet_vertices, const Point3& direction, DrumsForm form)
+Drums Drums::make(const ConvexPolyhedron& body) {
+  const auto [low, high] = body.box();
+  const Point3 direction = low.z < high.z ? Point3{0, 0, 1} : low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
+  return {body, direction, DrumsForm::persistent};
+}
+
+Drums::Drums(const ConvexPolyhedron& body, const Point3& direction, DrumsForm form)
     : direction_(direction), form_(form) {
   for (const double x : {direction.x, direction.y, direction.z}) {
     if (!std::isfinite(x))
@@ -111,8 +117,8 @@ Drums::Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> fa
   if (direction == Point3{}) {
     throw Error(ErrorCode::bad_shape, "it is zero; give the direction in which drums are stacked", "direction");
   }
-  find_slices(vertices);
-  find_edges(facet_begin, facet_vertices);
+  find_slices(body.vertices());
+  find_edges(body);
   begun_.assign(drum_count(), 0);
   ended_.assign(drum_count(), 0);
   for (const LateralEdge& e : edges_) {
@@ -126,11 +132,10 @@ Drums::Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> fa
   } else {
     make_trees();
   }
-  shrink_ = shrink_of(vertices);
+  shrink_ = shrink_of(body.vertices());
   up_ = divided(direction, shrink_);
-  for (std::size_t f = 0; f + 1 < facet_begin.size(); ++f) {
-    normals_.push_back(
-        rounded_normal(vertices, facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]), shrink_));
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    normals_.push_back(rounded_normal(body.vertices(), body.facet(f), shrink_));
   }
 }
 
@@ -156,16 +161,16 @@ void Drums::find_slices(std::span<const Point3> vertices) {
   }
 }
 
-void Drums::find_edges(std::span<const std::uint32_t> facet_begin, std::span<const std::uint32_t> facet_vertices) {
+void Drums::find_edges(const ConvexPolyhedron& body) {
   if (slice_of_.size() == 2 && drum_count() == 1) edges_ = {{vertex_of(0), vertex_of(1), 0, 1, 0}};  // a segment
   // Each edge that is not level goes up on one facet's border, and down on another's.
   std::vector<LateralEdge> left_of, right_of;
-  for (std::uint32_t f = 0; f + 1 < facet_begin.size(); ++f) {
-    const auto slice = [&](std::uint32_t k) { return slice_of_[facet_vertices[facet_begin[f] + k]]; };
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    const std::span<const std::uint32_t> facet = body.facet(f);
+    const auto slice = [&](std::size_t k) { return slice_of_[facet[k]]; };
     if (slice(0) == slice(1) && slice(0) == slice(2)) level_facets_[slice(0) == 0 ? 0 : 1] = f;
-    for (std::uint32_t k = facet_begin[f]; k < facet_begin[f + 1]; ++k) {
-      const std::uint32_t v = facet_vertices[k];
-      const std::uint32_t w = facet_vertices[k + 1 < facet_begin[f + 1] ? k + 1 : facet_begin[f]];
+    for (std::size_t k = 0; k < facet.size(); ++k) {
+      const std::uint32_t v = facet[k], w = facet[k + 1 < facet.size() ? k + 1 : 0];
       const std::uint32_t from = slice_of_[v], to = slice_of_[w];
       if (from < to) left_of.push_back({v, w, from, to, f});
       if (from > to) right_of.push_back({w, v, to, from, f});
@@ -180,8 +185,7 @@ void Drums::find_edges(std::span<const std::uint32_t> facet_begin, std::span<con
   std::vector<std::uint32_t> left;
   for (const LateralEdge& e : left_of) left.push_back(e.side);
   const std::vector<std::uint32_t> path = path_upwards(right_of, vertex_of(0));
-  for (const std::uint32_t e : order_sideways(right_of, left, path, static_cast<std::uint32_t>(facet_begin.size() - 1)))
-    edges_.push_back(right_of[e]);
+  for (const std::uint32_t e : order_sideways(right_of, left, path, body.facet_count())) edges_.push_back(right_of[e]);
 }
 
 void Drums::make_lists() {

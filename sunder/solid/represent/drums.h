@@ -33,6 +33,8 @@
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct LateralEdge {
   std::uint32_t low = 0, high = 0;  // its vertices
   std::uint32_t begin = 0;          // it crosses drums begin .. end - 1: these are the slices of its vertices
@@ -44,16 +46,18 @@ enum class DrumsForm : std::uint8_t { listed, persistent };
 
 class Drums {
  public:
+  static constexpr std::size_t slot = 5;  // see solid/represent/of.h
+
+  // Bottom up along z (a body in one level plane along x, or y), in the persistent form.
+  static Drums make(const ConvexPolyhedron& body);
+
   // Entries of lists that the listed form may have in all: 1 GiB.
   static constexpr std::uint64_t most_listed = std::uint64_t{1} << 28;
 
-  Drums() = default;
-
-  // Of a convex polyhedron, whose facets are as in ConvexHull, along a direction of its frame, of any length.
+  // Along a direction of the body's frame, of any length.
   // Throws Error: bad_value where a number is not finite, bad_shape where all are zero, and for more than most_listed
   // entries in lists. Cost: O(n log n), and the entries of lists.
-  Drums(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
-        std::span<const std::uint32_t> facet_vertices, const Point3& direction, DrumsForm form);
+  Drums(const ConvexPolyhedron& body, const Point3& direction, DrumsForm form);
 
   const Point3& direction() const { return direction_; }
 
@@ -94,7 +98,7 @@ class Drums {
 
  private:
   void find_slices(std::span<const Point3> vertices);
-  void find_edges(std::span<const std::uint32_t> facet_begin, std::span<const std::uint32_t> facet_vertices);
+  void find_edges(const ConvexPolyhedron& body);
   void make_lists();
   void make_trees();
   std::uint32_t select(std::uint32_t drum, std::uint32_t k) const;

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/facet_graph.h>
 #include <sunder/solid/represent/polar.h>
 
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace sunder::solid {
@@ -124,19 +126,17 @@ std::size_t FacetGraph::memory() const {
          number.capacity() * sizeof(number[0]);
 }
 
-FacetGraph make_facet_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                            std::span<const std::uint32_t> corners) {
+FacetGraph FacetGraph::make(const ConvexPolyhedron& body) {
+  const std::span<const Point3> vertices = body.vertices();
+  SUNDER_REQUIRE(vertices.size() >= 3);
   FacetGraph graph;
-  add_edges(graph, vertices.size(), corner_begin, corners);
-  if (corner_begin.size() <= 3) return graph;
-  const Polar polar = make_polar(vertices, corner_begin, corners);
-  Point3 low = vertices[0], high = low, mean;
+  add_edges(graph, vertices.size(), body.facet_begin(), body.facet_vertices());
+  if (body.dimension() == 2) return graph;
+  const Polar polar = Polar::make(body);
+  const auto [low, high] = body.box();
+  Point3 mean;
   for (const Point3& p : vertices) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-      mean[k] += p[k] / static_cast<double>(vertices.size());
-    }
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += p[k] / static_cast<double>(vertices.size());
   }
   Point3 middle;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -7,17 +7,23 @@
 #pragma once
 
 #include <sunder/predicate/point.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct FacetGraph {
+  static constexpr std::size_t slot = 4;  // see solid/represent/of.h
+
+  // Requires three vertices or more. Cost: O(n) but for sorting.
+  static FacetGraph make(const ConvexPolyhedron& body);
+
   // Of a body with an inside; else meaningless. A frame of its own about a point inside, far from all facets: the box
   // is 2 long along each axis, y = to_one (x - center). The facet n.y = h is the vertex n / h of `facets`. Rounded, and
   // infinite beyond the range: for searches.
@@ -44,10 +50,5 @@ struct FacetGraph {
 
   std::size_t memory() const;  // bytes
 };
-
-// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers,
-// counter-clockwise from outside: corners[corner_begin[f] .. corner_begin[f + 1]). Cost: O(n) but for sorting.
-FacetGraph make_facet_graph(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                            std::span<const std::uint32_t> corners);
 
 }  // namespace sunder::solid

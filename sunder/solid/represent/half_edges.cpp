@@ -1,3 +1,4 @@
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/half_edges.h>
 
 #include <numeric>
@@ -24,8 +25,10 @@ Groups grouped(std::uint32_t vertex_count, std::span<const std::uint32_t> end, c
 
 }  // namespace
 
-HalfEdges make_half_edges(std::uint32_t vertex_count, std::span<const std::uint32_t> facet_begin,
-                          std::span<const std::uint32_t> facet_vertices) {
+HalfEdges HalfEdges::make(const ConvexPolyhedron& body) {
+  const std::span<const std::uint32_t> facet_begin = body.facet_begin(), facet_vertices = body.facet_vertices();
+  const std::uint32_t vertex_count = static_cast<std::uint32_t>(body.vertices().size());
+  SUNDER_REQUIRE(vertex_count >= 3);
   const std::uint32_t count = static_cast<std::uint32_t>(facet_vertices.size());
   HalfEdges made;
   made.facet_begin = facet_begin;

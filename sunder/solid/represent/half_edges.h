@@ -15,7 +15,14 @@
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct HalfEdges {
+  static constexpr std::size_t slot = 3;  // see solid/represent/of.h
+
+  // Requires three vertices or more. Cost: O(n).
+  static HalfEdges make(const ConvexPolyhedron& body);
+
   // Of the polyhedron, by facet; it has to outlive this.
   std::span<const std::uint32_t> facet_begin, origin;
 
@@ -47,10 +54,5 @@ struct HalfEdges {
                sizeof(twin[0]);
   }
 };
-
-// The facets of a convex polyhedron with an interior, or the two of a flat polygon, as make_hierarchy takes them.
-// Cost: O(n).
-HalfEdges make_half_edges(std::uint32_t vertex_count, std::span<const std::uint32_t> facet_begin,
-                          std::span<const std::uint32_t> facet_vertices);
 
 }  // namespace sunder::solid

@@ -1,7 +1,9 @@
+#include <sunder/base/contract.h>
 #include <sunder/number/vector.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/predicate/posed.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_builder.h>
 
@@ -137,11 +139,13 @@ std::size_t Hierarchy::memory() const {
   return nodes.capacity() * sizeof(Node) + level_end.capacity() * sizeof(level_end[0]);
 }
 
-Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
-                         std::span<const std::uint32_t> facet_vertices) {
-  if (facet_begin.size() == 3) return flat_history(vertices, facet_vertices.first(facet_begin[1]));
+Hierarchy Hierarchy::make(const ConvexPolyhedron& body) {
+  const std::span<const Point3> vertices = body.vertices();
+  SUNDER_REQUIRE(vertices.size() >= 3);
+  if (body.dimension() == 2) return flat_history(vertices, body.facet(0));
   const Points points{vertices};
-  Middles::Builder builder(points, static_cast<std::uint32_t>(vertices.size()), facet_begin, facet_vertices);
+  Middles::Builder builder(points, static_cast<std::uint32_t>(vertices.size()), body.facet_begin(),
+                           body.facet_vertices());
   const Middles middles(vertices, builder);
   return builder.run([&](std::uint32_t v) { return middles.of(v); });
 }

@@ -26,12 +26,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct Hierarchy {
+  static constexpr std::size_t slot = 0;  // see solid/represent/of.h
+
+  // Requires three vertices or more. Cost: O(n). Every sign is exact.
+  static Hierarchy make(const ConvexPolyhedron& body);
+
   static constexpr std::uint32_t none = 0xffffffff;
   static constexpr std::uint32_t most_degree = 8;  // of a vertex when it comes
 
@@ -106,11 +112,5 @@ struct Hierarchy {
   bool is_flat() const { return level_end.front() == 3; }
   std::size_t memory() const;  // bytes
 };
-
-// The facets of a convex polyhedron with an interior, or the two of a flat polygon, each a cycle of vertex numbers,
-// counter-clockwise from outside: facet_vertices[facet_begin[f] .. facet_begin[f + 1]). Any three of a facet's vertices
-// turn strictly. Cost: O(n). Every sign is exact.
-Hierarchy make_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> facet_begin,
-                         std::span<const std::uint32_t> facet_vertices);
 
 }  // namespace sunder::solid

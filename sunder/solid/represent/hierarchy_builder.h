@@ -79,7 +79,7 @@ class HierarchyBuilder {
     std::array<std::uint32_t, 2> with{};
   };
 
-  // The vertices have the numbers below `size`; facets as in make_hierarchy.
+  // The vertices have the numbers below `size`; facets as ConvexPolyhedron has them.
   HierarchyBuilder(const Vertices& vertices, std::uint32_t size, std::span<const std::uint32_t> facet_begin,
                    std::span<const std::uint32_t> facet_vertices)
       : vertices_(vertices), size_(size), face_of_(size, none), degree_(size, 0), blocked_(size, 0) {

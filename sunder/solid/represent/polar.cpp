@@ -1,6 +1,8 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/error.h>
 #include <sunder/number/rounded.h>
 #include <sunder/number/vector.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/polar.h>
 
 #include <algorithm>
@@ -112,24 +114,24 @@ PolarVertexOf<Estimate> estimated_polar_vertex(std::span<const Point3> vertices,
   return {{n.x * 4.0, n.y * 4.0, n.z * 4.0}, h};
 }
 
-Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                 std::span<const std::uint32_t> corners) {
-  SUNDER_REQUIRE(corner_begin.size() >= 5);
-  const std::uint32_t n = static_cast<std::uint32_t>(vertices.size());
-  const std::uint32_t facet_count = static_cast<std::uint32_t>(corner_begin.size() - 1);
-  const auto facet = [&](std::uint32_t f) {
-    return corners.subspan(corner_begin[f], corner_begin[f + 1] - corner_begin[f]);
-  };
+Polar Polar::make(const ConvexPolyhedron& body) { return make_polar(body, body.vertices()); }
+
+Polar make_polar(const ConvexPolyhedron& body, std::span<const Point3> vertices) {
+  if (body.dimension() != 3) {
+    throw Error(ErrorCode::bad_shape, "a polyhedron without an interior has no polar about a point inside");
+  }
+  const std::span<const std::uint32_t> corner_begin = body.facet_begin(), corners = body.facet_vertices();
+  const std::uint32_t n = static_cast<std::uint32_t>(vertices.size()), facet_count = body.facet_count();
 
   Polar polar;
-  polar.base = choose_base(vertices, facet(0));
+  polar.base = choose_base(vertices, body.facet(0));
   for (std::size_t k = 0; k < 3; ++k) {
     for (const std::uint32_t v : polar.base) polar.center[k] += vertices[v][k] / 4;
   }
   polar.vertices.reserve(facet_count);
   polar.errors.reserve(facet_count);
   for (std::uint32_t f = 0; f < facet_count; ++f) {
-    const RoundedVertex rounded = rounded_vertex(vertices, facet(f), polar.base);
+    const RoundedVertex rounded = rounded_vertex(vertices, body.facet(f), polar.base);
     polar.vertices.push_back(rounded.at);
     polar.errors.push_back(rounded.error);
   }
@@ -145,7 +147,7 @@ Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t
   std::vector<Corner> at(corners.size());
   std::vector<std::uint32_t> next(polar.facet_begin.begin(), polar.facet_begin.end() - 1);
   for (std::uint32_t f = 0; f < facet_count; ++f) {
-    const std::span<const std::uint32_t> cycle = facet(f);
+    const std::span<const std::uint32_t> cycle = body.facet(f);
     for (std::size_t j = 0, last = cycle.size() - 1; j <= last; ++j) {
       const std::size_t before = j == 0 ? last : j - 1;
       at[next[cycle[j]]++] = {f, cycle[before], cycle[j == last ? 0 : j + 1],

@@ -16,6 +16,7 @@
 // Lemma 3.2. Its lemmas and Theorem 3.7 are tested in tests/solid/polar_property_test.cpp.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/estimate.h>
 #include <sunder/predicate/point.h>
@@ -28,7 +29,16 @@
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct Polar {
+  static constexpr std::size_t slot = 1;  // see solid/represent/of.h
+
+  // Throws Error bad_shape where the dimension is not 3. Cost: O(n); no sign of coordinates is asked for. With V
+  // vertices, F facets and E edges: 36 F + 4 V + 16 E bytes, which is 62 for each vertex of the polar where all facets
+  // of P are triangles. Rounding from exact numbers is some twenty times slower: where a body is a needle, all of it.
+  static Polar make(const ConvexPolyhedron& body);
+
   std::array<std::uint32_t, 4> base;  // o is the mean of these vertices of P
   Point3 center;                      // o, rounded
 
@@ -58,14 +68,9 @@ struct PolarVertexOf {
 };
 using PolarVertex = PolarVertexOf<Dyadic>;  // exactly
 
-// The facets of a convex polyhedron with an interior, each a cycle of vertex numbers, counter-clockwise from outside:
-// corners[corner_begin[f] .. corner_begin[f + 1]). Any three of a facet's vertices turn strictly.
-// Requires four facets or more: a flat polygon has no polar about a point inside.
-// Cost: O(n), no sign of coordinates is asked for. With V vertices, F facets and E edges: 36 F + 4 V + 16 E bytes,
-// which is 62 for each vertex of the polar where all facets of P are triangles. Rounding from exact numbers is
-// some twenty times slower: where a body is a needle, all of it.
-Polar make_polar(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                 std::span<const std::uint32_t> corners);
+// The same of a body whose vertices were moved. Requires that its facets bound their hull still, as when each axis is
+// multiplied by a positive number.
+Polar make_polar(const ConvexPolyhedron& body, std::span<const Point3> vertices);
 
 // The polar's vertex of one facet of P, given as its cycle of vertex numbers. Requires three of them or more; `base`
 // is the polar's.

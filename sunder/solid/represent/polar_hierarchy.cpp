@@ -1,5 +1,6 @@
 #include <sunder/number/vector.h>
 #include <sunder/predicate/posed.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy_builder.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace sunder::solid {
@@ -15,7 +17,7 @@ namespace {
 
 // A power of two by which every coordinate is multiplied exactly: it makes the points about 1 long along the axis, or
 // where a coordinate would vanish, as long as need be.
-double to_one(std::span<const Point3> points, double Point3::* axis) {
+double power_to_one(std::span<const Point3> points, double Point3::* axis) {
   const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                [&](const Point3& p, const Point3& q) { return p.*axis < q.*axis; });
   const double half = (*high).*axis / 2 - (*low).*axis / 2;  // halves: no overflow
@@ -242,16 +244,17 @@ class FacetsAsPoints {
 
 }  // namespace
 
-PolarHierarchy make_polar_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                                    std::span<const std::uint32_t> corners) {
+PolarHierarchy PolarHierarchy::make(const ConvexPolyhedron& body) {
+  const std::span<const Point3> vertices = body.vertices();
   PolarHierarchy made;
-  made.to_one = {to_one(vertices, &Point3::x), to_one(vertices, &Point3::y), to_one(vertices, &Point3::z)};
+  made.to_one = {power_to_one(vertices, &Point3::x), power_to_one(vertices, &Point3::y),
+                 power_to_one(vertices, &Point3::z)};
   std::vector<Point3> points(vertices.begin(), vertices.end());
   for (Point3& p : points) p = {p.x * made.to_one.x, p.y * made.to_one.y, p.z * made.to_one.z};
   made.to_round = make_round_frame(points);
-  Polar polar = make_polar(points, corner_begin, corners);
+  Polar polar = make_polar(body, points);
   made.base = polar.base;
-  const FacetsAsPoints facets(points, corner_begin, corners, made.to_round, polar);
+  const FacetsAsPoints facets(points, body.facet_begin(), body.facet_vertices(), made.to_round, polar);
   using Builder = hierarchy_detail::HierarchyBuilder<FacetsAsPoints>;
   Builder builder(facets, static_cast<std::uint32_t>(polar.vertices.size()), polar.facet_begin, polar.facet_vertices);
   made.hierarchy = builder.run([&](std::uint32_t f) { return Builder::Middle{facets.middle(f)}; });

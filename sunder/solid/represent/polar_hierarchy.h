@@ -14,6 +14,7 @@
 // (hierarchy_walk.h says why they need not be).
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/round_frame.h>
@@ -21,11 +22,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace sunder::solid {
 
+class ConvexPolyhedron;
+
 struct PolarHierarchy {
+  static constexpr std::size_t slot = 2;  // see solid/represent/of.h
+
+  // Throws Error bad_shape where the dimension is not 3. Cost: O(n).
+  static PolarHierarchy make(const ConvexPolyhedron& body);
+
   std::array<std::uint32_t, 4> base;  // o is the mean of these vertices of P
   Point3 to_one;                      // the powers of two
   RoundFrame to_round;                // what comes after them
@@ -34,9 +41,5 @@ struct PolarHierarchy {
   // the mean of the facet's corners, rounded; no middle is a triangle.
   Hierarchy hierarchy;
 };
-
-// As make_polar (solid/represent/polar.h). Cost: O(n).
-PolarHierarchy make_polar_hierarchy(std::span<const Point3> vertices, std::span<const std::uint32_t> corner_begin,
-                                    std::span<const std::uint32_t> corners);
 
 }  // namespace sunder::solid

@@ -1,5 +1,5 @@
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/solid/round/nearest_on_the_way.h>
 #include <sunder/solid/search/extreme_vertex.h>
@@ -75,7 +75,7 @@ class Search {
 
  private:
   WayCorner corner(std::uint32_t a, std::uint32_t b, bool at_end) const {
-    const Exact apart = lift<ExactStage>(a_[a]) - lift<ExactStage>(b_[b]);
+    const Exact apart = coordinates<Dyadic>(a_[a]) - coordinates<Dyadic>(b_[b]);
     return {a, b, at_end, sum(apart, at_end ? end_ : begin_), Dyadic(0.0)};
   }
 

@@ -1,7 +1,7 @@
 // Why a point inside of one body and in the core of the other, a polyhedron, is enough: from it a small step towards
 // the middle of that polyhedron leads to a point of its relative interior, and stays inside of the first.
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/spanning_vertices.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_contact.h>
@@ -21,7 +21,8 @@ using Exact = Vector3<Dyadic>;
 
 // The point of the core that a combination makes. Requires a hull.
 ExactPoint3 core_point(const PlacedRound& hull, const Combination& c) {
-  return exact_point(numerators_of(c, [&](std::uint32_t v) { return lift<ExactStage>(hull.core[v]); }), c.denominator);
+  return exact_point(numerators_of(c, [&](std::uint32_t v) { return coordinates<Dyadic>(hull.core[v]); }),
+                     c.denominator);
 }
 
 // Inside, as `inside` of docs/claims.md wants it; of polyhedra nothing is asked here.
@@ -41,7 +42,7 @@ ExactPoint3 moved_in(const PlacedRound& polyhedron, const ExactPoint3& x, int bi
   for (const auto& [index, numerator] : made.parts) moved.parts.push_back({index, numerator * n * rest});
   Exact middle{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
   for (const std::uint32_t v : spanning) {
-    middle = sum(middle, lift<ExactStage>(polyhedron.core[v]));
+    middle = sum(middle, coordinates<Dyadic>(polyhedron.core[v]));
     moved.add(v, made.denominator * part);
   }
   made = std::move(moved);
@@ -137,7 +138,7 @@ class Contacts {
       if (curved.kind() == RoundKind::ellipsoid) {
         // L^-T L^-1 (x - t - L c), up to a positive factor.
         const std::array<Dyadic, 9> m = adjoint(curved.core.pose);
-        const Exact centre = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
+        const Exact centre = coordinates<Dyadic>(Posed3{curved.shape.points[0], &curved.core.pose, false});
         const Exact from = x.numerators() - times(x.denominator, centre);
         const auto row = [&](std::size_t i) { return m[i] * from.x + m[i + 1] * from.y + m[i + 2] * from.z; };
         const Exact v{row(0), row(3), row(6)};
@@ -145,8 +146,8 @@ class Contacts {
         add({column(0), column(1), column(2)});
         return;
       }
-      const Exact base = lift<ExactStage>(Posed3{curved.shape.points[0], &curved.core.pose, false});
-      const Exact top = lift<ExactStage>(Posed3{curved.shape.points[1], &curved.core.pose, false});
+      const Exact base = coordinates<Dyadic>(Posed3{curved.shape.points[0], &curved.core.pose, false});
+      const Exact top = coordinates<Dyadic>(Posed3{curved.shape.points[1], &curved.core.pose, false});
       const Exact axis = top - base, from = x.numerators() - times(x.denominator, base);
       const Dyadic length2 = dot(axis, axis), along = dot(from, axis);
       const Exact across = times(length2, from) - times(along, axis);
@@ -169,15 +170,15 @@ class Contacts {
   // of base or top: moved towards a point of the polyhedron that is between the planes.
   CommonPoint off_the_ends(const PlacedRound& cylinder, const PlacedRound& polyhedron, const CommonPoint& point,
                            bool is_a) const {
-    const Exact base = lift<ExactStage>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
-    const Exact axis = lift<ExactStage>(Posed3{cylinder.shape.points[1], &cylinder.core.pose, false}) - base;
+    const Exact base = coordinates<Dyadic>(Posed3{cylinder.shape.points[0], &cylinder.core.pose, false});
+    const Exact axis = coordinates<Dyadic>(Posed3{cylinder.shape.points[1], &cylinder.core.pose, false}) - base;
     const Dyadic height = dot(axis, axis), half = height.scaled(-1);
     // The vertices that are lowest and highest along the axis; between them, or one of them.
     std::array<std::uint32_t, 2> vertex{};
-    std::array<Dyadic, 2> along{dot(lift<ExactStage>(polyhedron.core[0]) - base, axis)};
+    std::array<Dyadic, 2> along{dot(coordinates<Dyadic>(polyhedron.core[0]) - base, axis)};
     along[1] = along[0];
     for (std::uint32_t v = 1; v < polyhedron.body.core().vertices().size(); ++v) {
-      const Dyadic here = dot(lift<ExactStage>(polyhedron.core[v]) - base, axis);
+      const Dyadic here = dot(coordinates<Dyadic>(polyhedron.core[v]) - base, axis);
       for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
         if ((here - along[k]).sign() != (k == 0 ? Sign::negative : Sign::positive)) continue;
         vertex[k] = v;
@@ -190,8 +191,8 @@ class Contacts {
       if ((along[1] - height).sign() != Sign::negative) weight = {along[1] - half, half - along[0]};
     }
     const Dyadic all = weight[0] + weight[1];
-    const Exact between = sum(times(weight[0], lift<ExactStage>(polyhedron.core[vertex[0]])),
-                              times(weight[1], lift<ExactStage>(polyhedron.core[vertex[1]])));
+    const Exact between = sum(times(weight[0], coordinates<Dyadic>(polyhedron.core[vertex[0]])),
+                              times(weight[1], coordinates<Dyadic>(polyhedron.core[vertex[1]])));
     for (int bits = 1;; bits *= 2) {
       const Dyadic part = Dyadic::power_of_two(-bits), rest = Dyadic(1.0) - part;
       CommonPoint moved = point;

@@ -3,7 +3,7 @@
 // the difference of cores. Where the origin is not in D, or hardly, one point of D is as near to it as the radii tell.
 #include <sunder/base/contract.h>
 #include <sunder/number/root.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/round_depth_curved.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_nearest.h>
@@ -28,7 +28,7 @@ struct Furthest {
   Dyadic q, square{}, over{1.0};
 };
 
-Exact image(const PlacedRound& body, const Point3& p) { return lift<ExactStage>(Posed3{p, &body.core.pose, false}); }
+Exact image(const PlacedRound& body, const Point3& p) { return coordinates<Dyadic>(Posed3{p, &body.core.pose, false}); }
 
 std::vector<Furthest> reaches(const PlacedRound& body, const WorldDirection& direction, End end, Cost& cost) {
   Exact d = direction.exact();
@@ -38,7 +38,7 @@ std::vector<Furthest> reaches(const PlacedRound& body, const WorldDirection& dir
     Along along(direction, body.core.pose, body.core.tame);
     const std::uint32_t v = extreme_vertex_from(body.core, along, end, 0, cost, tally);
     cost.exact += tally.exact;
-    return {{dot(d, lift<ExactStage>(body.core[v]))}};
+    return {{dot(d, coordinates<Dyadic>(body.core[v]))}};
   }
   const Dyadic square = Dyadic(body.shape.radius) * Dyadic(body.shape.radius);
   const Exact first = image(body, body.shape.points[0]);
@@ -110,7 +110,7 @@ class CurvedDepth {
   };
   std::optional<EndOf> end_of(const PlacedRound& body, const Point3& seen, std::uint32_t vertex,
                               std::vector<PointOf>& points) {
-    if (!body.body.is_curved()) return EndOf{vertex, lift<ExactStage>(body.core[vertex])};
+    if (!body.body.is_curved()) return EndOf{vertex, coordinates<Dyadic>(body.core[vertex])};
     const auto& origin = a_.core.pose.translation;
     const auto part = [&](double x, std::size_t k) { return Dyadic(origin[k]) + Dyadic(x).scaled(-shift_); };
     if (!std::isfinite(seen.x + seen.y + seen.z)) return std::nullopt;

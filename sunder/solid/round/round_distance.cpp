@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_nearest.h>

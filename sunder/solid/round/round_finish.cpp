@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/search/closest_features.h>
 #include <sunder/solid/search/extreme_vertex.h>
@@ -15,7 +15,7 @@ using Exact = Vector3<Dyadic>;
 
 Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
-Exact image(const Point3& p, const Affine3& pose) { return lift<ExactStage>(Posed3{p, &pose, false}); }
+Exact image(const Point3& p, const Affine3& pose) { return coordinates<Dyadic>(Posed3{p, &pose, false}); }
 
 // The nearest point to the origin of the hull of up to three points: the way there, and its weights.
 struct NearestPoint {
@@ -63,7 +63,7 @@ class BallAndImages {
       : ball_(ball), polyhedron_(polyhedron), adjoint_(adjoint(ball.core.pose)) {
     const auto& m = ball.core.pose.linear;
     determinant_ = adjoint_[0] * Dyadic(m[0]) + adjoint_[1] * Dyadic(m[3]) + adjoint_[2] * Dyadic(m[6]);
-    centre_ = times(determinant_, lift<ExactStage>(ball.shape.points[0]));
+    centre_ = times(determinant_, coordinates<Dyadic>(ball.shape.points[0]));
   }
 
   CurvedVerdict decide(std::uint32_t near, Cost& cost, StageTally& tally) const {
@@ -91,7 +91,7 @@ class BallAndImages {
       Exact sum{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
       for (std::size_t k = 0; k < set.count; ++k) {
         of_polyhedron.parts.push_back({set.vertex[k], found.weights[k]});
-        sum = sum + times(found.weights[k], lift<ExactStage>(polyhedron_.core[set.vertex[k]]));
+        sum = sum + times(found.weights[k], coordinates<Dyadic>(polyhedron_.core[set.vertex[k]]));
       }
       verdict.point = common(ball_, sum, found.way.denominator, std::move(of_polyhedron));
       return verdict;
@@ -101,7 +101,7 @@ class BallAndImages {
  private:
   Exact at(std::uint32_t v) const {
     const auto& t = ball_.core.pose.translation;
-    const Exact p = lift<ExactStage>(polyhedron_.core[v]) - lift<ExactStage>(Point3{t[0], t[1], t[2]});
+    const Exact p = coordinates<Dyadic>(polyhedron_.core[v]) - coordinates<Dyadic>(Point3{t[0], t[1], t[2]});
     const auto row = [&](std::size_t i) { return adjoint_[i] * p.x + adjoint_[i + 1] * p.y + adjoint_[i + 2] * p.z; };
     return Exact{row(0), row(3), row(6)} - centre_;
   }
@@ -137,7 +137,7 @@ class Slab {
       : core_(polyhedron.core), base_(base), axis_(axis), height_(height), tally_(tally) {
     const std::size_t n = core_.graph.vertices.size();
     for (std::uint32_t v = 0; v < n; ++v) {
-      from_base.push_back(lift<ExactStage>(core_[v]) - base);
+      from_base.push_back(coordinates<Dyadic>(core_[v]) - base);
       along.push_back(dot(from_base[v], axis));
       over.push_back(along[v] - height);
     }
@@ -259,7 +259,7 @@ class Slab {
       }
       for (std::size_t i = 0; i < c.count; ++i) {
         const Dyadic weight = others * c.weight[i];
-        nearest.point = nearest.point + times(weight, lift<ExactStage>(core_[c.vertex[i]]));
+        nearest.point = nearest.point + times(weight, coordinates<Dyadic>(core_[c.vertex[i]]));
         sum.add(c.vertex[i], weight);
       }
     }
@@ -301,7 +301,7 @@ class EdgeAndCone {
   // A point of the edge that the cone holds. Along the edge q(t) = A t^2 + B t + C is not positive where the double
   // cone holds it; of the half between base plane and apex only some t from t0 to t1 are.
   std::optional<CommonPoint> common_point(std::uint32_t u, std::uint32_t v) const {
-    const Exact from = lift<ExactStage>(core_[u]) - base_, way = lift<ExactStage>(core_[v]) - base_ - from;
+    const Exact from = coordinates<Dyadic>(core_[u]) - base_, way = coordinates<Dyadic>(core_[v]) - base_ - from;
     const Dyadic r(cone_.radius()), r2 = r * r;
     const Exact c = cross(from, axis_), e = cross(way, axis_);
     const Dyadic s = dot(from, axis_), s_way = dot(way, axis_), rest = length2_ - s;
@@ -348,7 +348,7 @@ class EdgeAndCone {
     Combination of_edge{{}, t.d};
     if (rest.sign() == Sign::positive) of_edge.parts.push_back({u, rest});
     if (t.n.sign() == Sign::positive) of_edge.parts.push_back({v, t.n});
-    const Exact at = times(rest, lift<ExactStage>(core_[u])) + times(t.n, lift<ExactStage>(core_[v]));
+    const Exact at = times(rest, coordinates<Dyadic>(core_[u])) + times(t.n, coordinates<Dyadic>(core_[v]));
     return common(cone_, at, t.d, std::move(of_edge));
   }
 
@@ -396,7 +396,7 @@ Combination combination_of(const PlacedRound& curved, const ExactPoint3& point) 
     const auto& l = pose.linear;
     const Dyadic determinant = m[0] * Dyadic(l[0]) + m[1] * Dyadic(l[3]) + m[2] * Dyadic(l[6]);
     const auto& t = pose.translation;
-    const Exact p = at - times(weight, lift<ExactStage>(Point3{t[0], t[1], t[2]}));
+    const Exact p = at - times(weight, coordinates<Dyadic>(Point3{t[0], t[1], t[2]}));
     const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z; };
     return {{{0, Dyadic(1.0)}}, 1.0, ExactPoint3{row(0), row(3), row(6), determinant * weight}};
   }

@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
 #include <sunder/solid/round/simple_numbers.h>
@@ -15,7 +15,7 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
-Exact image(const PlacedRound& body, const Point3& p) { return lift<ExactStage>(Posed3{p, &body.core.pose, false}); }
+Exact image(const PlacedRound& body, const Point3& p) { return coordinates<Dyadic>(Posed3{p, &body.core.pose, false}); }
 
 RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near,
                        Cost& cost, StageTally& tally) {
@@ -101,7 +101,7 @@ PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weigh
     made.add(index, weight);
     made.denominator = made.denominator + weight;
   }
-  const Exact sum = numerators_of(made, [&](std::uint32_t v) { return lift<ExactStage>(hull.core[v]); });
+  const Exact sum = numerators_of(made, [&](std::uint32_t v) { return coordinates<Dyadic>(hull.core[v]); });
   return {exact_point(sum, made.denominator), std::move(made)};
 }
 
@@ -144,7 +144,7 @@ std::vector<WorldDirection> simple_directions(const PlacedRound& a, const Placed
   for (const PlacedRound* body : {&a, &b}) {
     if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
     const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);
-    const Exact exact_near = lift<ExactStage>(d);
+    const Exact exact_near = coordinates<Dyadic>(d);
     found.emplace_back(dot(axis, exact_near).sign() == Sign::negative ? Exact{-axis.x, -axis.y, -axis.z} : axis);
   }
   const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);

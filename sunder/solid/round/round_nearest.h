@@ -3,7 +3,8 @@
 #pragma once
 
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_body.h>
 #include <sunder/solid/round/round_search.h>

@@ -3,7 +3,7 @@
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/round/round_finish.h>
@@ -91,7 +91,7 @@ class RoundFinish {
     }
     for (const PlacedRound* body : {&a_, &b_}) {
       if (body->kind() != RoundKind::cylinder) continue;
-      const Vector3<Dyadic> axis = lift<ExactStage>(body->core[1]) - lift<ExactStage>(body->core[0]);
+      const Vector3<Dyadic> axis = coordinates<Dyadic>(body->core[1]) - coordinates<Dyadic>(body->core[0]);
       if (dot(axis, Vector3<Dyadic>{way[0], way[1], way[2]}).sign() != Sign::zero) return false;
     }
     CommonPoint point = point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius());
@@ -111,7 +111,7 @@ class RoundFinish {
         if (side_of(body->shape, x) == Sign::negative) return false;
         made = combination_of(*body, x);
       } else {
-        const ExactPoint3 centre = exact_point(lift<ExactStage>(body->core[0]));
+        const ExactPoint3 centre = exact_point(coordinates<Dyadic>(body->core[0]));
         if (nearness(centre, body->radius(), x, 0) == Sign::negative) return false;
         made.parts.push_back({0, Dyadic(1.0)});
       }
@@ -128,7 +128,7 @@ class RoundFinish {
       for (const Point3& x : near) {
         if (meet_in_the_middle(x, made, thin)) return true;
         for (const PlacedRound* body : {&a_, &b_}) {
-          const Exact end = lift<ExactStage>(body->core[0]);
+          const Exact end = coordinates<Dyadic>(body->core[0]);
           const Point3 to{end.x.nearest(), end.y.nearest(), end.z.nearest()};
           for (const double part : {0x1p-40, 0x1p-32, 0x1p-26, 0x1p-23, 0x1p-20}) {
             const auto inwards = [&](double from, double there) { return from + part * (there - from); };
@@ -243,12 +243,12 @@ class RoundFinish {
       for (std::size_t k = 0; k < 3; ++k) lengths[k] = std::hypot(m[k], m[3 + k], m[6 + k]);
       const double wide = *std::max_element(lengths.begin(), lengths.end());
       const std::array<Dyadic, 9> rows = adjoint(pose);
-      const Exact centre = lift<ExactStage>(body.core[0]);
+      const Exact centre = coordinates<Dyadic>(body.core[0]);
       for (std::size_t k = 0; k < 3; ++k) {
         if (is_thin(lengths[k], wide)) middle.add({rows[3 * k], rows[3 * k + 1], rows[3 * k + 2]}, centre);
       }
     } else if (body.body.is_curved()) {
-      const auto end = [&](std::size_t k) { return lift<ExactStage>(Posed3{body.shape.points[k], &pose, false}); };
+      const auto end = [&](std::size_t k) { return coordinates<Dyadic>(Posed3{body.shape.points[k], &pose, false}); };
       const Exact from = end(0), to = end(1), axis = to - from;
       const double length = std::hypot(axis.x.nearest(), axis.y.nearest(), axis.z.nearest());
       if (!is_thin(length, body.radius())) return;

@@ -1,6 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/nearest_on_the_way.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
@@ -166,7 +166,7 @@ class RoundSweep {
 
   // The point of a hull's core that the weights make, then.
   ExactPoint3 at(const PlacedRound& body, const Exact& way, const Combination& of, const Time& time) const {
-    const Exact all = numerators_of(of, [&](std::uint32_t v) { return lift<ExactStage>(body.core[v]); });
+    const Exact all = numerators_of(of, [&](std::uint32_t v) { return coordinates<Dyadic>(body.core[v]); });
     Dyadic weight(0.0);
     for (const auto& part : of.parts) weight = weight + part.numerator;
     return exact_point(sum(times(time.denominator, all), times(time.numerator * weight, way)),

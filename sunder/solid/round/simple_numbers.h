@@ -2,8 +2,8 @@
 // solid/round.
 #pragma once
 
+#include <sunder/number/dyadic.h>
 #include <sunder/predicate/disc/round_shape.h>
-#include <sunder/predicate/filter/stages.h>
 
 #include <array>
 #include <cmath>

@@ -83,7 +83,7 @@ TEST(ClosestFeaturesTest, NothingIsNearer) {
     const std::optional<ExactWay> found = way_of(points, f);
     ASSERT_TRUE(found) << i;  // they are apart along x
     const auto further = [&](const Point3& from, const Point3& to) {
-      return dot(found->way.way, lift<ExactStage>(to) - lift<ExactStage>(from)).sign();
+      return dot(found->way.way, coordinates<Dyadic>(to) - coordinates<Dyadic>(from)).sign();
     };
     for (const Point3& p : points.a) ASSERT_NE(further(points.a[f.of_a(0) / 10], p), Sign::positive) << i;
     for (const Point3& p : points.b) ASSERT_NE(further(points.b[f.of_b(0) / 10], p), Sign::negative) << i;

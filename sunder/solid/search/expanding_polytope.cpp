@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/root.h>
+#include <sunder/predicate/point/plane_side.h>
 #include <sunder/solid/search/expanding_polytope.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ Vector3<Dyadic> ExpandingPolytope::exact_normal_of(const std::array<std::uint32_
 Vector3<Dyadic> ExpandingPolytope::exact_normal(std::uint32_t facet) { return exact_normal_of(facets_[facet].corner); }
 
 Interval ExpandingPolytope::exact_height(const Facet& facet) {
-  ++exact_signs_;
+  ++tally_.exact;
   const Vector3<Dyadic> normal = exact_normal_of(facet.corner);
   const Dyadic along = dot(normal, exact(facet.corner[0]));
   const Interval height = root(along * along, dot(normal, normal));
@@ -92,14 +93,13 @@ std::optional<std::uint32_t> ExpandingPolytope::nearest() {
 
 Sign ExpandingPolytope::side(std::uint32_t facet, std::uint32_t corner) {
   const Facet& of = facets_[facet];
-  const Guess guess = sign(dot(of.normal, at_[corner] - at_[of.corner[0]]));
-  if (is_sure(guess)) return to_sign(guess);
-  ++exact_signs_;
-  return dot(exact_normal_of(of.corner), exact(corner) - exact(of.corner[0])).sign();
+  return side_of_plane(
+      of.normal, at_[of.corner[0]], at_[corner],
+      [&] { return dot(exact_normal_of(of.corner), exact(corner) - exact(of.corner[0])); }, &tally_);
 }
 
 ExpandingPolytope::Square ExpandingPolytope::square(std::uint32_t facet) {
-  ++exact_signs_;
+  ++tally_.exact;
   const Vector3<Dyadic> normal = exact_normal(facet);
   const Dyadic along = dot(normal, exact(facets_[facet].corner[0]));
   return {along * along, dot(normal, normal)};

@@ -3,8 +3,7 @@
 // Also called: expanding polytope algorithm (EPA); incremental convex hull.
 //
 //   X1. It is the convex hull of its corners, exactly: which facets a corner is beyond is decided by exact signs.
-//   Facets
-//       may be of one plane; none is flat; each is counterclockwise from outside.
+//       Facets may be of one plane; none is flat; each is counterclockwise from outside.
 //   X2. `height` of a facet encloses the distance of the origin to its plane, negative where the origin is beyond it.
 // Allocates as it grows. Source: van den Bergen 2001; here each sign is exact, so no step can break the surface.
 #pragma once
@@ -13,6 +12,7 @@
 #include <sunder/number/estimate.h>
 #include <sunder/number/interval.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/posed.h>
 
 #include <array>
 #include <cstdint>
@@ -68,7 +68,7 @@ class ExpandingPolytope {
 
   std::span<const Facet> facets() const { return facets_; }
   std::uint32_t alive_count() const { return alive_; }
-  std::uint32_t exact_signs() const { return exact_signs_; }
+  std::uint32_t exact_signs() const { return tally_.exact; }
 
  private:
   std::uint32_t add_facet(const std::array<std::uint32_t, 3>& corner);
@@ -80,7 +80,8 @@ class ExpandingPolytope {
   std::vector<std::optional<Vector3<Dyadic>>> exact_;
   std::vector<Facet> facets_;
   std::vector<std::uint32_t> heap_;  // of facets, the nearest first; some are not alive any more
-  std::uint32_t alive_ = 0, exact_signs_ = 0;
+  std::uint32_t alive_ = 0;
+  StageTally tally_;
 
   // Of expand(), kept for their memory.
   struct Edge {

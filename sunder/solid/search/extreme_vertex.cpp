@@ -1,12 +1,14 @@
+#include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
 namespace sunder::solid {
 
 std::uint32_t extreme_vertex_of_ranks(const Placed& body, Along& along, End end, std::uint32_t ranks, Cost& cost,
                                       StageTally& tally) {
-  const Hierarchy& hierarchy = body.body.hierarchy();
+  const Hierarchy& hierarchy = represent::of<Hierarchy>(body.body);
   const auto at = [&](std::uint32_t rank) -> const Point3& { return hierarchy.nodes[rank].at; };
   const bool turns_tame = body.turns_tame();
   const auto at_end = [end](Sign sign) { return end == End::greatest ? sign : -sign; };

@@ -15,7 +15,7 @@ enum class End : std::int8_t { least = -1, greatest = 1 };
 
 // Walks from `start` over the vertex graph, by exact comparisons, until no neighbour is further: for a convex body that
 // vertex is extreme. Where that takes more than most_steps, or a vertex has more than most_around neighbours
-// (solid/represent/search_graph_walk.h), goes down the hierarchy, by exact signs too. Of vertices that tie it is
+// (solid/object/search_graph_walk.h), goes down the hierarchy, by exact signs too. Of vertices that tie it is
 // `start`, where that is one of them: then this is the relative check of a certificate, in floating point but for
 // near-ties. `along` must be the direction seen from this body's frame. Requires start < number of vertices.
 // Cost: O(log n) probes on every body: the degrees of the vertices on the way, then what the hierarchy asks about.

@@ -4,7 +4,7 @@
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 #include <sunder/solid/search/search_vector.h>
 
 #include <cstdint>

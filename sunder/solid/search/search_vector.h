@@ -4,7 +4,7 @@
 
 #include <sunder/number/double_double.h>
 #include <sunder/number/sign.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/point.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ V negated(const V& a) {
   return {-a.x, -a.y, -a.z};
 }
 
-// Of Vector3: dot and cross of predicate/filter/stages.h.
+// Of Vector3: dot and cross of number/vector.h.
 inline double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

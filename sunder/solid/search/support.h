@@ -4,8 +4,10 @@
 
 #include <sunder/base/contract.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/search_vector.h>
 
 #include <algorithm>
@@ -22,7 +24,7 @@ class CompareAlong {
  public:
   using Vector = VectorOf<Real>;
 
-  explicit CompareAlong(const ConvexPolyhedron& body) : hierarchy_(body.hierarchy()) {
+  explicit CompareAlong(const ConvexPolyhedron& body) : hierarchy_(represent::of<Hierarchy>(body)) {
     const Point3 &low = body.search_graph().low, &high = body.search_graph().high;
     to_one_ = {scale_to_one(high.x - low.x), scale_to_one(high.y - low.y), scale_to_one(high.z - low.z)};
   }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <sunder/base/lanes.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/search/search_vector.h>
 
 #include <cstddef>

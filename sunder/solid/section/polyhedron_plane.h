@@ -19,6 +19,8 @@
 
 namespace sunder::solid {
 
+class Drums;  // see solid/represent/drums.h
+
 struct [[nodiscard]] PolyhedronPlane {
   // Apart: positive where all of the body is above the plane, negative where it is below. Zero: they meet.
   Sign side = Sign::zero;

@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/spanning_vertices.h>
 #include <sunder/solid/section/polyhedron_plane_claims.h>
 
@@ -17,11 +17,11 @@ struct Exactly {
   const Pose& pose;
   const Plane& plane;
 
-  Exact3 image(std::uint32_t v) const { return lift<ExactStage>(Posed3{body.vertices()[v], &pose.affine(), false}); }
+  Exact3 image(std::uint32_t v) const { return coordinates<Dyadic>(Posed3{body.vertices()[v], &pose.affine(), false}); }
   Dyadic height(std::uint32_t v) const { return solid::height(plane, exact_point(image(v))); }
 
   std::array<Dyadic, 3> normal(bool reversed) const {
-    const Exact3 n = lift<ExactStage>(plane.normal);
+    const Exact3 n = coordinates<Dyadic>(plane.normal);
     if (reversed) return {-n.x, -n.y, -n.z};
     return {n.x, n.y, n.z};
   }

@@ -3,6 +3,8 @@
 #include <sunder/predicate/point/orient.h>
 #include <sunder/predicate/point/plane_side.h>
 #include <sunder/predicate/point/plane_sides.h>
+#include <sunder/solid/represent/half_edges.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/extreme_vertex.h>
 #include <sunder/solid/search/support.h>
 #include <sunder/solid/section/polyhedron_plane_answer.h>
@@ -108,7 +110,7 @@ class Sections {
       }
       return;
     }
-    const HalfEdges& edges = body_.half_edges();
+    const HalfEdges& edges = represent::of<HalfEdges>(body_);
     const std::vector<std::uint32_t> in_plane = edges_in_plane(v, end);
     if (in_plane.empty()) {
       add_vertex(v);
@@ -134,7 +136,7 @@ class Sections {
   // normals of facets, N_k between half-edges k and k + 1: fans from N_0 tell in which one, by halving, and only the
   // half-edges at its sides can be in the plane.
   std::vector<std::uint32_t> edges_in_plane(std::uint32_t v, End end) {
-    const HalfEdges& edges = body_.half_edges();
+    const HalfEdges& edges = represent::of<HalfEdges>(body_);
     const std::uint32_t n = edges.degree(v), first = edges.out[edges.begin[v]];
     std::vector<std::uint32_t> candidates;
     if (n <= most_around) {
@@ -166,7 +168,8 @@ class Sections {
 
   // Vertices are strictly on both sides.
   void cross() {
-    SectionWalk walk(placed_.graph.vertices, body_.half_edges(), sides_, is_reflected_, section_->cost, tally_);
+    SectionWalk walk(placed_.graph.vertices, represent::of<HalfEdges>(body_), sides_, is_reflected_, section_->cost,
+                     tally_);
     Along along(direction_, placed_.pose, placed_.tame);
     SectionStart start(body_, pulled_, along, placed_.turns_tame(), is_reflected_, walk);
     const std::uint32_t above = is_reflected_ ? low_.vertex : high_.vertex;

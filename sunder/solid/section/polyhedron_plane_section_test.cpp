@@ -4,6 +4,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/solid/represent/half_edges.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>
 
 #include <gtest/gtest.h>
@@ -82,7 +83,7 @@ TEST(PolyhedronPlaneSectionTest, HalfEdgesOfEveryFamily) {
   for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
     const ConvexPolyhedron body(shape.make(200, random));
     if (body.dimension() < 2) continue;
-    const HalfEdges& edges = body.half_edges();
+    const HalfEdges& edges = represent::of<HalfEdges>(body);
     for (std::uint32_t e = 0; e < edges.twin.size(); ++e) {
       ASSERT_EQ(edges.twin[edges.twin[e]], e) << shape.name;
       ASSERT_EQ(edges.tip(e), edges.origin[edges.along(e, 1)]);

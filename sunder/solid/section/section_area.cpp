@@ -1,4 +1,5 @@
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/number/vector.h>
 #include <sunder/solid/section/section_area.h>
 
 #include <algorithm>

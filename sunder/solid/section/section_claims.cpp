@@ -2,6 +2,7 @@
 #include <sunder/predicate/point/plane_side.h>
 #include <sunder/solid/object/hull_claims.h>
 #include <sunder/solid/represent/half_edges.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/section/section_area.h>
 #include <sunder/solid/section/section_claims.h>
 
@@ -99,7 +100,7 @@ std::vector<std::uint32_t> SectionClaims::facets_along(const Plane& plane, const
 
 // In order.
 std::vector<std::uint32_t> SectionClaims::facets_at(const SectionCorner& corner) const {
-  const HalfEdges& edges = body_.half_edges();
+  const HalfEdges& edges = represent::of<HalfEdges>(body_);
   const bool is_shorter = edges.degree(corner.above) <= edges.degree(corner.below);
   const std::uint32_t v = is_shorter ? corner.above : corner.below, w = is_shorter ? corner.below : corner.above;
   std::vector<std::uint32_t> facets;

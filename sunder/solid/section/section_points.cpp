@@ -1,5 +1,5 @@
 #include <sunder/number/estimate_ratio.h>
-#include <sunder/predicate/filter/stages.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>
 
 #include <array>
@@ -12,26 +12,22 @@ namespace sunder::solid {
 namespace {
 
 // A vertex in the world, and how far above the plane it is, times the length of the normal.
-template <class Number>
 struct Seen {
-  Vector3<Number> at;
-  Number height;
+  Vector3<Dyadic> at;
+  Dyadic height;
 };
 
-template <class Stage>
-auto see(const Point3& vertex, const Affine3& pose, const Plane& plane) {
-  const auto at = lift<Stage>(Posed3{vertex, &pose, false});
-  const auto height = dot(lift<Stage>(plane.normal), at - lift<Stage>(plane.point)) - Stage::read(plane.offset);
-  return Seen<decltype(Stage::read(0))>{at, height};
+Seen exactly(const Point3& vertex, const Affine3& pose, const Plane& plane) {
+  const Vector3<Dyadic> at = coordinates<Dyadic>(Posed3{vertex, &pose, false});
+  return {at, dot(coordinates<Dyadic>(plane.normal), at - coordinates<Dyadic>(plane.point)) - Dyadic(plane.offset)};
 }
 
 // Between a, above, and b, below: (h_a b - h_b a) / (h_a - h_b).
-template <class Number>
-Number between(const Seen<Number>& a, const Seen<Number>& b, const Number& of_a, const Number& of_b) {
+Dyadic between(const Seen& a, const Seen& b, const Dyadic& of_a, const Dyadic& of_b) {
   return a.height * of_b - b.height * of_a;
 }
 
-// As see(), without terms that are zero.
+// The same with bounds, without terms that are zero.
 struct Estimated {
   std::array<Estimate, 3> at;
   Estimate height;
@@ -39,7 +35,7 @@ struct Estimated {
 Estimated estimate(const Point3& vertex, const Affine3& pose, bool is_at_home, const Plane& plane) {
   Estimated seen{{vertex.x, vertex.y, vertex.z}, -plane.offset};
   if (!is_at_home) {
-    const Vector3<Estimate> at = lift<EstimateStage>(Posed3{vertex, &pose, false});
+    const Vector3<Estimate> at = coordinates<Estimate>(Posed3{vertex, &pose, false});
     seen.at = {at.x, at.y, at.z};
   }
   for (std::size_t k = 0; k < 3; ++k) {
@@ -76,9 +72,9 @@ void SectionPoints::set_offset(double offset) {
 }
 
 ExactPoint3 SectionPoints::exact(const SectionCorner& corner) const {
-  const Seen<Dyadic> a = see<ExactStage>(body_.vertices()[corner.above], pose_, plane_);
+  const Seen a = exactly(body_.vertices()[corner.above], pose_, plane_);
   if (corner.is_vertex()) return {a.at.x, a.at.y, a.at.z, 1.0};
-  const Seen<Dyadic> b = see<ExactStage>(body_.vertices()[corner.below], pose_, plane_);
+  const Seen b = exactly(body_.vertices()[corner.below], pose_, plane_);
   return {between(a, b, a.at.x, b.at.x), between(a, b, a.at.y, b.at.y), between(a, b, a.at.z, b.at.z),
           a.height - b.height};
 }

@@ -15,8 +15,11 @@
 #include <sunder/predicate/point/along.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/represent/half_edges.h>
+#include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/search/extreme_vertex.h>
 #include <sunder/solid/section/section_walk.h>
 
@@ -42,7 +45,7 @@ class SectionStart {
                SectionWalk& walk)
       : body_(body),
         graph_(body.search_graph()),
-        edges_(body.half_edges()),
+        edges_(represent::of<HalfEdges>(body)),
         walk_(walk),
         along_(along),
         turns_tame_(turns_tame),
@@ -173,7 +176,7 @@ class SectionStart {
 
   // T1 to T3.
   std::uint32_t down_hierarchy() {
-    const Hierarchy& hierarchy = body_.hierarchy();
+    const Hierarchy& hierarchy = represent::of<Hierarchy>(body_);
     Tracked edge = first_crossing(hierarchy);
     while (edge.beyond[0] != none || edge.beyond[1] != none) follow(hierarchy, edge);
     return on_surface(hierarchy.nodes[edge.above].vertex, hierarchy.nodes[edge.other].vertex);

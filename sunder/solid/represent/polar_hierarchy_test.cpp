@@ -4,6 +4,7 @@
 #include <sunder/number/vector.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
 
@@ -34,7 +35,7 @@ constexpr double most_polar_triangles = 7.5;  // times the facets
 class Exact {
  public:
   explicit Exact(const ConvexPolyhedron& body) {
-    const PolarHierarchy& polar = body.polar_hierarchy();
+    const PolarHierarchy& polar = represent::of<PolarHierarchy>(body);
     for (const Hierarchy::Node& node : polar.hierarchy.nodes) {
       rows_.push_back(exact_polar_vertex(body.vertices(), body.facet(node.vertex), polar.base));
     }
@@ -72,7 +73,7 @@ void check_polar_level(const Hierarchy& h, const Exact& exact, std::uint32_t m) 
 }
 
 void check(const ConvexPolyhedron& body, std::string_view name, bool all_levels) {
-  const Hierarchy& h = body.polar_hierarchy().hierarchy;
+  const Hierarchy& h = represent::of<PolarHierarchy>(body).hierarchy;
   const std::uint32_t n = body.facet_count();
   ASSERT_EQ(h.level_end.front(), 4u);
   ASSERT_EQ(h.level_end.back(), n);
@@ -166,7 +167,7 @@ TEST(PolarHierarchy, OfPlatesAndNeedlesAlongNoAxis) {
     }
     const ConvexPolyhedron body(points);
     ASSERT_NO_FATAL_FAILURE(check(body, "thin", true)) << i;
-    const PolarHierarchy& polar = body.polar_hierarchy();
+    const PolarHierarchy& polar = represent::of<PolarHierarchy>(body);
     ASSERT_FALSE(polar.to_round.is_identity) << i << ' ' << thin;
     for (const Hierarchy::Node& node : polar.hierarchy.nodes) {
       const auto size = [](const Point3& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); };
@@ -175,7 +176,7 @@ TEST(PolarHierarchy, OfPlatesAndNeedlesAlongNoAxis) {
       ASSERT_NEAR(node.at.x * node.middle.x + node.at.y * node.middle.y + node.at.z * node.middle.z, 1, 0.5) << i;
     }
   }
-  EXPECT_TRUE(ConvexPolyhedron(tests::points_on_sphere(40, random)).polar_hierarchy().to_round.is_identity);
+  EXPECT_TRUE(PolarHierarchy::make(ConvexPolyhedron(tests::points_on_sphere(40, random))).to_round.is_identity);
 }
 
 TEST(PolarHierarchy, SizeAndDepth) {
@@ -199,7 +200,7 @@ TEST(PolarHierarchy, AWalkFindsTheFacetOfARay) {
     const ConvexPolyhedron body(shape.make(500, random));
     if (body.dimension() != 3) continue;
     int found_it = 0;
-    const Hierarchy& h = body.polar_hierarchy().hierarchy;
+    const Hierarchy& h = represent::of<PolarHierarchy>(body).hierarchy;
     for (int i = 0; i < 100; ++i) {
       const Point3 y = tests::on_sphere(random);
       const auto along = [&](const Point3& p) { return p.x * y.x + p.y * y.y + p.z * y.z; };
@@ -225,14 +226,16 @@ TEST(PolarHierarchy, AWalkFindsTheFacetOfARay) {
   }
 }
 
-// All of a body.
+// The body with both of its hierarchies.
 TEST(PolarHierarchy, ABodyTakesAtMostAThousandBytesAVertex) {
   Random random(tests::chosen_seed(34));
   for (const SolidShape& shape : tests::all_solid_shapes()) {
     const ConvexPolyhedron body(shape.make(static_cast<std::size_t>(tests::scaled_count(20000, 4000)), random));
     const std::size_t n = body.vertices().size();
     if (n < 1000) continue;  // the grid
-    const double each = static_cast<double>(body.memory()) / static_cast<double>(n);
+    std::size_t bytes = body.memory() + represent::of<Hierarchy>(body).memory();
+    if (body.dimension() == 3) bytes += represent::of<PolarHierarchy>(body).hierarchy.memory();
+    const double each = static_cast<double>(bytes) / static_cast<double>(n);
     std::printf("%-13.*s %6zu vertices, %6.0f bytes each\n", static_cast<int>(shape.name.size()), shape.name.data(), n,
                 each);
     EXPECT_LE(each, 1000) << shape.name;
@@ -241,7 +244,7 @@ TEST(PolarHierarchy, ABodyTakesAtMostAThousandBytesAVertex) {
 
 TEST(PolarHierarchy, NeedsAnInterior) {
   const ConvexPolyhedron triangle(std::vector<Point3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  EXPECT_THROW(triangle.polar_hierarchy(), Error);
+  EXPECT_THROW(represent::of<PolarHierarchy>(triangle), Error);
 }
 
 }  // namespace

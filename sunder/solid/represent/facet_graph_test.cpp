@@ -1,7 +1,8 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/represent/facet_graph.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/represent/of.h>
 
 #include <gtest/gtest.h>
 #include <tests/support/shapes.h>
@@ -18,7 +19,7 @@ TEST(FacetGraph, EdgesLeadToFacets) {
   Random random(1);
   for (const ConvexPolyhedron& body :
        {ConvexPolyhedron(tests::cube_corners(0, 1)), ConvexPolyhedron(tests::points_on_sphere(200, random))}) {
-    const FacetGraph& graph = body.facet_graph();
+    const FacetGraph& graph = represent::of<FacetGraph>(body);
     for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
       const auto cycle = body.facet(f);
       for (std::uint32_t k = 0; k < cycle.size(); ++k) {
@@ -40,7 +41,7 @@ TEST(FacetGraph, EdgesLeadToFacets) {
 TEST(FacetGraph, RaysGoThroughFacets) {
   Random random(2);
   const ConvexPolyhedron body(tests::points_on_sphere(3000, random));
-  const FacetGraph& graph = body.facet_graph();
+  const FacetGraph& graph = represent::of<FacetGraph>(body);
   ASSERT_FALSE(graph.facets.is_slow);
   for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
     Point3 y;

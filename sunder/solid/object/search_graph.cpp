@@ -1,6 +1,6 @@
 #include <sunder/base/error.h>
-#include <sunder/solid/represent/search_graph.h>
-#include <sunder/solid/represent/search_graph_walk.h>
+#include <sunder/solid/object/search_graph.h>
+#include <sunder/solid/object/search_graph_walk.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <sunder/base/random.h>
-#include <sunder/planar/represent/edge_boxes.h>
+#include <sunder/planar/object/edge_boxes.h>
 
 #include <gtest/gtest.h>
 

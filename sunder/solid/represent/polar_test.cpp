@@ -2,6 +2,7 @@
 #include <sunder/base/error.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/represent/of.h>
 #include <sunder/solid/represent/polar.h>
 
 #include <tests/support/scale.h>
@@ -35,7 +36,7 @@ Arrow from_center(const ConvexPolyhedron& body, std::uint32_t v) {
   Arrow arrow;
   for (std::size_t k = 0; k < 3; ++k) {
     Dyadic sum;
-    for (const std::uint32_t b : body.polar().base) sum = sum + Dyadic(body.vertices()[b][k]);
+    for (const std::uint32_t b : represent::of<Polar>(body).base) sum = sum + Dyadic(body.vertices()[b][k]);
     arrow[k] = Dyadic(body.vertices()[v][k]).scaled(2) - sum;
   }
   return arrow;
@@ -49,7 +50,7 @@ std::vector<std::uint32_t> part(const Numbers& numbers, const std::vector<std::u
 // Lemma 3.1 about o: vertex f is on the plane of v if v is on that of f, else within it. With this for all pairs the
 // polar is P's, and what its facets have is right.
 void check_polar(const ConvexPolyhedron& body) {
-  const Polar& polar = body.polar();
+  const Polar& polar = represent::of<Polar>(body);
   const std::uint32_t n = static_cast<std::uint32_t>(body.vertices().size()), m = body.facet_count();
   ASSERT_EQ(polar.vertices.size(), m);
   ASSERT_EQ(polar.edge_begin.size(), m + 1);
@@ -133,7 +134,7 @@ TEST(Polar, OfSmallWholeNumbers) {
 // The regular octahedron about the origin of a cube, in numbers.
 TEST(Polar, OfACubeIsAnOctahedron) {
   const ConvexPolyhedron body(tests::cube_corners(-2, 2));
-  const Polar& polar = body.polar();
+  const Polar& polar = represent::of<Polar>(body);
   ASSERT_EQ(polar.vertices.size(), 6u);
   for (std::uint32_t f = 0; f < 6; ++f) {
     EXPECT_EQ(part(polar.neighbours, polar.edge_begin, f).size(), 4u);
@@ -162,7 +163,7 @@ TEST(Polar, NeedsAnInterior) {
     const std::vector<Point3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const ConvexPolyhedron body(std::vector<Point3>(square.begin(), square.begin() + static_cast<std::ptrdiff_t>(n)));
     try {
-      body.polar();
+      represent::of<Polar>(body);
       FAIL() << "of dimension " << body.dimension();
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::bad_shape);
@@ -174,7 +175,7 @@ TEST(Polar, NeedsAnInterior) {
 TEST(Polar, Memory) {
   Random random(tests::chosen_seed(20));
   const ConvexPolyhedron body(tests::points_on_sphere(4000, random));
-  const double each = static_cast<double>(body.polar().memory()) / body.facet_count();
+  const double each = static_cast<double>(represent::of<Polar>(body).memory()) / body.facet_count();
   EXPECT_LT(each, 62.5);
   EXPECT_GT(each, 61.5);
 }

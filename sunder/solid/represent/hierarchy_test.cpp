@@ -5,6 +5,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
+#include <sunder/solid/represent/of.h>
 
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -127,7 +128,7 @@ TEST(HierarchyTest, StructureOfEveryFamily) {
       const ConvexPolyhedron body(shape.make(n, random));
       const double size = static_cast<double>(body.vertices().size());
       if (size < 4) continue;
-      const Hierarchy& h = body.hierarchy();
+      const Hierarchy& h = represent::of<Hierarchy>(body);
       ASSERT_NO_FATAL_FAILURE(check_structure(body, h, n <= (tests::is_scaled_down() ? 100u : 1000u))) << n;
       levels = std::max(levels, static_cast<double>(h.level_end.size()) / std::log2(size));
       const double made = static_cast<double>(triangle_count(h));
@@ -166,7 +167,7 @@ Asked extreme(const Hierarchy& h, const Point3& d) {
   return asked;
 }
 
-Asked extreme(const ConvexPolyhedron& body, const Point3& d) { return extreme(body.hierarchy(), d); }
+Asked extreme(const ConvexPolyhedron& body, const Point3& d) { return extreme(represent::of<Hierarchy>(body), d); }
 
 bool is_extreme(const ConvexPolyhedron& body, const Point3& d, std::uint32_t v) {
   const WorldDirection direction(d);
@@ -213,7 +214,7 @@ TEST(HierarchyTest, OfWholeNumbers) {
     const ConvexPolyhedron body(points);
     if (body.dimension() < 2) continue;
     if (body.dimension() == 3) {
-      ASSERT_NO_FATAL_FAILURE(check_structure(body, body.hierarchy(), true));
+      ASSERT_NO_FATAL_FAILURE(check_structure(body, represent::of<Hierarchy>(body), true));
     }
     for (std::uint32_t f = 0; f < std::min(body.facet_count(), 20u); ++f) {
       const auto facet = body.facet(f);
@@ -250,7 +251,7 @@ TEST(HierarchyTest, OfSymmetricBodies) {
     }
     const ConvexPolyhedron body(points);
     if (body.dimension() < 3) continue;
-    ASSERT_NO_FATAL_FAILURE(check_structure(body, body.hierarchy(), true));
+    ASSERT_NO_FATAL_FAILURE(check_structure(body, represent::of<Hierarchy>(body), true));
     for (int x = -3; x <= 3; ++x) {
       for (int y = -3; y <= 3; ++y) {
         for (int z = -3; z <= 3; ++z) {
@@ -268,7 +269,7 @@ TEST(HierarchyTest, MiddlesOfNeedles) {
   std::vector<Point3> points = tests::points_on_sphere(200, random);
   for (Point3& p : points) p = {p.x * 0x1p80, p.y, p.z * 0x1p-80};
   const ConvexPolyhedron body(points);
-  const Hierarchy& h = body.hierarchy();
+  const Hierarchy& h = represent::of<Hierarchy>(body);
   ASSERT_NO_FATAL_FAILURE(check_structure(body, h, true));
   EXPECT_FALSE(std::all_of(h.nodes.begin(), h.nodes.end(),
                            [](const Hierarchy::Node& node) { return node.has_middle_in_doubles(); }));
@@ -296,7 +297,7 @@ TEST(HierarchyTest, TiesAboutMiddlesThatAreCorners) {
     for (std::uint64_t k = 10 + random.below(60); k > 0; --k) points.push_back({part(), part(), part()});
     const ConvexPolyhedron body(points);
     if (body.dimension() < 3) continue;
-    const Hierarchy h = with_triangles_as_middles(body.hierarchy(), random);
+    const Hierarchy h = with_triangles_as_middles(represent::of<Hierarchy>(body), random);
     for (int k = 0; k < 300; ++k) {
       const Point3 d{part(), part(), part()};
       ASSERT_TRUE(is_extreme(body, d, extreme(h, d).vertex)) << i << ' ' << d.x << ' ' << d.y << ' ' << d.z;

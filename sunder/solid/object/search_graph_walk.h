@@ -4,7 +4,7 @@
 #pragma once
 
 #include <sunder/base/lanes.h>
-#include <sunder/solid/represent/search_graph.h>
+#include <sunder/solid/object/search_graph.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,7 @@ TEST(Drums, EveryFamilyAlongEveryDirection) {
         if (direction.z == 3 && shape.name != "grid" && shape.name != "bipyramid") continue;  // the same
         for (const DrumsForm form : {DrumsForm::listed, DrumsForm::persistent}) {
           SCOPED_TRACE(std::string(shape.name) + " " + std::to_string(n));
-          const Drums drums = body.make_drums(direction, form);
+          const Drums drums(body, direction, form);
           if (direction.x != 0x1p-600) expect_drums(body, drums);
           drums_seen += drums.drum_count();
           if (HasFatalFailure()) return;
@@ -112,7 +113,7 @@ TEST(Drums, SmallWholeNumbers) {
     ++dimensions[static_cast<std::size_t>(body.dimension())];
     const Point3 direction = directions[random.below(4)];
     for (const DrumsForm form : {DrumsForm::listed, DrumsForm::persistent}) {
-      const Drums drums = body.make_drums(direction, form);
+      const Drums drums(body, direction, form);
       if (body.dimension() >= 2) expect_drums(body, drums);
       if (body.dimension() == 1 && drums.drum_count() == 1) {
         EXPECT_EQ(drums.size(0), 1u);
@@ -129,11 +130,11 @@ TEST(Drums, SameInBothFormsAndSmallInOne) {
       if (n > 1000 && tests::is_scaled_down()) continue;
       const ConvexPolyhedron body = body_of(shape, n);
       const auto vertices = static_cast<double>(body.vertices().size());
-      const Drums& persistent = body.drums();
+      const Drums& persistent = represent::of<Drums>(body);
       EXPECT_LE(static_cast<double>(persistent.memory()), 64 * vertices * std::log2(vertices))
           << shape.name << " " << n;
       EXPECT_LE(persistent.steps_of_access(), 2 * std::log2(vertices));
-      const Drums listed = body.make_drums({0, 0, 1}, DrumsForm::listed);
+      const Drums listed(body, {0, 0, 1}, DrumsForm::listed);
       ASSERT_EQ(persistent.drum_count(), listed.drum_count());
       for (std::uint32_t drum = 0; drum < listed.drum_count(); ++drum) {
         ASSERT_EQ(persistent.size(drum), listed.size(drum));
@@ -148,8 +149,8 @@ TEST(Drums, SameInBothFormsAndSmallInOne) {
 
 TEST(Drums, Refused) {
   const ConvexPolyhedron body(std::array{Point3{0, 0, 0}, Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}});
-  EXPECT_THROW(body.make_drums({0, 0, 0}, DrumsForm::persistent), Error);
-  EXPECT_THROW(body.make_drums({0, std::nan(""), 0}, DrumsForm::persistent), Error);
+  EXPECT_THROW(Drums(body, {0, 0, 0}, DrumsForm::persistent), Error);
+  EXPECT_THROW(Drums(body, {0, std::nan(""), 0}, DrumsForm::persistent), Error);
 }
 
 // Two helices about one axis have n^2 / 2 edges in all their drums; so a body of 40,000 vertices is too much for lists.
@@ -162,13 +163,13 @@ TEST(Drums, ListsThatAreTooLong) {
   }
   const ConvexPolyhedron body(points);
   try {
-    const Drums drums = body.make_drums({0, 0, 1}, DrumsForm::listed);
+    const Drums drums(body, {0, 0, 1}, DrumsForm::listed);
     FAIL() << "listed " << drums.memory();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::bad_shape);
     EXPECT_NE(std::string(error.what()).find("persistent"), std::string::npos) << error.what();
   }
-  EXPECT_LT(body.drums().memory(), 64u * n * 15);
+  EXPECT_LT(represent::of<Drums>(body).memory(), 64u * n * 15);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include <sunder/planar/represent/edge_boxes.h>
+#include <sunder/planar/object/edge_boxes.h>
 
 #include <cmath>
 #include <limits>
