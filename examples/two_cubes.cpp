@@ -1,5 +1,5 @@
 // Two cubes, one of them turned and moved: do they meet? Prints the answer, and a proof that `sunder verify` accepts.
-#include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 #include <iostream>
@@ -15,10 +15,5 @@ int main() {
   const auto answer = sunder::intersect(cube, here, cube, there);
   std::cout << (answer.meet() ? "they meet\n" : "they are apart\n");
 
-  sunder::ClaimsWriter file([](std::string_view text) { std::cout << text; });
-  sunder::PairClaims proof(file);
-  const auto body = proof.add_body("cube", cube.vertices());
-  const auto a = proof.add_placed("A", body, here.affine()), b = proof.add_placed("B", body, there.affine());
-  proof.add_pair(a, b, answer.certificate());
-  proof.end();
+  sunder::prove([](std::string_view text) { std::cout << text; }, sunder::AskedPair{cube, here, cube, there}, answer);
 }

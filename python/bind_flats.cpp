@@ -58,12 +58,12 @@ std::string proof_of(const ConvexPolyhedron& body, const Pose& pose, const FlatB
 
 struct PythonPlaneAnswer : YesNo {
   solid::PolyhedronPlane answer;
-  Contact contact = Contact::none;
+  Relation contact = Relation::none;
 };
 
 PythonPlaneAnswer polyhedron_plane(const Shared& body, const Pose& pose, const Plane& plane) {
   const solid::PolyhedronPlane answer = solid::polyhedron_plane(*body, pose, plane);
-  const Contact contact = answer.meet() ? solid::polyhedron_plane_contact(*body, pose, plane) : Contact::none;
+  const Relation contact = answer.meet() ? solid::polyhedron_plane_contact(*body, pose, plane) : Relation::none;
   const auto text = [=] {
     const FlatBody other = body_in_file(plane);
     return proof_of(*body, pose, other, [&](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
@@ -75,13 +75,13 @@ PythonPlaneAnswer polyhedron_plane(const Shared& body, const Pose& pose, const P
 
 struct PythonCut : YesNo {
   solid::PolyhedronCut cut;
-  Contact contact = Contact::none;
+  Relation contact = Relation::none;
   std::optional<std::array<solid::ExactEnd, 2>> ends;
 };
 
 PythonCut polyhedron_line(const Shared& body, const Pose& pose, const LineLike& other) {
   const solid::PolyhedronCut cut = polyhedron_line_like(*body, pose, other);
-  const Contact contact = contact_of(*body, other, cut);
+  const Relation contact = contact_of(*body, other, cut);
   const auto text = [=] {
     const Flat flat = std::visit([](const auto& line) { return Flat(line); }, other);
     return proof_of(*body, pose, body_in_file(flat), [&](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {

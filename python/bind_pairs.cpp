@@ -1,7 +1,8 @@
 // Convex polygons and polyhedra with poses: one pair with its answer, many pairs in one call.
-#include <sunder/certificate/pair_claims.h>
+#include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/solid/object/hull_claims.h>
+#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
 
@@ -23,26 +24,16 @@ struct PythonPairAnswer : YesNo {
 // What differs between the plane and space, where polygons have z = 0.
 struct Planar {
   static constexpr std::size_t dimension = 2;
-  static constexpr PairClaims::Space space = PairClaims::Space::planar;
   static constexpr auto contact = planar::polygon_polygon_contact;
   using Object = ConvexPolygon;
   using Pose = planar::Pose;
-  static std::vector<Point3> vertices(const Object& polygon) {
-    std::vector<Point3> vertices;
-    for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
-    return vertices;
-  }
-  static Affine3 affine(const Pose& pose) { return planar::in_space(pose.affine()); }
 };
 
 struct Solid {
   static constexpr std::size_t dimension = 3;
-  static constexpr PairClaims::Space space = PairClaims::Space::solid;
   static constexpr auto contact = solid::polyhedron_polyhedron_contact;
   using Object = ConvexPolyhedron;
   using Pose = solid::Pose;
-  static std::span<const Point3> vertices(const Object& body) { return body.vertices(); }
-  static Affine3 affine(const Pose& pose) { return pose.affine(); }
 };
 
 // Two placed objects, kept for the certificate.
@@ -52,24 +43,10 @@ struct Placed {
   typename Kind::Pose pose_a, pose_b;
 };
 
-// The file that states and proves what the certificate says of A and B.
-template <class Kind>
-std::string proof_of(const Placed<Kind>& pair, const PairCertificate& certificate) {
-  std::string text;
-  ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  PairClaims claims(file, Kind::space);
-  const auto a = Kind::vertices(*pair.a), b = Kind::vertices(*pair.b);
-  const std::uint32_t body_a = claims.add_body("A", a), body_b = claims.add_body("B", b);
-  const std::uint32_t placed_a = claims.add_placed("A", body_a, Kind::affine(pair.pose_a));
-  claims.add_pair(placed_a, claims.add_placed("B", body_b, Kind::affine(pair.pose_b)), certificate);
-  claims.end();
-  return text;
-}
-
 template <class Kind>
 PythonPairAnswer answer_of(const Placed<Kind>& pair) {
   const PairAnswer answer = intersect(*pair.a, pair.pose_a, *pair.b, pair.pose_b);
-  const auto text = [pair, certificate = answer.certificate()] { return proof_of(pair, certificate); };
+  const auto text = [pair, answer] { return proof_of(AskedPair{*pair.a, pair.pose_a, *pair.b, pair.pose_b}, answer); };
   return {{{answer.cost, text}, answer.meet()}, answer.decided_by};
 }
 

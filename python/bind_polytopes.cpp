@@ -48,8 +48,7 @@ PythonPolytopeAnswer answer_of(std::shared_ptr<const PlacedPair> pair, const Pol
   result.certificate_text = [pair = result.pair, answer] {
     const Polytope& a = pair->a ? *pair->a : pair->tree_a->body();
     const Polytope& b = pair->b ? *pair->b : pair->tree_b->body();
-    return file_of(
-        [&](ClaimsWriter& file) { add_claims(file, {"A", a, pair->pose_a}, {"B", b, pair->pose_b}, answer); });
+    return proof_of(AskedPair{a, pair->pose_a, b, pair->pose_b}, answer);
   };
   return result;
 }

@@ -166,6 +166,14 @@ std::string file_of(const Write& write) {
   return text;
 }
 
+// The certificate file of an answer about an asked pair.
+template <class Asked, class AnswerOf>
+std::string proof_of(const Asked& asked, const AnswerOf& answer) {
+  std::string text;
+  prove([&](std::string_view piece) { text += piece; }, asked, answer);
+  return text;
+}
+
 // Runs without the interpreter's lock, and heeds signals: what a handler raises, as KeyboardInterrupt, ends it. `work`
 // touches nothing of Python.
 template <class Work>

@@ -7,6 +7,7 @@
 #include <sunder/version.h>
 
 // Certificates.
+#include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/check.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/pair_answer.h>
@@ -23,6 +24,7 @@
 #include <sunder/planar/object/segments.h>
 
 // The plane: two objects.
+#include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/disc_disc.h>
 #include <sunder/planar/pair/extreme_vertex.h>
 #include <sunder/planar/pair/polygon_half_plane.h>
@@ -94,6 +96,7 @@
 #include <sunder/solid/object/line.h>
 #include <sunder/solid/object/plane.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_batch.h>
@@ -102,6 +105,7 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
+#include <sunder/solid/round/round_claims.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_depth.h>
@@ -118,6 +122,7 @@
 #include <sunder/polytope/hull/vertices.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
+#include <sunder/polytope/pair/polytope_claims.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 #include <sunder/polytope/region/half_space_region.h>

@@ -53,7 +53,7 @@ class Subject {
     Tally sum;
     for (std::size_t i = 0; i < size(); ++i) {
       const PairAnswer of_i = answer(i);
-      const bool right = of_i.meet() == scenario_->pairs[i].meet && (!certificates || holds(of_i.certificate(), i));
+      const bool right = of_i.meet() == scenario_->pairs[i].meet && (!certificates || holds(of_i.evidence, i));
       sum += tally_of(of_i, !right);
     }
     return sum;

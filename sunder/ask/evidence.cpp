@@ -7,17 +7,9 @@
 
 namespace sunder::ask {
 
-PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid::Pose& pose) {
-  return {shape.vertices(), pose.affine(), false};
-}
+namespace {
 
-Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
-  if (c.verdict == Verdict::meet) {
-    const auto begin = c.vertices.begin(), middle = begin + c.count_a;
-    return {{"point", to_json(rounded_common_point(c, a, b))},
-            {"vertices_a", std::vector<std::uint32_t>(begin, middle)},
-            {"vertices_b", std::vector<std::uint32_t>(middle, middle + c.count_b)}};
-  }
+Json json_of(const Separation& c, const PlacedVertices& a, const PlacedVertices& b) {
   const RoundedGap gap = rounded_gap(c, a, b);
   return {{"direction_about", to_json(gap.direction)},
           {"gap_about", gap.width},
@@ -25,12 +17,28 @@ Json evidence_json(const PairCertificate& c, const PlacedVertices& a, const Plac
           {"extreme_b", c.extreme_b}};
 }
 
+Json json_of(const CommonVertices& c, const PlacedVertices& a, const PlacedVertices& b) {
+  const auto begin = c.vertices.begin(), middle = begin + c.count_a;
+  return {{"point", to_json(rounded_common_point(c, a, b))},
+          {"vertices_a", std::vector<std::uint32_t>(begin, middle)},
+          {"vertices_b", std::vector<std::uint32_t>(middle, middle + c.count_b)}};
+}
+
+}  // namespace
+
+Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b) {
+  return std::visit([&](const auto& held) { return json_of(held, a, b); }, certificate);
+}
+
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b) {
-  if (evidence.verdict == Verdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
-  if (evidence.verdict == Verdict::undecided) {
-    return {{"direction_about", to_json(rounded_direction(evidence))}};
-  }
-  const RoundedGap gap = rounded_gap(evidence, a, b);
+  const PlacedVertices in_a{a.body.core().vertices(), a.pose.affine(), false},
+      in_b{b.body.core().vertices(), b.pose.affine(), false};
+  if (const auto* apart = std::get_if<Separation>(&evidence)) return json_of(*apart, in_a, in_b);
+  if (const auto* common = std::get_if<CommonVertices>(&evidence)) return json_of(*common, in_a, in_b);
+  const Verdict verdict = verdict_of(evidence);
+  if (verdict == Verdict::meet) return {{"point", to_json(rounded_point_of(a, b, evidence))}};
+  if (verdict == Verdict::undecided) return {{"direction_about", to_json(rounded_direction(a, b, evidence))}};
+  const RoundedGap gap = rounded_gap(a, b, evidence);
   return {{"direction_about", to_json(gap.direction)}, {"gap_about", gap.width}};
 }
 

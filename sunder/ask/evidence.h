@@ -12,12 +12,10 @@
 
 namespace sunder::ask {
 
-PlacedVertices placed_vertices(const solid::ConvexPolyhedron& shape, const solid::Pose& pose);
-
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
 Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
 
-// Of bodies with a radius: apart {"direction_about", "gap_about"}, meet {"point"}, undecided {"direction_about"}.
+// Of polyhedra the same; of others apart {"direction_about", "gap_about"}, meet {"point"}, undecided {"direction_about"}.
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
 
 // "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid".

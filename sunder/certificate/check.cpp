@@ -31,7 +31,7 @@ bool names_a_direction(const Direction& d, std::size_t n_a, std::size_t n_b) {
   return false;
 }
 
-CheckResult check_apart(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
+CheckResult check(const Separation& c, const PlacedVertices& a, const PlacedVertices& b) {
   if (c.extreme_a >= a.vertices.size() || c.extreme_b >= b.vertices.size()) return CheckResult::bad_index;
   if (!names_a_direction(c.direction, a.vertices.size(), b.vertices.size())) return CheckResult::bad_index;
   const WorldDirection direction = world_direction(c.direction, a, b);
@@ -47,7 +47,7 @@ CheckResult check_apart(const PairCertificate& c, const PlacedVertices& a, const
   return CheckResult::accepted;
 }
 
-CheckResult check_meet(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
+CheckResult check(const CommonVertices& c, const PlacedVertices& a, const PlacedVertices& b) {
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   if (c.count_a == 0 || c.count_b == 0 || n > c.vertices.size()) return CheckResult::bad_index;
   std::array<Posed3, 5> points{};
@@ -70,7 +70,7 @@ std::string_view name_of(CheckResult result) {
 }
 
 CheckResult check_absolutely(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b) {
-  return certificate.verdict == Verdict::apart ? check_apart(certificate, a, b) : check_meet(certificate, a, b);
+  return std::visit([&](const auto& held) { return check(held, a, b); }, certificate);
 }
 
 }  // namespace sunder

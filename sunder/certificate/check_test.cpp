@@ -83,7 +83,7 @@ std::vector<std::pair<std::size_t, bool>> places_of(Direction::Kind kind) {
   }
 }
 
-CheckResult definition_of_apart(const PairCertificate& c, const Body& a, const Body& b) {
+CheckResult definition_of(const Separation& c, const Body& a, const Body& b) {
   if (c.extreme_a >= a.vertices.size() || c.extreme_b >= b.vertices.size()) return CheckResult::bad_index;
   for (const auto& [k, of_a] : places_of(c.direction.kind)) {
     if (c.direction.index[k] >= (of_a ? a : b).vertices.size()) return CheckResult::bad_index;
@@ -101,7 +101,7 @@ CheckResult definition_of_apart(const PairCertificate& c, const Body& a, const B
 }
 
 // Has  sum l_i a_i = sum m_j b_j, sum l_i = 1, sum m_j = 1  one solution, and is that positive? By Gauss's elimination.
-CheckResult definition_of_meet(const PairCertificate& c, const Body& a, const Body& b) {
+CheckResult definition_of(const CommonVertices& c, const Body& a, const Body& b) {
   const std::size_t n = std::size_t{c.count_a} + c.count_b;
   if (c.count_a == 0 || c.count_b == 0 || n > 5) return CheckResult::bad_index;
   std::vector<std::vector<Fraction>> m(5, std::vector<Fraction>(n + 1));
@@ -137,7 +137,7 @@ CheckResult definition_of_meet(const PairCertificate& c, const Body& a, const Bo
 }
 
 CheckResult definition(const PairCertificate& c, const Body& a, const Body& b) {
-  return c.verdict == Verdict::apart ? definition_of_apart(c, a, b) : definition_of_meet(c, a, b);
+  return std::visit([&](const auto& held) { return definition_of(held, a, b); }, c);
 }
 
 class CheckTest : public testing::Test {
@@ -167,7 +167,7 @@ class CheckTest : public testing::Test {
   }
 
   // Extreme vertices along the direction, and the sense in which B is beyond A, if it is in one.
-  void complete(PairCertificate& c, const Body& a, const Body& b) {
+  void complete(Separation& c, const Body& a, const Body& b) {
     for (int turn = 0;; ++turn) {
       const Whole3 d = direction_of(c.direction, a, b);
       for (std::uint32_t v = 0; v < a.vertices.size(); ++v) {
@@ -186,8 +186,8 @@ class CheckTest : public testing::Test {
     }
   }
 
-  PairCertificate some_apart(Direction::Kind kind, const Body& a, const Body& b) {
-    PairCertificate c;
+  Separation some_apart(Direction::Kind kind, const Body& a, const Body& b) {
+    Separation c;
     c.direction.kind = kind;
     const auto component = [&] { return static_cast<double>(random_.between(-3, 3)); };
     c.direction.given = {component() + 2, component(), component()};
@@ -201,9 +201,8 @@ class CheckTest : public testing::Test {
   }
 
   // Two to five vertices. With a common point in most cases: the mean of those of A is that of those of B.
-  PairCertificate some_meet(Body& a, Body& b) {
-    PairCertificate c;
-    c.verdict = Verdict::meet;
+  CommonVertices some_meet(Body& a, Body& b) {
+    CommonVertices c;
     c.count_a = static_cast<std::uint8_t>(random_.between(1, 4));
     c.count_b = static_cast<std::uint8_t>(random_.between(1, 5 - c.count_a));
     const std::size_t n = std::size_t{c.count_a} + c.count_b;
@@ -239,10 +238,16 @@ TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
     const bool meet = random_.below(2);
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
     const Direction::Kind kind = kinds[random_.below(kinds.size())];
-    const PairCertificate c = meet ? some_meet(a, b) : some_apart(kind, a, b);
+    PairCertificate c;
+    std::string what = "apart " + std::to_string(static_cast<int>(kind));
+    if (meet) {
+      const CommonVertices common = some_meet(a, b);
+      what = "meet " + std::to_string(common.count_a) + std::to_string(common.count_b);
+      c = common;
+    } else {
+      c = some_apart(kind, a, b);
+    }
     const CheckResult expected = definition(c, a, b);
-    const std::string what = meet ? "meet " + std::to_string(c.count_a) + std::to_string(c.count_b)
-                                  : "apart " + std::to_string(static_cast<int>(kind));
     for (const bool tame : {true, false}) {
       ASSERT_EQ(name_of(check_absolutely(c, a.placed(tame), b.placed(tame))), name_of(expected)) << i << " " << what;
     }
@@ -263,12 +268,13 @@ TEST_F(CheckTest, AcceptsWhatTheDefinitionAcceptsAndNothingElse) {
 
 // Each sort of mutation of a true certificate, by name; the definition says what must come out.
 TEST_F(CheckTest, RefusesEveryUntrueMutation) {
-  using Mutation = void (*)(PairCertificate&, const Body&, const Body&, Random&);
+  using OfApart = void (*)(Separation&, const Body&, const Body&, Random&);
+  using OfMeet = void (*)(CommonVertices&, const Body&, const Body&, Random&);
   const auto other = [](std::uint32_t v, const Body& body, Random& random) {
     return static_cast<std::uint32_t>((v + 1 + random.below(body.vertices.size())) % body.vertices.size());
   };
   static const auto another = other;
-  const std::vector<std::pair<std::string, Mutation>> mutations{
+  const std::vector<std::pair<std::string, OfApart>> of_apart{
       {"extreme of a", [](auto& c, auto& a, auto&, auto& random) { c.extreme_a = another(c.extreme_a, a, random); }},
       {"extreme of b", [](auto& c, auto&, auto& b, auto& random) { c.extreme_b = another(c.extreme_b, b, random); }},
       {"extremes exchanged", [](auto& c, auto&, auto&, auto&) { std::swap(c.extreme_a, c.extreme_b); }},
@@ -309,8 +315,8 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
          for (auto& v : c.direction.index)
            v = static_cast<std::uint32_t>(v % std::min(a.vertices.size(), b.vertices.size()));
        }},
-      {"verdict",
-       [](auto& c, auto&, auto&, auto&) { c.verdict = c.verdict == Verdict::apart ? Verdict::meet : Verdict::apart; }},
+  };
+  const std::vector<std::pair<std::string, OfMeet>> of_meet{
       {"count of a",
        [](auto& c, auto&, auto&, auto& random) {
          c.count_a = static_cast<std::uint8_t>(c.count_a + (random.below(2) ? 1 : -1));
@@ -339,24 +345,33 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
   for (int i = 0; i < tests::scaled_count(3000, 600); ++i) {
     const bool meet = random_.below(3) > 0;
     Body a = some_body(0), b = some_body(meet ? 0 : random_.between(0, 9));
-    const PairCertificate c = meet ? some_meet(a, b) : some_apart(kinds[random_.below(kinds.size())], a, b);
-    if (definition(c, a, b) != CheckResult::accepted) continue;
-    ++true_ones;
-    for (const auto& [name, mutate] : mutations) {
-      PairCertificate mutant = c;
-      mutate(mutant, a, b, random_);
-      const CheckResult expected = definition(mutant, a, b);
-      ASSERT_EQ(name_of(check_absolutely(mutant, a.placed(true), b.placed(true))), name_of(expected))
-          << i << " " << name;
-      ++seen[name][expected];
-      if (c.verdict == Verdict::apart && expected != CheckResult::accepted) kinds_refused.insert(c.direction.kind);
+    const auto refuse = [&](const auto& c, const auto& mutations) {
+      if (definition(c, a, b) != CheckResult::accepted) return;
+      ++true_ones;
+      for (const auto& [name, mutate] : mutations) {
+        auto mutant = c;
+        mutate(mutant, a, b, random_);
+        const CheckResult expected = definition(mutant, a, b);
+        ASSERT_EQ(name_of(check_absolutely(mutant, a.placed(true), b.placed(true))), name_of(expected))
+            << i << " " << name;
+        ++seen[name][expected];
+        if constexpr (std::is_same_v<decltype(mutant), Separation>) {
+          if (expected != CheckResult::accepted) kinds_refused.insert(c.direction.kind);
+        }
+      }
+    };
+    if (meet) {
+      refuse(some_meet(a, b), of_meet);
+    } else {
+      refuse(some_apart(kinds[random_.below(kinds.size())], a, b), of_apart);
     }
+    if (HasFatalFailure()) return;
   }
   EXPECT_GT(true_ones, tests::scaled_count(3000, 600) / 10);
   EXPECT_EQ(kinds_refused.size(), kinds.size());
-  for (const auto& [name, mutate] : mutations) {
+  for (const auto& [name, results] : seen) {
     int refused = 0;
-    for (const auto& [result, count] : seen[name]) refused += result == CheckResult::accepted ? 0 : count;
+    for (const auto& [result, count] : results) refused += result == CheckResult::accepted ? 0 : count;
     EXPECT_GT(refused, true_ones / 100) << name;
   }
   EXPECT_GT(seen["extreme of a"][CheckResult::not_extreme_in_a], 0);
@@ -366,7 +381,7 @@ TEST_F(CheckTest, RefusesEveryUntrueMutation) {
 TEST_F(CheckTest, RefusesDirectionsThatAreNone) {
   const Body a{{{0, 0, 0}}, {}}, b{{{1, 1, 1}}, {}};
   const auto result = [&](const PairCertificate& c) { return check_absolutely(c, a.placed(true), b.placed(true)); };
-  PairCertificate c;
+  Separation c;
   c.direction.given = {1, 1, 1};
   EXPECT_EQ(result(c), CheckResult::accepted);
   c.direction.given = {0, 0, 0};
@@ -402,7 +417,7 @@ TEST_F(CheckTest, StrictnessIsExact) {
   constexpr double largest = std::numeric_limits<double>::max();
   for (const double x : {0.0, 1.0, largest}) {
     Body a{{{x, 0, 0}, {x / 2, 1, 1}}, {}}, b{{{x, 0, 0}, {x, 5, -5}}, {}};
-    PairCertificate c;
+    Separation c;
     c.direction.given = {1, 0, 0};
     EXPECT_EQ(check_absolutely(c, a.placed(false), b.placed(false)), CheckResult::not_strictly_apart);
     b.pose.translation[0] = 5e-324;

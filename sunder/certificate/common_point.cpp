@@ -1,4 +1,3 @@
-#include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/predicate/coordinates.h>
 
@@ -23,15 +22,14 @@ std::array<Dyadic, 3> way_between(const PointOf& from, const PointOf& to) {
   return way;
 }
 
-CommonPoint common_point(const PairCertificate& certificate, std::span<const Posed3> vertices) {
-  SUNDER_REQUIRE(certificate.verdict == Verdict::meet);
-  const std::size_t of_a = certificate.count_a;
+CommonPoint common_point(const CommonVertices& evidence, std::span<const Posed3> vertices) {
+  const std::size_t of_a = evidence.count_a;
   const std::array<Dyadic, 5> weights = common_point_weights(vertices.first(of_a), vertices.subspan(of_a));
   CommonPoint point;
   point.at.denominator = Dyadic(0.0);
   Vector3<Dyadic> sum{};
   for (std::size_t k = 0; k < vertices.size(); ++k) {
-    (k < of_a ? point.of_a : point.of_b).parts.push_back({certificate.vertices[k], weights[k]});
+    (k < of_a ? point.of_a : point.of_b).parts.push_back({evidence.vertices[k], weights[k]});
     if (k >= of_a) continue;
     const Vector3<Dyadic> p = coordinates<Dyadic>(vertices[k]);
     sum = {sum.x + weights[k] * p.x, sum.y + weights[k] * p.y, sum.z + weights[k] * p.z};

@@ -68,19 +68,19 @@ Vector3<Dyadic> numerators_of(const Weights& weights, const PointAt& point_at) {
   return sum;
 }
 
-// The common point that a certificate of meeting names, of its vertices in its order; its weights are all positive.
-CommonPoint common_point(const PairCertificate& certificate, std::span<const Posed3> vertices);
+// The common point that evidence of meeting names, of its vertices in its order; its weights are all positive.
+CommonPoint common_point(const CommonVertices& evidence, std::span<const Posed3> vertices);
 
 // The same: a[v] and b[v] are the placed vertices of the bodies, as Posed3.
 template <class A, class B>
-CommonPoint common_point(const PairCertificate& certificate, const A& a, const B& b) {
+CommonPoint common_point(const CommonVertices& evidence, const A& a, const B& b) {
   std::array<Posed3, 5> vertices{};
-  const std::size_t n = std::size_t{certificate.count_a} + certificate.count_b;
+  const std::size_t n = std::size_t{evidence.count_a} + evidence.count_b;
   for (std::size_t k = 0; k < n; ++k) {
-    const std::uint32_t v = certificate.vertices[k];
-    vertices[k] = k < certificate.count_a ? a[v] : b[v];
+    const std::uint32_t v = evidence.vertices[k];
+    vertices[k] = k < evidence.count_a ? a[v] : b[v];
   }
-  return common_point(certificate, std::span<const Posed3>(vertices.data(), n));
+  return common_point(evidence, std::span<const Posed3>(vertices.data(), n));
 }
 
 }  // namespace sunder

@@ -30,12 +30,8 @@ TEST(CommonPointOf, SegmentAndTriangle) {
     Posed3 (*at)(std::uint32_t);
     Posed3 operator[](std::uint32_t v) const { return at(v); }
   };
-  PairCertificate certificate;
-  certificate.verdict = Verdict::meet;
-  certificate.count_a = 2;
-  certificate.count_b = 3;
-  certificate.vertices = {3, 5, 0, 1, 2};
-  const CommonPoint point = common_point(certificate, By{segment}, By{triangle});
+  const CommonVertices evidence{2, 3, {3, 5, 0, 1, 2}};
+  const CommonPoint point = common_point(evidence, By{segment}, By{triangle});
   EXPECT_EQ(nearest(point.at), (Point3{1, 1, 1}));
   ASSERT_EQ(point.of_a.parts.size(), 2u);
   ASSERT_EQ(point.of_b.parts.size(), 3u);

@@ -12,12 +12,28 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <utility>
+#include <variant>
 
 namespace sunder {
 
 enum class Verdict : std::uint8_t { apart, meet, undecided };
 
 std::string_view name_of(Verdict);  // "undecided"
+
+// How two objects lie to each other. It stands beside a verdict, which tells whether they meet.
+enum class Relation : std::uint8_t {
+  none,         // they do not meet; or it is not told: not asked for, or undecided
+  touching,     // they meet, but their relative interiors do not: some plane parts them weakly
+  overlapping,  // their relative interiors meet
+  a_inside_b,   // A is in the interior of B
+  b_inside_a,
+  equal,
+  meeting,  // they meet, and one of them has no inside; or no more is told
+};
+
+// "none", "touching", "overlapping", "A inside B", "B inside A", "equal", "meeting".
+std::string_view name_of(Relation);
 
 // A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job,
 // it is `given`; otherwise it is named by features of the placed bodies A and B, whose exact coordinates make it, or
@@ -40,22 +56,42 @@ struct Direction {
   std::shared_ptr<const std::array<Dyadic, 3>> numbers{};  // null but for `exact`
 };
 
-struct PairCertificate {
-  Verdict verdict = Verdict::apart;  // never undecided
+inline Direction exact_direction(std::array<Dyadic, 3> numbers) {
+  return {.kind = Direction::Kind::exact, .numbers = std::make_shared<const std::array<Dyadic, 3>>(std::move(numbers))};
+}
 
-  // apart: extreme_a is a vertex of A furthest along the direction, extreme_b a vertex of B least far along it, and
-  // the first is strictly less far than the second. Meaningless for `meet`.
+// They are apart: extreme_a is a vertex of A furthest along the direction, extreme_b a vertex of B least far along it,
+// and the first is strictly less far than the second.
+struct Separation {
+  static constexpr Verdict verdict = Verdict::apart;
   Direction direction;
   std::uint32_t extreme_a = 0;
   std::uint32_t extreme_b = 0;
+};
 
-  // meet: the hulls of these count_a vertices of A and count_b vertices of B have a point in common:
-  // vertices[0 .. count_a) are of A, vertices[count_a .. count_a + count_b) of B. The two sets are minimal: the
-  // weights of the common point are unique and positive. Both counts are at least 1, together at most 5.
-  // Meaningless for `apart`.
+// They meet: the hulls of these count_a vertices of A and count_b vertices of B have a point in common:
+// vertices[0 .. count_a) are of A, vertices[count_a .. count_a + count_b) of B. The two sets are minimal: the weights of
+// the common point are unique and positive. Both counts are at least 1, together at most 5.
+struct CommonVertices {
+  static constexpr Verdict verdict = Verdict::meet;
   std::uint8_t count_a = 0;
   std::uint8_t count_b = 0;
   std::array<std::uint32_t, 5> vertices{};
 };
+
+// What is known of two convex hulls of vertices. It names no body, so that whoever reads it must know which two it is of.
+using PairCertificate = std::variant<Separation, CommonVertices>;
+
+// The verdict of evidence is that of what it holds.
+template <class... Evidence>
+Verdict verdict_of(const std::variant<Evidence...>& evidence) {
+  static constexpr std::array verdicts{Evidence::verdict...};
+  return verdicts[evidence.index()];
+}
+template <class... Evidence>
+Relation relation_of(const std::variant<Evidence...>& evidence) {
+  static constexpr std::array relations{Evidence::relation...};
+  return relations[evidence.index()];
+}
 
 }  // namespace sunder

@@ -37,11 +37,14 @@ Direction opposite(const Direction& d) {
 
 PairAnswer exchanged(const PairAnswer& answer) {
   PairAnswer result = answer;
-  PairCertificate& c = result.evidence;
-  c.direction = opposite(answer.evidence.direction);
-  std::swap(c.extreme_a, c.extreme_b);
-  std::swap(c.count_a, c.count_b);
-  std::rotate(c.vertices.begin(), c.vertices.begin() + c.count_b, c.vertices.begin() + c.count_a + c.count_b);
+  if (auto* apart = std::get_if<Separation>(&result.evidence)) {
+    apart->direction = opposite(apart->direction);
+    std::swap(apart->extreme_a, apart->extreme_b);
+  } else {
+    auto& [count_a, count_b, vertices] = std::get<CommonVertices>(result.evidence);
+    std::swap(count_a, count_b);
+    std::rotate(vertices.begin(), vertices.begin() + count_b, vertices.begin() + count_a + count_b);
+  }
   return result;
 }
 
@@ -58,8 +61,9 @@ std::string_view name_of(DecidedBy decided_by) {
   return name_in<DecidedBy::scan>({"filter", "evidence", "finishing", "scan"}, decided_by);
 }
 
-std::string_view name_of(Contact contact) {
-  return name_in<Contact::overlapping>({"none", "touching", "overlapping"}, contact);
+std::string_view name_of(Relation relation) {
+  return name_in<Relation::meeting>({"none", "touching", "overlapping", "A inside B", "B inside A", "equal", "meeting"},
+                                    relation);
 }
 
 }  // namespace sunder

@@ -1,4 +1,4 @@
-// The answer to a question about two convex objects: the certificate, and how it came about.
+// The answer to a question about two objects: the evidence, and how it came about.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -19,30 +19,40 @@ enum class DecidedBy : std::uint8_t {
 
 std::string_view name_of(DecidedBy);  // "finishing"
 
-// Where two objects that meet have their common points.
-enum class Contact : std::uint8_t {
-  none,         // apart
-  touching,     // they meet, but their relative interiors do not: some plane parts them weakly
-  overlapping,  // their relative interiors meet
+// The answer to whether two objects meet: the evidence is a variant of plain data, which names no object, and the verdict
+// is that of what it holds.
+template <class EvidenceOf>
+struct [[nodiscard]] Answer {
+  using Evidence = EvidenceOf;
+
+  Evidence evidence{};
+  DecidedBy decided_by = DecidedBy::filter;  // of undecided ones: what was tried last
+  Cost cost{};
+
+  Verdict verdict() const { return verdict_of(evidence); }
+  bool meet() const { return verdict() == Verdict::meet; }
+  bool undecided() const { return verdict() == Verdict::undecided; }
 };
 
-std::string_view name_of(Contact);  // "touching"
+using PairAnswer = Answer<PairCertificate>;
 
-struct [[nodiscard]] PairAnswer {
-  PairCertificate evidence;
-  DecidedBy decided_by = DecidedBy::filter;
+// The answer to how two objects, or their boundaries, lie to each other.
+struct [[nodiscard]] RelationAnswer {
+  Relation relation = Relation::none;
   Cost cost;
-
-  bool meet() const { return evidence.verdict == Verdict::meet; }
-  const PairCertificate& certificate() const { return evidence; }
 };
+
+// Of boundaries. `a_inside`, `b_inside`: is one strictly on the inner side of all edges or facets of the other?
+inline Relation relation_of_boundaries(bool meet, bool a_inside, bool b_inside) {
+  return !meet ? Relation::none : a_inside ? Relation::a_inside_b : b_inside ? Relation::b_inside_a : Relation::meeting;
+}
 
 // The same answer with the names of the two objects exchanged.
 PairAnswer exchanged(const PairAnswer& answer);
 
 // Sets how the answer came about, from how many signs exact arithmetic decided.
-template <class Answer>
-void conclude(Answer& answer, std::uint32_t exact_signs, bool finished = false) {
+template <class AnyAnswer>
+void conclude(AnyAnswer& answer, std::uint32_t exact_signs, bool finished = false) {
   answer.cost.exact = exact_signs;
   answer.decided_by = finished ? DecidedBy::finishing : exact_signs == 0 ? DecidedBy::filter : DecidedBy::evidence;
 }

@@ -265,17 +265,17 @@ void PairClaims::add_overlapping(std::uint32_t a, std::uint32_t b, const CommonP
   file_.end_statement();
 }
 
-CommonPoint PairClaims::common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& c) const {
+CommonPoint PairClaims::common_point(std::uint32_t a, std::uint32_t b, const CommonVertices& c) const {
   const Entry &of_a = entries_[a], &of_b = entries_[b];
   return sunder::common_point(c, PlacedVertices{of_a.vertices, of_a.pose, false},
                               PlacedVertices{of_b.vertices, of_b.pose, false});
 }
 
 void PairClaims::add_pair(std::uint32_t a, std::uint32_t b, const PairCertificate& c) {
-  if (c.verdict == Verdict::meet) return add_meet(a, b, common_point(a, b, c));
+  if (const auto* meet = std::get_if<CommonVertices>(&c)) return add_meet(a, b, common_point(a, b, *meet));
   const Entry &of_a = entries_[a], &of_b = entries_[b];
-  const WorldDirection d =
-      world_direction(c.direction, {of_a.vertices, of_a.pose, false}, {of_b.vertices, of_b.pose, false});
+  const WorldDirection d = world_direction(std::get<Separation>(c).direction, {of_a.vertices, of_a.pose, false},
+                                           {of_b.vertices, of_b.pose, false});
   const Vector3<Dyadic> exact = d.exact();
   add_apart(a, b, {exact.x, exact.y, exact.z});
 }

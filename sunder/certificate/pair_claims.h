@@ -98,8 +98,8 @@ class PairClaims {
   // the latter are those of `contacts`. Touching is neither. Requires a positive finite `least`.
   void add_all_clearances(const AllPairs& pairs, double least);
 
-  // The common point that a certificate of meeting names. Its weights are all positive.
-  CommonPoint common_point(std::uint32_t a, std::uint32_t b, const PairCertificate& certificate) const;
+  // The common point that evidence of meeting names. Its weights are all positive.
+  CommonPoint common_point(std::uint32_t a, std::uint32_t b, const CommonVertices& evidence) const;
 
   bool states_something() const { return states_something_; }
 
@@ -130,5 +130,19 @@ class PairClaims {
   std::vector<Entry> entries_;
   bool states_something_ = false;
 };
+
+// What prove() writes of two objects of vertices (asked_pair.h): both as they are given, then where they are, then what
+// `state(pairs, index_a, index_b)` states of these.
+template <class Asked, class State>
+void prove_pair(const TextSink& sink, const Asked& asked, PairClaims::Space space, std::span<const Point3> a,
+                const Affine3& at_a, std::span<const Point3> b, const Affine3& at_b, const State& state) {
+  ClaimsWriter file(sink);
+  file.add_origin(asked.origin);
+  PairClaims pairs(file, space);
+  const std::uint32_t body_a = pairs.add_body(asked.name_a, a), body_b = pairs.add_body(asked.name_b, b);
+  const std::uint32_t index_a = pairs.add_placed(asked.name_a, body_a, at_a);
+  state(pairs, index_a, pairs.add_placed(asked.name_b, body_b, at_b));
+  pairs.end();
+}
 
 }  // namespace sunder

@@ -268,7 +268,7 @@ class PairClaimsAnswerTest : public testing::Test {
 };
 
 TEST_F(PairClaimsAnswerTest, DirectionsAreExact) {
-  PairCertificate c;
+  Separation c;
   c.extreme_a = 5;
   c.extreme_b = 3;
   Direction& d = c.direction;
@@ -324,8 +324,7 @@ TEST_F(PairClaimsAnswerTest, WeightsAndPointAreExact) {
       File written;
       const auto a = written.pairs.add_placed("a", written.pairs.add_body("", k.a), pose);
       const auto b = written.pairs.add_placed("b", written.pairs.add_body("", k.b), pose);
-      PairCertificate c;
-      c.verdict = Verdict::meet;
+      CommonVertices c;
       c.count_a = static_cast<std::uint8_t>(k.a.size());
       c.count_b = static_cast<std::uint8_t>(k.b.size());
       for (std::uint32_t i = 0; i < c.count_a; ++i) c.vertices[i] = c.count_a - 1 - i;

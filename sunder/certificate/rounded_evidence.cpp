@@ -1,4 +1,3 @@
-#include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/rounded_evidence.h>
 #include <sunder/predicate/coordinates.h>
@@ -7,12 +6,11 @@
 
 namespace sunder {
 
-Point3 rounded_common_point(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
+Point3 rounded_common_point(const CommonVertices& c, const PlacedVertices& a, const PlacedVertices& b) {
   return nearest(common_point(c, a, b).at);
 }
 
-RoundedGap rounded_gap(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b) {
-  SUNDER_REQUIRE(c.verdict == Verdict::apart);
+RoundedGap rounded_gap(const Separation& c, const PlacedVertices& a, const PlacedVertices& b) {
   const Vector3<Dyadic> d = world_direction(c.direction, a, b).exact();
   Dyadic longest;  // the largest magnitude of an entry
   for (const Dyadic* entry : {&d.x, &d.y, &d.z}) {

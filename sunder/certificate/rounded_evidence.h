@@ -7,8 +7,8 @@
 namespace sunder {
 
 // The common point of a `meet`, each coordinate within a few units in the last place (infinite beyond doubles).
-// Requires a true certificate of that verdict.
-Point3 rounded_common_point(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
+// Requires true evidence.
+Point3 rounded_common_point(const CommonVertices& evidence, const PlacedVertices& a, const PlacedVertices& b);
 
 // What an `apart` shows.
 struct RoundedGap {
@@ -17,7 +17,7 @@ struct RoundedGap {
                      // rounded (0 where it is below the least double).
 };
 
-// Requires a true certificate of that verdict.
-RoundedGap rounded_gap(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
+// Requires true evidence.
+RoundedGap rounded_gap(const Separation& evidence, const PlacedVertices& a, const PlacedVertices& b);
 
 }  // namespace sunder

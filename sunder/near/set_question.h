@@ -27,8 +27,8 @@ enum class Allowed : std::uint8_t {
 std::string_view name_of(Allowed);  // "shared-endpoint"
 
 // Of full bodies, where they have kinds of their own: `shared_endpoint` allows nothing.
-inline bool counts(Contact contact, Allowed allowed) {
-  return contact == Contact::overlapping || (contact == Contact::touching && allowed != Allowed::touch);
+inline bool counts(Relation contact, Allowed allowed) {
+  return contact == Relation::overlapping || (contact == Relation::touching && allowed != Allowed::touch);
 }
 
 // A group for each member, as numbers: the members of one (the same net, ring, road) may meet and cross one another.

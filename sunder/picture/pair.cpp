@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace sunder::picture {
@@ -55,11 +56,15 @@ std::optional<PairAnswer> answer_by_name(const std::string& method, const Watche
 
 // As searches go by what they see, two of one method that took as many steps and found the same are one search.
 bool are_same(const PairAnswer& p, const PairAnswer& q) {
-  const PairCertificate &of_p = p.certificate(), &of_q = q.certificate();
-  const auto kind = [](const PairCertificate& c) { return std::pair(c.direction.kind, c.direction.index); };
   if (p.meet() != q.meet() || p.cost.probes != q.cost.probes || p.cost.iterations != q.cost.iterations) return false;
-  return p.meet() ? of_p.vertices == of_q.vertices
-                  : kind(of_p) == kind(of_q) && of_p.extreme_a == of_q.extreme_a && of_p.extreme_b == of_q.extreme_b;
+  if (const auto* common = std::get_if<CommonVertices>(&p.evidence)) {
+    return common->vertices == std::get<CommonVertices>(q.evidence).vertices;
+  }
+  const auto named = [](const PairAnswer& answer) {
+    const auto& [direction, extreme_a, extreme_b] = std::get<Separation>(answer.evidence);
+    return std::tuple(direction.kind, direction.index, extreme_a, extreme_b);
+  };
+  return named(p) == named(q);
 }
 
 // In the world, as PosedPolygon has them.
@@ -90,13 +95,14 @@ std::string draw_evidence(PlanePicture& drawing, const PairCertificate& certific
   const Affine3 pose_a = planar::in_space(bodies[0]->pose.affine()),
                 pose_b = planar::in_space(bodies[1]->pose.affine());
   const PlacedVertices in_a{tables[0], pose_a, false}, in_b{tables[1], pose_b, false};
-  if (certificate.verdict == Verdict::meet) {
-    const Point3 p = rounded_common_point(certificate, in_a, in_b);
+  if (const auto* common = std::get_if<CommonVertices>(&certificate)) {
+    const Point3 p = rounded_common_point(*common, in_a, in_b);
     drawing.dot({p.x, p.y}, Ink::dark, "a common point");
     return fmt::format("they meet: a common point at about ({:.4g}, {:.4g})", p.x, p.y);
   }
-  const RoundedGap gap = rounded_gap(certificate, in_a, in_b);
-  const std::array extremes{certificate.extreme_a, certificate.extreme_b};
+  const Separation& apart = std::get<Separation>(certificate);
+  const RoundedGap gap = rounded_gap(apart, in_a, in_b);
+  const std::array extremes{apart.extreme_a, apart.extreme_b};
   for (std::size_t k = 0; k < 2; ++k) {
     const std::uint32_t at = PosedPolygon(bodies.at(k)->polygon, bodies.at(k)->pose).number(extremes.at(k));
     drawing.line(points.at(k)[at], {-gap.direction.y, gap.direction.x}, Ink::dark, PlanePicture::Extent::line, true);
@@ -135,7 +141,7 @@ std::string pair_svg(const PairPicture& picture) {
     drawing.legend(inks.at(k), text);
   }
   if (!is_watched) drawing.note(fmt::format("The vertices that the method {} looked at are not shown.", method));
-  const std::string said = draw_evidence(drawing, answer.certificate(), bodies, points);
+  const std::string said = draw_evidence(drawing, answer.evidence, bodies, points);
   if (closest) draw_distance(drawing, a, b, *closest);
   return drawing.text(title_of(title, a.name, b.name), said + clause);
 }

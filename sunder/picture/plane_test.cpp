@@ -202,7 +202,8 @@ TEST(PairPicture, ShowsTheSearchThatAnswered) {
       for (const Point2& v : c.a.vertices()) tables[0].push_back({v.x, v.y, 0});
       for (const Point2& v : c.b.vertices()) tables[1].push_back({v.x, v.y, 0});
       const Affine3 pose_a = planar::in_space(c.pose_a.affine()), pose_b = planar::in_space(c.pose_b.affine());
-      const RoundedGap gap = rounded_gap(answer.certificate(), {tables[0], pose_a, false}, {tables[1], pose_b, false});
+      const RoundedGap gap =
+          rounded_gap(std::get<Separation>(answer.evidence), {tables[0], pose_a, false}, {tables[1], pose_b, false});
       const std::string width = fmt::format("about {:.4g} from each other", gap.width);
       ASSERT_EQ(count_in(svg, width), 1u) << width;
       said.insert(width);

@@ -132,7 +132,7 @@ void Follower::look_at(const MovingBoxes::Pair& of) {
   }
   const std::span<const Body> bodies(bodies_);
   const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
-  PairAnswer answer = pair_answer(a, b, question_, last_[slot]);
+  solid::RoundAnswer answer = answer_of(a, b, question_, last_[slot]);
   if (!answer.meet()) {
     if (asks_warmly_) keep_parting(a, last_[slot], kept_of(slot));
     ++answer_.counts.by_method;
@@ -147,7 +147,7 @@ void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
   const std::span<const Body> bodies(bodies_);
   const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
   PartPair pair = members_->pair(i, j);
-  take_round_answer(pair, a, b);
+  pair.answer = answer_of(a, b, question_);
   // The boxes that meeting_pairs looks at first are tighter than the rough ones.
   if (pair.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
   count_answer(pair, a, b, question_, answer_.counts);

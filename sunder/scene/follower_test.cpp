@@ -21,12 +21,12 @@ namespace {
 using solid::ConvexPolyhedron;
 using solid::Pose;
 
-using MeetingKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, Contact>;
+using MeetingKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool, Relation>;
 
 std::vector<MeetingKey> meeting(const Answer& answer) {
   std::vector<MeetingKey> keys;
   for (const PartPair& p : answer.pairs) {
-    if (p.answer.meet()) keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.counts, p.contact);
+    if (p.answer.meet()) keys.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.counts, p.relation);
   }
   return keys;
 }
@@ -170,8 +170,8 @@ TEST(Follower, ForgetsAllOfIt) {
     ASSERT_EQ(a.pairs.size(), c.pairs.size());
     ASSERT_EQ(a.counts.by_method, b.counts.by_method);
     for (std::size_t k = 0; k < a.pairs.size(); ++k) {
-      const PairAnswer &x = a.pairs[k].answer, &y = b.pairs[k].answer, &z = c.pairs[k].answer;
-      ASSERT_EQ(x.evidence.vertices, y.evidence.vertices);
+      const solid::RoundAnswer &x = a.pairs[k].answer, &y = b.pairs[k].answer, &z = c.pairs[k].answer;
+      ASSERT_EQ(std::get<CommonVertices>(x.evidence).vertices, std::get<CommonVertices>(y.evidence).vertices);
       ASSERT_EQ(x.cost.probes, y.cost.probes);
       ++met;
       same_without += x.cost.probes == z.cost.probes;

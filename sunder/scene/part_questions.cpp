@@ -1,7 +1,6 @@
 #include <sunder/scene/part_questions.h>
 #include <sunder/solid/search/placed.h>
 
-#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -11,10 +10,9 @@ namespace {
 
 using solid::PlacedRound;
 
-Contact contact_of(const PartPair& pair, const Part& a, const Part& b) {
-  if (!pair.round) return solid::polyhedron_polyhedron_contact(a.shape.core(), a.pose, b.shape.core(), b.pose);
+Relation relation_of(const PartPair& pair, const Part& a, const Part& b) {
   const PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-  return round_round_contact(in_a, in_b, *pair.round).contact.value_or(Contact::none);
+  return round_round_relation(in_a, in_b, pair.answer.evidence);
 }
 
 }  // namespace
@@ -31,32 +29,23 @@ Box3 rough_box_of(const Part& part) {
 
 bool are_polyhedra(const Part& a, const Part& b) { return a.shape.is_polyhedron() && b.shape.is_polyhedron(); }
 
-PairAnswer pair_answer(const Part& a, const Part& b, const Question& question) {
-  return question.method(a.shape.core(), a.pose, b.shape.core(), b.pose);
+solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question) {
+  if (!are_polyhedra(a, b)) return round_round(a.shape, a.pose, b.shape, b.pose);
+  return solid::round_answer(question.method(a.shape.core(), a.pose, b.shape.core(), b.pose));
 }
 
-PairAnswer pair_answer(const Part& a, const Part& b, const Question& question, PairWarmStart& last) {
-  if (question.method != solid::polyhedron_polyhedron) return pair_answer(a, b, question);
-  return solid::polyhedron_polyhedron_warm(a.shape.core(), a.pose, b.shape.core(), b.pose, last);
+solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last) {
+  if (question.method != solid::polyhedron_polyhedron || !are_polyhedra(a, b)) return answer_of(a, b, question);
+  return solid::round_answer(solid::polyhedron_polyhedron_warm(a.shape.core(), a.pose, b.shape.core(), b.pose, last));
 }
 
-void take_round_answer(PartPair& pair, const Part& a, const Part& b) {
-  solid::RoundAnswer answer = round_round(a.shape, a.pose, b.shape, b.pose);
-  pair.answer.decided_by = answer.decided_by;
-  pair.answer.cost = answer.cost;
-  pair.round = std::make_shared<const solid::RoundEvidence>(std::move(answer.evidence));
-}
-
-void take_boxes(PartPair& pair, const Part& a, const Part& b, const PairCertificate& certificate) {
+void take_boxes(PartPair& pair, const Part& a, const Part& b, const Separation& boxes) {
   pair.by_boxes = true;
   if (are_polyhedra(a, b)) {
-    pair.answer.evidence = certificate;
-    return;
+    pair.answer.evidence = boxes;
+  } else {
+    pair.answer.evidence = solid::SeparatingDirection{boxes.direction.given};
   }
-  solid::RoundEvidence evidence;
-  evidence.verdict = Verdict::apart;
-  evidence.direction = certificate.direction.given;
-  pair.round = std::make_shared<const solid::RoundEvidence>(std::move(evidence));
 }
 
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts) {
@@ -66,8 +55,8 @@ void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& 
   ++counts.meeting;
   pair.counts = true;
   if (!question.contacts && !question.touching_allowed) return;
-  pair.contact = contact_of(pair, a, b);
-  if (question.touching_allowed && pair.contact == Contact::touching) {
+  pair.relation = relation_of(pair, a, b);
+  if (question.touching_allowed && pair.relation == Relation::touching) {
     pair.counts = false;
     ++counts.touching_only;
   }

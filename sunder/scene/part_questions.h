@@ -17,18 +17,14 @@ Box3 rough_box_of(const Part& part);
 // Has none of them a radius?
 bool are_polyhedra(const Part& a, const Part& b);
 
-// Of polyhedra: do they meet? By the question's method; the second from the last answer on, where that is the front
-// door.
-PairAnswer pair_answer(const Part& a, const Part& b, const Question& question);
-PairAnswer pair_answer(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
+// Do they meet? Of polyhedra by the question's method; the second from the last answer on, where that is the front door.
+solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question);
+solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
 
-// Of others.
-void take_round_answer(PartPair& pair, const Part& a, const Part& b);
+// That their boxes are apart: for bodies with a radius, too, its direction is one (W1).
+void take_boxes(PartPair& pair, const Part& a, const Part& b, const Separation& boxes);
 
-// That their boxes are apart, as the certificate says: for bodies with a radius, too, its direction is one (W1).
-void take_boxes(PartPair& pair, const Part& a, const Part& b, const PairCertificate& certificate);
-
-// Counts the answer of `pair`, which the method gave, and says whether it counts, and of what kind the contact is,
+// Counts the answer of `pair`, which the method gave, and says whether it counts, and whether they touch or overlap,
 // where that is asked for.
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts);
 

@@ -40,11 +40,7 @@ class Scene {
     if (const auto certificate = apart_by_boxes(boxes_[i], boxes_[j])) {
       take_boxes(pair, a, b, *certificate);
     } else {
-      if (are_polyhedra(a, b)) {
-        pair.answer = pair_answer(a, b, question_);
-      } else {
-        take_round_answer(pair, a, b);
-      }
+      pair.answer = answer_of(a, b, question_);
       count_answer(pair, a, b, question_, answer_.counts);
     }
     answer_.pairs.push_back(std::move(pair));
@@ -66,12 +62,8 @@ std::string part_name(const Body& body, std::uint32_t part) {
 
 Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) {
   SUNDER_REQUIRE(pair.meet());
-  if (pair.round) {
-    return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
-                                   *pair.round);
-  }
-  return rounded_common_point(pair.answer.certificate(), {a.shape.points(), a.pose.affine(), false},
-                              {b.shape.points(), b.pose.affine(), false});
+  return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
+                                 pair.answer.evidence);
 }
 
 std::string_view Answer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }

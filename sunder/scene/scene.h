@@ -52,22 +52,21 @@ struct Question {
   std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
   bool allowed_alone = false;                         // the other way round: those are tested, and no others
   bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
-  bool contacts = false;          // find out the contact of pairs that meet
+  bool contacts = false;          // find out whether pairs that meet touch or overlap
   bool every_pair = false;        // list the pairs that boxes parted too
 };
 
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::PairAnswer answer;                             // where `round` is set, its evidence is meaningless
-  std::shared_ptr<const solid::RoundEvidence> round{};  // where one of them has a radius: the evidence
-  bool by_boxes = false;            // the boxes are apart: no method was called, and answer.cost is zero
-  bool counts = false;              // they meet, and it is not known to be in a way that is allowed
-  Contact contact = Contact::none;  // none, of a pair that meets: not asked for, or undecided
+  solid::RoundAnswer answer;
+  bool by_boxes = false;               // the boxes are apart: no method was called, and answer.cost is zero
+  bool counts = false;                 // they meet, and it is not known to be in a way that is allowed
+  Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for
 
-  Verdict verdict() const { return round ? round->verdict : answer.evidence.verdict; }
-  bool meet() const { return verdict() == Verdict::meet; }
-  bool undecided() const { return verdict() == Verdict::undecided; }
+  Verdict verdict() const { return answer.verdict(); }
+  bool meet() const { return answer.meet(); }
+  bool undecided() const { return answer.undecided(); }
 };
 
 // A common point of two parts that meet, rounded. Requires the parts that the pair is of.

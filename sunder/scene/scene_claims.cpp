@@ -2,7 +2,6 @@
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/pair_reasons.h>
 #include <sunder/scene/scene_claims.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
@@ -31,7 +30,7 @@ Numbers numbers_of(std::span<const Body> bodies, const Add& add) {
 
 // Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs.
 bool is_open(const PartPair& pair, const Question& question) {
-  return pair.undecided() || (question.touching_allowed && pair.meet() && pair.contact == Contact::none);
+  return pair.undecided() || (question.touching_allowed && pair.meet() && pair.relation == Relation::none);
 }
 
 // Notes what is said of the statement about all pairs of a placement that follows.
@@ -99,14 +98,6 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   return result;
 }
 
-void add_round_claims(PairClaims& pairs, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b,
-                      const PartPair& pair) {
-  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-  solid::RoundContact contact;
-  if (pair.meet() && pair.contact != Contact::none) contact = round_round_contact(in_a, in_b, *pair.round);
-  add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round, contact);
-}
-
 // The statement about all pairs of a placement, with what is said of it.
 void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
                    const NotesOfPlacement& note) {
@@ -134,10 +125,7 @@ std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
 Numbers add_shapes(ClaimsWriter& file, PairClaims& pairs, std::span<const Body> bodies, const SaidOfScene& said) {
   return numbers_of(bodies, [&](std::uint32_t b, std::uint32_t p) {
     file.say(said.of(b, p));
-    const solid::RoundBody& shape = bodies[b].parts[p].shape;
-    const std::string name = part_name(bodies[b], p);
-    return shape.is_polyhedron() ? pairs.add_body(name, shape.points())
-                                 : pairs.add_round_body(name, shape.points(), shape.kind(), shape.radius());
+    return solid::add_shape(pairs, part_name(bodies[b], p), bodies[b].parts[p].shape);
   });
 }
 
@@ -151,12 +139,10 @@ std::uint32_t add_placed(PairClaims& pairs, const std::string& prefix, std::uint
 void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const PartPair& pair, std::uint32_t of_a,
                      std::uint32_t of_b) {
   const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
-  if (pair.round) {
-    add_round_claims(pairs, of_a, a, of_b, b, pair);
-    return;
-  }
-  solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
-                    pair.meet() ? pair.contact : Contact::none);
+  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+  solid::RoundContact contact;
+  if (pair.relation != Relation::none) contact = round_round_contact(in_a, in_b, pair.answer.evidence);
+  add_claims(pairs, of_a, in_a, of_b, in_b, pair.answer.evidence, contact);
 }
 
 // What the statements of all placements leave open.

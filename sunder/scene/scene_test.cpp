@@ -121,7 +121,7 @@ TEST(Scene, BoxesNeverHideWhatOnlyTouches) {
   question.contacts = true;
   const Answer answer = meeting_pairs(bodies, question);
   const auto with_middle = std::count_if(answer.pairs.begin(), answer.pairs.end(), [](const PartPair& pair) {
-    return pair.body_a == 0 && pair.counts && pair.contact == Contact::touching;
+    return pair.body_a == 0 && pair.counts && pair.relation == Relation::touching;
   });
   EXPECT_EQ(with_middle, 26);
 }

@@ -3,7 +3,6 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/scene/sweep.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
 #include <algorithm>
 #include <array>
@@ -77,16 +76,13 @@ class Sweep {
     ++answer_.counts.by_method;
     const solid::RoundBody &a = part(i, 0).shape, &b = part(j, 0).shape;
     const solid::Translation way_a(part(i, 0).pose, part(i, 1).pose), way_b(part(j, 0).pose, part(j, 1).pose);
-    if (a.is_polyhedron() && b.is_polyhedron() && !every_pair_) {  // evidence costs more than the answer
-      if (!polyhedron_polyhedron_sweep(a.core(), way_a, b.core(), way_b).meet()) return;
-    }
-    solid::RoundSweepAnswer swept = round_round_sweep(a, way_a, b, way_b);
-    if (swept.verdict == Verdict::apart) {
-      if (every_pair_) list_apart(i, j, std::move(swept.direction));
+    const solid::SweepAnswer swept = round_round_sweep(a, way_a, b, way_b);
+    if (swept.verdict() == Verdict::apart) {
+      if (every_pair_) list_apart(i, j, direction_of(a, way_a, b, way_b, swept));
       return;
     }
     SweptPair& pair = list(i, j, true);
-    pair.verdict = swept.verdict;
+    pair.verdict = swept.verdict();
     if (swept.undecided()) {
       ++answer_.counts.undecided;
       return;
@@ -102,11 +98,7 @@ class Sweep {
       if (!meet(boxes_[at][i], boxes_[at][j])) continue;
       PartPair found = members_.pair(i, j);
       const Part &a = part(i, at), &b = part(j, at);
-      if (are_polyhedra(a, b)) {
-        found.answer = pair_answer(a, b, {});
-      } else {
-        take_round_answer(found, a, b);
-      }
+      found.answer = answer_of(a, b, {});
       is_undecided = is_undecided || found.undecided();
       if (!found.meet()) continue;
       ++answer_.counts.meeting;

@@ -1,6 +1,5 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/sweep_claims.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_claims.h>
 
 #include <array>
@@ -56,13 +55,8 @@ class PlacedParts {
 
 void add_at_an_end(PairClaims& pairs, const PartPair& pair, const Part& a, const Part& b, std::uint32_t of_a,
                    std::uint32_t of_b) {
-  if (pair.round) {
-    const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-    add_claims(pairs, of_a, in_a, of_b, in_b, *pair.round);
-    return;
-  }
-  solid::add_claims(pairs, {of_a, of_b, a.shape.core(), a.pose, b.shape.core(), b.pose}, pair.answer.certificate(),
-                    Contact::none);
+  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
+  add_claims(pairs, of_a, in_a, of_b, in_b, pair.answer.evidence);
 }
 
 }  // namespace

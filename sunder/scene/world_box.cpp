@@ -157,17 +157,14 @@ Box3 rough_world_box(const solid::PlacedRound& body) {
   return box;
 }
 
-std::optional<PairCertificate> apart_by_boxes(const WorldBox& a, const WorldBox& b) {
+std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b) {
   for (std::size_t k = 0; k < 3; ++k) {
     const bool up = a.high[k] < b.low[k];
     if (!up && !(b.high[k] < a.low[k])) continue;
     const Point3 d = axis(k);
-    PairCertificate certificate;
-    certificate.verdict = Verdict::apart;
-    certificate.direction.given = up ? d : Point3{0 - d.x, 0 - d.y, 0 - d.z};
-    certificate.extreme_a = up ? a.highest[k] : a.lowest[k];
-    certificate.extreme_b = up ? b.lowest[k] : b.highest[k];
-    return certificate;
+    return Separation{{.given = up ? d : Point3{0 - d.x, 0 - d.y, 0 - d.z}},
+                      up ? a.highest[k] : a.lowest[k],
+                      up ? b.lowest[k] : b.highest[k]};
   }
   return std::nullopt;
 }

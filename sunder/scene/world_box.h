@@ -37,8 +37,8 @@ Box3 rough_world_box(const solid::Placed& body);
 WorldBox world_box(const solid::PlacedRound& body);
 Box3 rough_world_box(const solid::PlacedRound& body);
 
-// Where the boxes are apart, so are the bodies: the certificate, its direction one of +-x, +-y, +-z. Nothing where the
+// Where the boxes are apart, so are the bodies, as along one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.
-std::optional<PairCertificate> apart_by_boxes(const WorldBox& a, const WorldBox& b);
+std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b);
 
 }  // namespace sunder::scene

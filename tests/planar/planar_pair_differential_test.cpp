@@ -33,7 +33,7 @@ constexpr std::array pair_methods{NamedMethod{"front door", planar::polygon_poly
 CheckResult check(const PairAnswer& answer, const PlanarCase& c) {
   const auto a = in_space(c.a), b = in_space(c.b);
   const Affine3 pose_a = planar::in_space(c.pose_a.affine()), pose_b = planar::in_space(c.pose_b.affine());
-  return check_absolutely(answer.certificate(), {a, pose_a, false}, {b, pose_b, false});
+  return check_absolutely(answer.evidence, {a, pose_a, false}, {b, pose_b, false});
 }
 
 std::string as_text(const PlanarCase& c) {
@@ -90,14 +90,14 @@ TEST(PlanarPairDifferential, MethodsAgreeWithTheScan) {
       t.exact[name] += answer.cost.exact > 0;
       t.finishing[name] += answer.decided_by == DecidedBy::finishing;
     }
-    const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
-    ASSERT_EQ(contact != Contact::none, scan.meet()) << i << " " << as_text(c);
+    const Relation contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+    ASSERT_EQ(contact != Relation::none, scan.meet()) << i << " " << as_text(c);
     if (c.touches_exactly) {
-      ASSERT_EQ(contact, Contact::touching) << i << " " << as_text(c);
+      ASSERT_EQ(contact, Relation::touching) << i << " " << as_text(c);
     }
     ++t.cases;
     t.meet += scan.meet();
-    t.touching += contact == Contact::touching;
+    t.touching += contact == Relation::touching;
   }
   std::printf("%-12s %8s %8s %9s", "family", "cases", "meet", "touching");
   for (const auto& m : pair_methods) std::printf("  %10s: exact, finishing", m.name);
@@ -145,8 +145,8 @@ TEST(PlanarPairDifferential, PolygonsOfAMillionVertices) {
       EXPECT_EQ(answer.meet(), meet) << name;
       EXPECT_EQ(check(answer, c), CheckResult::accepted) << name;
     }
-    const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
-    EXPECT_EQ(contact == Contact::touching, c.touches_exactly);
+    const Relation contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+    EXPECT_EQ(contact == Relation::touching, c.touches_exactly);
   }
 }
 
@@ -155,12 +155,12 @@ TEST(PlanarPairDifferential, PolygonsOfAMillionVertices) {
 TEST(PlanarPairDifferential, ContactsOfGrids) {
   const int count = scaled_count(4000);
   PlanarPairs pairs(chosen_seed(12));
-  std::map<Contact, int> seen;
+  std::map<Relation, int> seen;
   for (int i = 0; i < count; ++i) {
     PlanarCase c = pairs.next(PlanarFamily::grid);
     c.pose_a = c.pose_b = Pose();
     if (c.a.size() < 3 || c.b.size() < 3) continue;
-    const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+    const Relation contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
     ++seen[contact];
     // They overlap iff no edge of either has the other on its right or on it.
     const auto parts_weakly = [](const ConvexPolygon& p, const ConvexPolygon& q) {
@@ -174,10 +174,10 @@ TEST(PlanarPairDifferential, ContactsOfGrids) {
       }
       return false;
     };
-    ASSERT_EQ(contact == Contact::overlapping, !parts_weakly(c.a, c.b) && !parts_weakly(c.b, c.a)) << as_text(c);
+    ASSERT_EQ(contact == Relation::overlapping, !parts_weakly(c.a, c.b) && !parts_weakly(c.b, c.a)) << as_text(c);
   }
   if (count < 2000) return;
-  for (const Contact contact : {Contact::none, Contact::touching, Contact::overlapping}) {
+  for (const Relation contact : {Relation::none, Relation::touching, Relation::overlapping}) {
     EXPECT_GT(seen[contact], count / 100) << name_of(contact);
   }
 }

@@ -46,7 +46,7 @@ void expect_shown(const PolygonsContact& c, const std::vector<Polygon>& polygons
     ASSERT_EQ(planar::segment_segment(sorted(a.edge(c.of_i)), sorted(b.edge(c.of_j))), c.kind);
     return;
   }
-  ASSERT_EQ(c.contact, Contact::overlapping);
+  ASSERT_EQ(c.contact, Relation::overlapping);
   const Polygon &inner = c.i_inside ? a : b, &outer = c.i_inside ? b : a;
   const std::uint32_t vertex = c.i_inside ? c.of_i : c.of_j;
   ASSERT_LT(vertex, inner.size());
@@ -69,7 +69,7 @@ void expect_certified(const PolygonsAnswer& answer, const std::vector<Polygon>& 
     return sunder_verifier::verify_text(text, "differential").accepted();
   };
   ASSERT_TRUE(is_accepted(options.allowed)) << certificate_text(polygons, options.allowed, answer, options.groups);
-  ASSERT_EQ(is_accepted(Allowed::touch), !answer.meet() || answer.found->contact != Contact::touching);
+  ASSERT_EQ(is_accepted(Allowed::touch), !answer.meet() || answer.found->contact != Relation::touching);
 }
 
 // A list, and its length, in a file, as the verifier reads it; and neither of another length.
@@ -92,7 +92,7 @@ void expect_list_certified(const std::vector<PolygonsContact>& contacts, const s
     });
   };
   const auto touching = static_cast<std::size_t>(std::count_if(
-      contacts.begin(), contacts.end(), [](const PolygonsContact& c) { return c.contact == Contact::touching; }));
+      contacts.begin(), contacts.end(), [](const PolygonsContact& c) { return c.contact == Relation::touching; }));
   const auto is_number = [&](std::size_t number) {
     return is_accepted(
         [&](ClaimsWriter& file) { planar::write_count(file, asked, events, number - touching, touching); });
@@ -132,7 +132,7 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
     }
     const planar::PolygonsCountAnswer counted = planar::polygons_count(polygons, options);
     const auto overlapping = std::count_if(count_here.begin(), count_here.end(),
-                                           [](const PolygonsContact& c) { return c.contact == Contact::overlapping; });
+                                           [](const PolygonsContact& c) { return c.contact == Relation::overlapping; });
     ASSERT_EQ(counted.overlapping, static_cast<std::uint64_t>(overlapping));
     ASSERT_EQ(counted.touching + counted.overlapping, count_here.size());
     for (auto* method : {planar::polygons_all_by_boxes, planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
@@ -144,10 +144,10 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
         ASSERT_EQ(c.i, expected.i);
         ASSERT_EQ(c.j, expected.j);
         ASSERT_EQ(c.contact, expected.contact) << c.i << " " << c.j;
-        if (c.contact == Contact::touching) {
+        if (c.contact == Relation::touching) {
           ASSERT_EQ(c.kind, expected.kind);
         }
-        if (r == 0) ++(c.contact == Contact::touching ? rates.touching : rates.overlapping)[c.kind];
+        if (r == 0) ++(c.contact == Relation::touching ? rates.touching : rates.overlapping)[c.kind];
       }
     }
   }
@@ -166,9 +166,9 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
       const PolygonsContact pair = planar::polygons_contact(polygons[i], polygons[j]).found.value_or(PolygonsContact());
       const auto same_pair = [&](const PolygonsContact& c) { return c.i == i && c.j == j; };
       const auto at = std::find_if(truth.contacts.begin(), truth.contacts.end(), same_pair);
-      const Contact expected = at == truth.contacts.end() ? Contact::none : at->contact;
+      const Relation expected = at == truth.contacts.end() ? Relation::none : at->contact;
       ASSERT_EQ(pair.contact, expected) << i << " " << j;
-      if (pair.contact == Contact::touching) {
+      if (pair.contact == Relation::touching) {
         ASSERT_EQ(pair.kind, at->kind);
       }
       ++rates.contacts[static_cast<std::size_t>(expected)];

@@ -20,11 +20,10 @@ namespace {
 
 using polytope::PolytopeAnswer;
 
-template <class Answer>
-std::string written_certificate(const PolytopePair& c, const Answer& answer) {
+std::string written_certificate(const PolytopePair& c, const polytope::HyperplaneEvidence& evidence) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
-  add_claims(file, {"a", c.a, c.pose_a}, {"b", c.b, c.pose_b}, answer);
+  add_claims(file, {"a", c.a, c.pose_a}, {"b", c.b, c.pose_b}, evidence);
   file.end();
   return text;
 }
@@ -53,7 +52,8 @@ struct Counts {
 };
 
 void expect_answer_accepted(const PolytopePair& c, const PolytopeAnswer& answer, Counts& counts) {
-  const std::string text = written_certificate(c, answer);
+  std::string text;
+  prove([&](std::string_view piece) { text += piece; }, AskedPair{c.a, c.pose_a, c.b, c.pose_b, "a", "b"}, answer);
   const sunder_verifier::FileResult report = sunder_verifier::verify_text(text, "pair");
   ASSERT_EQ(report.statements.size(), 1u) << report.failed_form << text;
   ASSERT_TRUE(report.accepted()) << report.statements[0].reason << text;

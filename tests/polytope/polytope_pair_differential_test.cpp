@@ -31,7 +31,7 @@ struct Tally {
 
 bool holds(const PolytopePair& c, const PolytopeAnswer& answer) {
   const ExactEvidence exact = exact_evidence(c.a, c.pose_a, c.b, c.pose_b, answer);
-  return check(c.a, c.pose_a, c.b, c.pose_b, answer.evidence.verdict, exact);
+  return check(c.a, c.pose_a, c.b, c.pose_b, answer.verdict(), exact);
 }
 
 // By several hyperplanes; and where a multiplier, or what a plane holds, is another one, nothing is proved. Are they of
@@ -67,7 +67,7 @@ bool expect_parted_by_hyperplanes(const PolytopePair& c, const polytope::Hierarc
 
 // The other verdict, and numbers that are a little different, prove nothing.
 void expect_mutants_refused(const PolytopePair& c, const PolytopeAnswer& answer) {
-  const Verdict verdict = answer.evidence.verdict;
+  const Verdict verdict = answer.verdict();
   const auto accepted = [&](Verdict said, const ExactEvidence& evidence) {
     return check(c.a, c.pose_a, c.b, c.pose_b, said, evidence);
   };

@@ -46,42 +46,42 @@ void add_clearances(PairClaims& pairs, const planar::ClaimedPair& pair, const pl
   }
 }
 
+// The file of the pair alone, with how it lies.
+template <class Asked>
+Written proved(Asked asked, const PairAnswer& answer, Relation relation) {
+  Written out;
+  asked.tells_relation = true;
+  prove([&](std::string_view piece) { out.text += piece; }, asked, answer);
+  out.verdict = relation == Relation::none ? "apart" : std::string(name_of(relation));
+  return out;
+}
+
 Written write(const PlanarCase& c) {
+  const PairAnswer answer = planar::polygon_polygon(c.a, c.pose_a, c.b, c.pose_b);
+  const Relation contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
+  if (answer.meet()) return proved(AskedPair{c.a, c.pose_a, c.b, c.pose_b}, answer, contact);
   Written out;
   ClaimsWriter file([&](std::string_view piece) { out.text += piece; });
   PairClaims pairs(file, PairClaims::Space::planar);
   const std::vector<Point3> in_a = in_space(c.a), in_b = in_space(c.b);
   const auto a = pairs.add_placed("a", pairs.add_body("a", in_a), planar::in_space(c.pose_a.affine()));
   const auto b = pairs.add_placed("b", pairs.add_body("b", in_b), planar::in_space(c.pose_b.affine()));
-  const PairAnswer answer = planar::polygon_polygon(c.a, c.pose_a, c.b, c.pose_b);
-  const Contact contact = planar::polygon_polygon_contact(c.a, c.pose_a, c.b, c.pose_b);
-  out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
+  out.verdict = "apart";
   const planar::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
-  planar::add_claims(pairs, pair, answer.certificate(), contact);
-  if (contact == Contact::none) {
-    const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
-    EXPECT_TRUE(distance.closest);
-    if (!distance.closest) return out;
-    planar::add_distance(pairs, pair, distance);
-    ++out.statements;
-    add_clearances(pairs, pair, distance, answer.certificate(), out);
-  }
+  planar::add_claims(pairs, pair, answer.evidence, contact);
+  const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
+  EXPECT_TRUE(distance.closest);
+  if (!distance.closest) return out;
+  planar::add_distance(pairs, pair, distance);
+  ++out.statements;
+  add_clearances(pairs, pair, distance, answer.evidence, out);
   pairs.end();
   return out;
 }
 
 Written write(const PairCase& c) {
-  Written out;
-  ClaimsWriter file([&](std::string_view piece) { out.text += piece; });
-  PairClaims pairs(file);
-  const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
-  const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
-  const PairAnswer answer = solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b);
-  const Contact contact = solid::polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b);
-  out.verdict = contact == Contact::none ? "apart" : std::string(name_of(contact));
-  solid::add_claims(pairs, {a, b, c.a, c.pose_a, c.b, c.pose_b}, answer.certificate(), contact);
-  pairs.end();
-  return out;
+  return proved(AskedPair{c.a, c.pose_a, c.b, c.pose_b}, solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b),
+                solid::polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b));
 }
 
 // Writes and checks the proofs of many pairs, and prints the verdicts of each family.

@@ -41,7 +41,7 @@ bool is_decided(const RoundCase& c) {
 bool is_close(const RoundCase& c, const RoundAnswer& answer) {
   const double size = std::max(size_of(PlacedRound(c.a, c.pose_a)), size_of(PlacedRound(c.b, c.pose_b)));
   if (size > 1e100 && c.family == RoundFamily::degenerate) return true;  // a radius of 1e200
-  const Point3& d = answer.evidence.direction;
+  const Point3& d = std::get<solid::NearlyTouching>(answer.evidence).direction;
   const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const Point3 e{d.x / largest, d.y / largest, d.z / largest};
   const double by = 0x1p-40 * size / std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
@@ -75,8 +75,8 @@ TEST(RoundPairDifferential, EachAnswerIsProved) {
       continue;
     }
     const PlacedRound a(c.a, c.pose_a), b(c.b, c.pose_b);
-    ASSERT_TRUE(is_proved(a, b, answer.evidence)) << i << " " << named(c) << " " << name_of(answer.verdict())
-                                                  << " source " << static_cast<int>(answer.evidence.source);
+    ASSERT_TRUE(is_proved(a, b, answer.evidence))
+        << i << " " << named(c) << " " << name_of(answer.verdict()) << " by " << answer.evidence.index();
   }
   const std::map<std::string, double> most_undecided{{"general", 0.001},     {"nested", 0.001},      {"touching", 0.02},
                                                      {"grid", 0.02},         {"near_contact", 0.06}, {"last_bit", 0.08},
@@ -109,20 +109,18 @@ TEST(RoundPairDifferential, TheVerifierAcceptsEachProof) {
     if (answer.undecided()) continue;
     const solid::RoundContact contact = round_round_contact(a, b, answer.evidence);
     std::string text;
-    ClaimsWriter file([&](std::string_view piece) { text += piece; });
-    PairClaims claims(file);
-    const std::uint32_t index_a = add_round(claims, "a", a), index_b = add_round(claims, "b", b);
-    add_claims(claims, index_a, a, index_b, b, answer.evidence, contact);
-    claims.end();
+    AskedPair asked{c.a, c.pose_a, c.b, c.pose_b};
+    asked.tells_relation = true;
+    prove([&](std::string_view piece) { text += piece; }, asked, answer);
     std::string_view verdict = name_of(answer.verdict());
-    if (answer.meet() && contact.contact) verdict = name_of(*contact.contact);
+    if (relation_of(contact) != Relation::none) verdict = name_of(relation_of(contact));
     ++tally[std::string(verdict)];
     const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
     ASSERT_EQ(result.statements.size(), 1) << i << " " << named(c) << result.failed_form << result.error;
     ASSERT_TRUE(result.accepted()) << i << " " << named(c) << ": " << result.statements[0].reason << "\n"
                                    << text.substr(0, 3000);
     ASSERT_EQ(result.statements[0].verdict, verdict);
-    if (!contact.contact) {
+    if (answer.meet() && relation_of(contact) == Relation::none) {
       const bool hulls = !c.a.is_curved() && !c.b.is_curved();
       ASSERT_FALSE(hulls || is_decided(c)) << i << " " << named(c);
     }
@@ -168,8 +166,7 @@ TEST(RoundPairDifferential, TheVerifierRefusesWhatIsNotTrue) {
     solid::RoundEvidence other = answer.evidence;
     ASSERT_TRUE(is_accepted(c, answer.evidence)) << i << " " << named(c);
     if (answer.meet()) {
-      other.verdict = Verdict::apart;
-      other.direction = {1, 0.25, -0.5};
+      other = solid::SeparatingDirection{{1, 0.25, -0.5}};
       ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
       ASSERT_FALSE(is_accepted(
           c, answer.evidence,
@@ -180,9 +177,8 @@ TEST(RoundPairDifferential, TheVerifierRefusesWhatIsNotTrue) {
           << i << " " << named(c);
       refused += 3;
     } else {
-      other.exact_direction = nullptr;
-      const Point3& d = answer.evidence.direction;
-      other.direction = {-d.x, -d.y, -d.z};
+      const Point3 d = near_direction(PlacedRound(c.a, c.pose_a), PlacedRound(c.b, c.pose_b), answer.evidence);
+      other = solid::SeparatingDirection{{-d.x, -d.y, -d.z}};
       ASSERT_FALSE(is_accepted(c, other)) << i << " " << named(c);
       ++refused;
     }

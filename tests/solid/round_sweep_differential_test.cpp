@@ -26,7 +26,7 @@ using solid::PlacedRound;
 using solid::Pose;
 using solid::RoundBody;
 using solid::RoundFirstContact;
-using solid::RoundSweepAnswer;
+using solid::SweepAnswer;
 using solid::Translation;
 
 struct Motion {
@@ -35,7 +35,7 @@ struct Motion {
 
   bool are_hulls() const { return !a.is_curved() && !b.is_curved(); }
   bool are_polyhedra() const { return a.is_polyhedron() && b.is_polyhedron(); }
-  RoundSweepAnswer ask() const { return round_round_sweep(a, of_a, b, of_b); }
+  SweepAnswer ask() const { return round_round_sweep(a, of_a, b, of_b); }
 };
 
 Point3 some_way(Random& random, double size) {
@@ -54,7 +54,7 @@ Motion through(const RoundCase& c, Random& random) {
 }
 
 // As a file, for a checker that knows nothing of the library.
-sunder_verifier::FileResult checked(const Motion& m, const RoundSweepAnswer& answer, const RoundFirstContact* first) {
+sunder_verifier::FileResult checked(const Motion& m, const SweepAnswer& answer, const RoundFirstContact* first) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   PairClaims pairs(file);
@@ -66,7 +66,7 @@ sunder_verifier::FileResult checked(const Motion& m, const RoundSweepAnswer& ans
   };
   const auto [of_a, end_a] = add(m.a, a, to_a);
   const auto [of_b, end_b] = add(m.b, b, to_b);
-  add_claims(pairs, {of_a, of_b, end_a, end_b}, answer);
+  add_claims(pairs, {of_a, of_b, end_a, end_b}, m.a, m.of_a, m.b, m.of_b, answer);
   if (first != nullptr) add_claims(pairs, {of_a, of_b, end_a, end_b}, *first);
   pairs.end();
   return sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
@@ -93,7 +93,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
       continue;
     }
     const Motion& m = *some;
-    const RoundSweepAnswer answer = m.ask();
+    const SweepAnswer answer = m.ask();
     RoundSweepTally& tally = tallies[std::string(name_of(c.family))];
     ++(answer.undecided() ? tally.undecided : answer.meet() ? tally.meet : tally.apart);
     tally.finished += answer.decided_by == DecidedBy::finishing;
@@ -104,7 +104,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
     std::optional<RoundFirstContact> first;
     if (answer.meet()) {
       first = round_round_first_contact(m.a, m.of_a, m.b, m.of_b, answer);
-      const Interval found = answer.contact->about();
+      const Interval found = contact_of(m.a, m.of_a, m.b, m.of_b, answer).about();
       tally.between += found.low > 0 && found.high < 1;
       ASSERT_LE(0, first->time.low);
       ASSERT_LE(first->time.low, first->time.high);
@@ -114,7 +114,7 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
       narrow += first->time.high - first->time.low <= 0x1p-36;
     }
     const auto result = checked(m, answer, first ? &*first : nullptr);
-    ASSERT_TRUE(result.accepted()) << i << " " << named(c) << " " << name_of(answer.verdict) << ": "
+    ASSERT_TRUE(result.accepted()) << i << " " << named(c) << " " << name_of(answer.verdict()) << ": "
                                    << result.failed_form << result.error
                                    << (result.statements.empty() ? "" : result.statements[0].reason);
   }
@@ -153,17 +153,17 @@ TEST(RoundSweepDifferential, GrazesToTheLastBit) {
     const auto last = [&](double low, bool undecided_meets) {
       double high = 2;
       for (double mid = low + (high - low) / 2; mid > low && mid < high; mid = low + (high - low) / 2) {
-        const RoundSweepAnswer answer = motion(mid).ask();
+        const SweepAnswer answer = motion(mid).ask();
         (answer.meet() || (undecided_meets && answer.undecided()) ? low : high) = mid;
       }
       return low;
     };
-    if (!motion(0).ask().meet() || motion(2).ask().verdict != Verdict::apart) continue;
+    if (!motion(0).ask().meet() || motion(2).ask().verdict() != Verdict::apart) continue;
     const double meets = last(0, false), apart = std::nextafter(last(meets, true), 3.0);
     const Motion near = motion(meets), far = motion(apart);
-    const RoundSweepAnswer answer = near.ask(), other = far.ask();
+    const SweepAnswer answer = near.ask(), other = far.ask();
     ASSERT_TRUE(answer.meet());
-    ASSERT_EQ(other.verdict, Verdict::apart);
+    ASSERT_EQ(other.verdict(), Verdict::apart);
     ASSERT_TRUE(checked(near, answer, nullptr).accepted()) << i;
     ASSERT_TRUE(checked(far, other, nullptr).accepted()) << i;
     if (near.are_hulls()) {

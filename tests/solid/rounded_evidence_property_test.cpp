@@ -30,7 +30,7 @@ TEST(RoundedEvidence, GapOfBoxes) {
     const double unit = std::ldexp(1.0, exponent);
     const Pair pair{box(unit), box(unit), Pose(), shift(5 * unit, 0, 0)};
     ASSERT_FALSE(pair.answer.meet());
-    const RoundedGap gap = rounded_gap(pair.answer.certificate(), pair.in_a(), pair.in_b());
+    const RoundedGap gap = rounded_gap(std::get<Separation>(pair.answer.evidence), pair.in_a(), pair.in_b());
     EXPECT_GT(gap.direction.x, 0.5) << exponent;
     EXPECT_GT(gap.width, 0) << exponent;
     EXPECT_LE(gap.width, 3 * unit * (1 + 1e-9)) << exponent;
@@ -41,7 +41,7 @@ TEST(RoundedEvidence, GapOfBoxes) {
 
 TEST(RoundedEvidence, AxisGivesTheWidthExactly) {
   const Pair pair{box(1), box(1), Pose(), shift(0, 5, 0)};
-  PairCertificate certificate;
+  Separation certificate;
   certificate.direction.given = {0, 4, 0};
   for (std::uint32_t v = 0; v < 8; ++v) {
     if (pair.a.vertices()[v].y == 1) certificate.extreme_a = v;
@@ -61,7 +61,7 @@ TEST(RoundedEvidence, CommonPointIsInBoth) {
     const Pair pair{box(scale), box(scale), Pose(), shift(u(), u(), u())};
     if (!pair.answer.meet()) continue;
     ++meeting;
-    const Point3 p = rounded_common_point(pair.answer.certificate(), pair.in_a(), pair.in_b());
+    const Point3 p = rounded_common_point(std::get<CommonVertices>(pair.answer.evidence), pair.in_a(), pair.in_b());
     const auto& t = pair.pose_b.affine().translation;
     const double limit = scale * (1 + 1e-12);
     EXPECT_LE(std::fabs(p.x), limit);
@@ -78,7 +78,7 @@ TEST(RoundedEvidence, CommonPointOfCorners) {
   const std::vector<Point3> one{{0.1, -7, 1e-300}};
   const Pair pair{ConvexPolyhedron(one), ConvexPolyhedron(one), Pose(), Pose()};
   ASSERT_TRUE(pair.answer.meet());
-  EXPECT_EQ(rounded_common_point(pair.answer.certificate(), pair.in_a(), pair.in_b()), one[0]);
+  EXPECT_EQ(rounded_common_point(std::get<CommonVertices>(pair.answer.evidence), pair.in_a(), pair.in_b()), one[0]);
 }
 
 }  // namespace

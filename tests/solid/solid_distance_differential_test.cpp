@@ -41,7 +41,7 @@ std::string distance_certificate(const PairCase& c, const PolyhedronDistance& di
   const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
   const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
   const solid::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
-  add_claims(pairs, pair, distance.answer.certificate(), Contact::none);
+  add_claims(pairs, pair, distance.answer.evidence, Relation::none);
   add_distance(pairs, pair, distance);
   const auto [low, high] = distance.distance();
   for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {

@@ -106,7 +106,7 @@ TEST(SolidLineDifferential, FrontDoorsAgreeWithTheScans) {
       ASSERT_TRUE(verified.accepted()) << (verified.statements.empty() ? verified.error + verified.failed_form
                                                                        : verified.statements[0].reason)
                                        << file.substr(0, 4000);
-      const Contact contact = contact_of(c.body, other, found);
+      const Relation contact = contact_of(c.body, other, found);
       const std::string verdict = !found.meet() ? "apart" : tells_contact ? std::string(name_of(contact)) : "meet";
       ASSERT_EQ(verified.statements.at(0).verdict, verdict);
       ++verdicts[std::string(kinds[kind]) + " " + verdict];

@@ -31,7 +31,7 @@ std::string as_text(const PairCase& c, const PairAnswer& answer) {
   PairClaims pairs(file);
   const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
   const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
-  if (answer.evidence.verdict == Verdict::apart) pairs.add_pair(a, b, answer.evidence);
+  if (answer.verdict() == Verdict::apart) pairs.add_pair(a, b, answer.evidence);
   pairs.end();
   return text;
 }
@@ -69,7 +69,7 @@ TEST(SolidPairDifferential, MethodsAgreeWithTheScan) {
     if (c.touches_exactly) {
       ASSERT_TRUE(gjk.meet()) << i;
       if (tallies[c.family].cases % 4 == 0) {
-        ASSERT_EQ(polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b), Contact::touching) << i;
+        ASSERT_EQ(polyhedron_polyhedron_contact(c.a, c.pose_a, c.b, c.pose_b), Relation::touching) << i;
       }
     }
     PairTally& t = tallies[c.family];
@@ -177,18 +177,18 @@ TEST(SolidPairDifferential, ContactTellsTouchingFromOverlapping) {
   for (int i = 0; i < count; ++i) {
     const PairCase touching = pairs.next(Family::touching);
     ASSERT_EQ(polyhedron_polyhedron_contact(touching.a, touching.pose_a, touching.b, touching.pose_b),
-              Contact::touching)
+              Relation::touching)
         << i;
     // A body and itself, and a body and a smaller one inside: overlapping, whatever the dimension.
     const PairCase contained = pairs.next(Family::contained);
     ASSERT_EQ(polyhedron_polyhedron_contact(contained.a, contained.pose_a, contained.a, contained.pose_a),
-              Contact::overlapping)
+              Relation::overlapping)
         << i;
     // A small integer body against one shifted by a unit: an oracle by shifts of 2^-40 in many directions.
     const PairCase grid = pairs.next(Family::grid);
-    const Contact contact = polyhedron_polyhedron_contact(grid.a, grid.pose_a, grid.b, grid.pose_b);
-    ASSERT_EQ(contact == Contact::none, !polyhedron_polyhedron(grid.a, grid.pose_a, grid.b, grid.pose_b).meet());
-    if (grid.a.dimension() == 3 && grid.b.dimension() == 3 && contact != Contact::none) {
+    const Relation contact = polyhedron_polyhedron_contact(grid.a, grid.pose_a, grid.b, grid.pose_b);
+    ASSERT_EQ(contact == Relation::none, !polyhedron_polyhedron(grid.a, grid.pose_a, grid.b, grid.pose_b).meet());
+    if (grid.a.dimension() == 3 && grid.b.dimension() == 3 && contact != Relation::none) {
       // Interiors of full-dimensional bodies meet iff every small shift leaves them meeting: shrink one slightly about
       // an interior point; if they still meet then, the interiors meet. (Minimal overlaps here are far above 2^-30.)
       std::vector<Point3> shrunk;
@@ -200,7 +200,7 @@ TEST(SolidPairDifferential, ContactTellsTouchingFromOverlapping) {
         shrunk.push_back({toward(p.x, centre.x), toward(p.y, centre.y), toward(p.z, centre.z)});
       }
       const bool interiors = polyhedron_polyhedron(ConvexPolyhedron(shrunk), grid.pose_a, grid.b, grid.pose_b).meet();
-      ASSERT_EQ(contact == Contact::overlapping, interiors) << i;
+      ASSERT_EQ(contact == Relation::overlapping, interiors) << i;
       overlapping += interiors;
     }
   }

@@ -147,13 +147,13 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
         expect_evidence(*answer, c.a, pose, plane);
         if (HasFatalFailure()) return;
       }
-      const Contact contact = polyhedron_plane_contact(c.a, pose, plane);
-      ASSERT_EQ(contact != Contact::none, scan.meet());
+      const Relation contact = polyhedron_plane_contact(c.a, pose, plane);
+      ASSERT_EQ(contact != Relation::none, scan.meet());
       for (PlaneTally* t : {&of_planes[family], &of_bodies[c.family]}) {
         ++t->cases;
         t->meets += scan.meet();
         t->above += scan.side == Sign::positive;
-        t->touches += contact == Contact::touching;
+        t->touches += contact == Relation::touching;
         t->by_front += front.decided_by == DecidedBy::finishing;
         t->by_drums += (drums.decided_by == DecidedBy::finishing) + (others.decided_by == DecidedBy::finishing);
         t->exact += front.decided_by == DecidedBy::evidence;

@@ -24,6 +24,8 @@
 namespace sunder::tests {
 namespace {
 
+using solid::CommonVerticesAtAnEnd;
+using solid::ContactOnTheWay;
 using solid::ConvexPolyhedron;
 using solid::Pose;
 using solid::SweepAnswer;
@@ -119,8 +121,8 @@ std::string motion_certificate(const Moving& m, const SweepAnswer& answer, const
     };
     if (!answer.meet()) {
       pairs.add_motion_apart(a, b, to_a, to_b, solid::parting_direction(answer, m.a, m.of_a, m.b, m.of_b));
-    } else if (answer.contact) {
-      add_meet(*answer.contact, nullptr);
+    } else if (const auto* between = std::get_if<ContactOnTheWay>(&answer.evidence)) {
+      add_meet(*between->contact, nullptr);
     }
     if (first) add_meet(*first, first->time.sign() == Sign::zero ? nullptr : &first->direction);
   });
@@ -137,11 +139,10 @@ SweepAnswer expect_right(const Moving& m, const std::optional<Fraction>& first) 
     const FractionPoint d = fractions(solid::parting_direction(answer, m.a, m.of_a, m.b, m.of_b));
     EXPECT_GT(gap(a, b, d, 0), 0);
     EXPECT_GT(gap(a, b, d, 1), 0);
-  } else if (answer.found == SweepAnswer::Found::between) {
-    EXPECT_TRUE(answer.contact != nullptr);
-    if (answer.contact) expect_contact(m, *answer.contact);
+  } else if (const auto* between = std::get_if<ContactOnTheWay>(&answer.evidence)) {
+    expect_contact(m, *between->contact);
   } else {
-    const bool at_end = answer.found == SweepAnswer::Found::at_end;
+    const bool at_end = std::get<CommonVerticesAtAnEnd>(answer.evidence).is_at_end;
     EXPECT_TRUE(solid::polyhedron_polyhedron(m.a, at_end ? m.of_a.end() : m.of_a.begin(), m.b,
                                              at_end ? m.of_b.end() : m.of_b.begin())
                     .meet());
@@ -166,10 +167,8 @@ struct SweepTally {
   int apart = 0, at_begin = 0, at_end = 0, between = 0, finished = 0;
 
   void count(const SweepAnswer& answer) {
-    ++(!answer.meet()                                 ? apart
-       : answer.found == SweepAnswer::Found::at_begin ? at_begin
-       : answer.found == SweepAnswer::Found::at_end   ? at_end
-                                                      : between);
+    const auto* end = std::get_if<CommonVerticesAtAnEnd>(&answer.evidence);
+    ++(!answer.meet() ? apart : end == nullptr ? between : end->is_at_end ? at_end : at_begin);
     finished += answer.decided_by == DecidedBy::finishing;
   }
   void print(const char* what) const {

@@ -145,8 +145,8 @@ inline Fraction squared_way(const OracleBody& a, const OracleBody& b, const std:
 // Is the answer's evidence that of its verdict? Nothing of undecided ones.
 inline bool is_proved(const solid::PlacedRound& a, const solid::PlacedRound& b, const solid::RoundEvidence& evidence) {
   const OracleBody of_a(a), of_b(b);
-  if (evidence.verdict == Verdict::apart) {
-    const std::array<Dyadic, 3> d = solid::direction_of(evidence);
+  if (verdict_of(evidence) == Verdict::apart) {
+    const std::array<Dyadic, 3> d = solid::direction_of(a, b, evidence);
     return is_parted(of_a, of_b, {fraction(d[0]), fraction(d[1]), fraction(d[2])});
   }
   const CommonPoint point = solid::common_point_of(a, b, evidence);

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
       const tests::PairCase& c = cases[k];
       const auto [a, b] = placed[k];
       const auto distance = solid::polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
-      written.add_pair(a, b, distance.answer.certificate());
+      written.add_pair(a, b, distance.answer.evidence);
       meets += distance.meet();
       if (distance.meet()) continue;
       const auto [of_a, of_b] = solid::closest_points(*distance.closest);

@@ -36,7 +36,7 @@ std::vector<Point3> in_space(const planar::ConvexPolygon& polygon) {
 // Every other one that meets tells how.
 void add_answer(PairClaims& written, const Case& c, const PairCertificate& evidence, bool tells_contact) {
   const auto& [family, a, b, pose_a, pose_b, touches] = c.planar;
-  const Contact contact = tells_contact ? planar::polygon_polygon_contact(a, pose_a, b, pose_b) : Contact::none;
+  const Relation contact = tells_contact ? planar::polygon_polygon_contact(a, pose_a, b, pose_b) : Relation::none;
   planar::add_claims(written, {c.a, c.b, a, pose_a, b, pose_b}, evidence, contact);
 }
 
@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     for (const Case& c : cases) {
       const auto method = methods[static_cast<std::size_t>(i++) % methods.size()];
       const PairAnswer answer = method(c.planar.a, c.planar.pose_a, c.planar.b, c.planar.pose_b);
-      add_answer(written, c, answer.certificate(), i % 4 < 2);
+      add_answer(written, c, answer.evidence, i % 4 < 2);
       meets += answer.meet() ? 1 : 0;
     }
     written.end();

@@ -44,10 +44,8 @@ class MotionPair : public PairQuestion {
       facts_.push_back(told_point());
       facts_.push_back(told_time());
     } else {
-      apart_.direction.kind = Direction::Kind::exact;
-      apart_.direction.numbers =
-          std::make_shared<const std::array<Dyadic, 3>>(parting_direction(answer, a, of_a_, b, of_b_));
-      apart_.extreme_a = answer.evidence.extreme_a, apart_.extreme_b = answer.evidence.extreme_b;
+      apart_ = std::get<solid::SeparationOnTheWay>(answer.evidence).separation;
+      apart_.direction = exact_direction(parting_direction(answer, a, of_a_, b, of_b_));
       facts_.push_back(told_apart());
     }
   }
@@ -103,7 +101,7 @@ class MotionPair : public PairQuestion {
 
   const PlacedBody &body_a_, &body_b_;
   Translation of_a_, of_b_;
-  PairCertificate apart_;
+  Separation apart_;
   std::optional<SweepContact> first_;
 };
 

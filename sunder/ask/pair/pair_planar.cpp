@@ -47,7 +47,7 @@ class BoundedPair : public PairQuestion {
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify) contact_ = planar::polygon_polygon_contact(a, pose_a, b, pose_b);
     if (call.distance || least_ > 0) distance_ = planar::polygon_polygon_distance(a, pose_a, b, pose_b);
-    facts_.push_back(evidence(answer_.certificate(), 2));
+    facts_.push_back(evidence(answer_.evidence, 2));
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text()});
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
@@ -60,9 +60,9 @@ class BoundedPair : public PairQuestion {
     return certificate_of(PairClaims::Space::planar, a_, b_,
                           [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
                             const planar::ClaimedPair pair{a, b, of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose};
-                            add_claims(pairs, pair, answer_.certificate(), contact_);
+                            add_claims(pairs, pair, answer_.evidence, contact_);
                             if (call.distance) add_distance(pairs, pair, distance_);
-                            if (least_ > 0) add_clearance(pairs, pair, answer_.certificate(), distance_, least_);
+                            if (least_ > 0) add_clearance(pairs, pair, answer_.evidence, distance_, least_);
                           });
   }
   std::string picture() const {

@@ -12,14 +12,16 @@ namespace {
 // One sentence in one or two lines.
 std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, const PlacedVertices& b, bool is_planar) {
   const auto told = [&](const Point3& p) { return is_planar ? about(Point2{p.x, p.y}) : about(p); };
-  if (c.verdict == Verdict::meet) {
-    return fmt::format("a common point at about {}, made of {} of A and {} of B", told(rounded_common_point(c, a, b)),
-                       c.count_a == 1 ? "1 vertex" : fmt::format("{} vertices", c.count_a), c.count_b);
+  if (const auto* common = std::get_if<CommonVertices>(&c)) {
+    return fmt::format(
+        "a common point at about {}, made of {} of A and {} of B", told(rounded_common_point(*common, a, b)),
+        common->count_a == 1 ? "1 vertex" : fmt::format("{} vertices", common->count_a), common->count_b);
   }
-  const RoundedGap gap = rounded_gap(c, a, b);
+  const Separation& apart = std::get<Separation>(c);
+  const RoundedGap gap = rounded_gap(apart, a, b);
   return fmt::format(
       "an empty {} about {} wide across the direction of about {},\nfrom vertex {} of A to vertex {} of B",
-      is_planar ? "strip" : "slab", about(gap.width), told(gap.direction), c.extreme_a, c.extreme_b);
+      is_planar ? "strip" : "slab", about(gap.width), told(gap.direction), apart.extreme_a, apart.extreme_b);
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ class PairQuestion {
   const PairFiles& files_;
   bool meet_ = false, is_yes_ = false;         // is_yes_: is the exit code 1?
   std::string word_, verdict_, decided_text_;  // word_: the answer; the others are for people
-  Contact contact_ = Contact::none;
+  Relation contact_ = Relation::none;
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
   std::vector<Fact> facts_;  // their texts stand under their keys

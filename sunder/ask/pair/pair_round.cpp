@@ -48,7 +48,7 @@ class RoundPair : public PairQuestion {
     is_yes_ = answer_.verdict() != Verdict::apart;  // what is undecided is not known to be apart
     if (call.classify && meet_) {
       found_ = round_round_contact(placed_a_, placed_b_, answer_.evidence);
-      contact_ = found_.contact.value_or(Contact::none);
+      contact_ = relation_of(found_);
     }
     if (call.distance || least_ > 0) distance_ = round_distance(placed_a_, placed_b_);
     if (least_ > 0) {
@@ -61,7 +61,7 @@ class RoundPair : public PairQuestion {
         is_hull && (answer_.verdict() != Verdict::apart || call.distance || (least_ > 0 && !clearance_.kept()));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
-    if (call.classify && meet_ && !found_.contact) {
+    if (call.classify && meet_ && contact_ == Relation::none) {
       facts_.push_back({"contact_unknown", true, "whether they touch or overlap is undecided"});
     }
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
@@ -106,13 +106,13 @@ class RoundPair : public PairQuestion {
       const Point3 p = rounded_point_of(placed_a_, placed_b_, evidence);
       return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point at about {}", about(p))};
     }
-    const Point3 unit = rounded_direction(evidence);
+    const Point3 unit = rounded_direction(placed_a_, placed_b_, evidence);
     if (answer_.undecided()) {
       return {"evidence",
               {{"direction_about", to_json(unit)}},
               fmt::format("they touch, or nearly, across the direction of about {}", about(unit))};
     }
-    const double gap = rounded_gap(evidence, placed_a_, placed_b_).width;
+    const double gap = rounded_gap(placed_a_, placed_b_, evidence).width;
     return {"evidence",
             {{"direction_about", to_json(unit)}, {"gap_about", gap}},
             fmt::format("an empty slab about {} wide across the direction of about {}", about(gap), about(unit))};

@@ -41,7 +41,7 @@ class RoundMotionPair : public PairQuestion {
                       ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"
                       : decided_text(answer_.decided_by));
     if (answer_.undecided()) word_ = "undecided";
-    is_yes_ = answer_.verdict != Verdict::apart;  // what is undecided is not known to be apart
+    is_yes_ = answer_.verdict() != Verdict::apart;  // what is undecided is not known to be apart
     const bool is_said_of_hulls = is_yes_ && (round_a_.is_hull() || round_b_.is_hull());
     verdict_ = answer_.undecided() ? "undecided whether they meet on the way"
                : !meet_            ? "apart all the way"
@@ -76,7 +76,7 @@ class RoundMotionPair : public PairQuestion {
       const auto [a, to_a] = add(a_, round_a_, of_a_);
       const auto [b, to_b] = add(b_, round_b_, of_b_);
       if (first_) return add_claims(pairs, {a, b, to_a, to_b}, *first_);
-      add_claims(pairs, {a, b, to_a, to_b}, answer_);
+      add_claims(pairs, {a, b, to_a, to_b}, round_a_.body, of_a_, round_b_.body, of_b_, answer_);
     });
   }
 
@@ -96,18 +96,15 @@ class RoundMotionPair : public PairQuestion {
   }
 
   Fact told_apart() const {
-    solid::RoundEvidence evidence;
-    evidence.verdict = Verdict::apart;
-    evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(answer_.direction);
+    const auto [x, y, z] = direction_of(round_a_.body, of_a_, round_b_.body, of_b_, answer_);
+    const solid::RoundEvidence evidence = solid::separation_along(WorldDirection(Vector3<Dyadic>{x, y, z}));
     const auto gap = [&](bool at_end) {
       const PlacedRound a(round_a_.body, at_end ? of_a_.end() : of_a_.begin());
       const PlacedRound b(round_b_.body, at_end ? of_b_.end() : of_b_.begin());
-      return rounded_gap(evidence, a, b).width;
+      return rounded_gap(a, b, evidence).width;
     };
-    const auto& d = answer_.direction;
-    const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
-    evidence.direction = {near.x.low, near.y.low, near.z.low};
-    const Point3 direction = rounded_direction(evidence);
+    const PlacedRound begin_a(round_a_.body, of_a_.begin()), begin_b(round_b_.body, of_b_.begin());
+    const Point3 direction = rounded_direction(begin_a, begin_b, evidence);
     const double first = gap(false), last = gap(true);
     return {
         "evidence",
@@ -119,7 +116,7 @@ class RoundMotionPair : public PairQuestion {
 
   const PlacedRoundBody &round_a_, &round_b_;
   Translation of_a_, of_b_;
-  solid::RoundSweepAnswer answer_;
+  solid::SweepAnswer answer_;
   std::optional<solid::RoundFirstContact> first_;
 };
 

@@ -74,7 +74,7 @@ class SolidPair : public PairQuestion {
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
     const bool is_said_of_hulls = is_hull && (meet_ || call.distance || (least_ > 0 && !is_kept_));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
-    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.certificate(), 3)};
+    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.evidence, 3)};
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
     const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
     cut_ = is_of_a ? segment_cut(of_b_, "B", of_a_) : segment_cut(of_a_, "A", of_b_);
@@ -100,7 +100,7 @@ class SolidPair : public PairQuestion {
       };
       const std::uint32_t a = add(a_), b = add(b_);
       const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
-      add_claims(pairs, pair, answer_.certificate(), contact_);
+      add_claims(pairs, pair, answer_.evidence, contact_);
       if (cut_ && cut_->cut.meet()) {
         const PlacedBody& body = cuts_b_ ? of_b_ : of_a_;
         add_common_part(pairs, cuts_b_ ? b : a, cuts_b_ ? a : b, body.mesh.hull, body.pose, cut_->segment, cut_->cut);

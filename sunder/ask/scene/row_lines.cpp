@@ -1,3 +1,4 @@
+#include <sunder/ask/evidence.h>
 #include <sunder/ask/scene/row_lines.h>
 #include <sunder/ask/scene/scene_clearance.h>
 #include <sunder/ask/scene/scene_report.h>
@@ -224,20 +225,19 @@ void RowLines::add_json(const PartPair& pair, std::span<const scene::Body> bodie
   open_pair(pair, json);
   json.member("answer", name_of(pair.verdict()));
   if (question_.contacts && pair.meet()) {
-    has_unknown_contact(pair) ? json.member("contact_unknown", true) : json.member("contact", name_of(pair.contact));
+    has_unknown_contact(pair) ? json.member("contact_unknown", true) : json.member("contact", name_of(pair.relation));
   }
-  json.member("said_of", of(pair).said_of()).member("counted", pair.counts).key("evidence").open('{');
-  if (pair.undecided()) {
-    json.key("direction_about").written(to_json(rounded_direction(*pair.round)).on_one_line());
-  } else if (pair.round) {
-    json.member("point", coordinates(rounded_common_point(pair, bodies[pair.body_a].parts[pair.part_a],
-                                                          bodies[pair.body_b].parts[pair.part_b])));
-  } else {
-    const PairCertificate& c = pair.answer.certificate();
-    const std::span<const std::uint32_t> vertices(c.vertices);
-    json.member("vertices_a", vertices.first(c.count_a)).member("vertices_b", vertices.subspan(c.count_a, c.count_b));
+  json.member("said_of", of(pair).said_of()).member("counted", pair.counts).key("evidence");
+  const auto* common = std::get_if<CommonVertices>(&pair.answer.evidence);
+  if (common == nullptr) {
+    const scene::Part &in_a = bodies[pair.body_a].parts[pair.part_a], &in_b = bodies[pair.body_b].parts[pair.part_b];
+    const solid::PlacedRound a(in_a.shape, in_a.pose), b(in_b.shape, in_b.pose);
+    json.written(evidence_json(pair.answer.evidence, a, b).on_one_line()).close('}');
+    return;
   }
-  json.close('}').close('}');
+  const std::span<const std::uint32_t> vertices(common->vertices);
+  json.open('{').member("vertices_a", vertices.first(common->count_a));
+  json.member("vertices_b", vertices.subspan(common->count_a, common->count_b)).close('}').close('}');
 }
 
 void RowLines::add_json(const PartDistance& pair, bool has_margin, JsonLine& json) const {

@@ -251,7 +251,7 @@ void add_contact(const PartPair& pair, Json& json) {
   if (has_unknown_contact(pair)) {
     json["contact_unknown"] = true;
   } else if (!pair.undecided()) {
-    json["contact"] = name_of(pair.contact);
+    json["contact"] = name_of(pair.relation);
   }
 }
 
@@ -289,9 +289,7 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   json["cost"] = to_json(pair.answer.cost);
   const scene::Part &a = part_a(placed, pair), &b = part_b(placed, pair);
   json["evidence"] =
-      pair.round ? evidence_json(*pair.round, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose))
-                 : evidence_json(pair.answer.certificate(), placed_vertices(a.shape.core(), a.pose),
-                                 placed_vertices(b.shape.core(), b.pose));
+      evidence_json(pair.answer.evidence, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose));
   return json;
 }
 
@@ -370,10 +368,10 @@ bool SceneReport::is_kept() const {
 
 std::string_view contact_name(const PartPair& pair) {
   if (pair.undecided()) return "undecided";
-  return has_unknown_contact(pair) ? "touching or overlapping" : name_of(pair.contact);
+  return has_unknown_contact(pair) ? "touching or overlapping" : name_of(pair.relation);
 }
 
-bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.contact == Contact::none; }
+bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.relation == Relation::none; }
 
 std::vector<std::string> not_proved(const SceneReport& report) {
   for (const Placed& placed : report.placements) {

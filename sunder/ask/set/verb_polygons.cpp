@@ -108,7 +108,7 @@ class PolygonsSet {
   using Contact = PolygonsContact;
   using Result = SetResult<PolygonsSet>;
   static constexpr std::string_view verb = "polygons", noun = "polygon", drawn_noun = "edge";
-  static constexpr std::array kinds{sunder::Contact::overlapping, sunder::Contact::touching};
+  static constexpr std::array kinds{sunder::Relation::overlapping, sunder::Relation::touching};
 
   static void check(const PolygonsCall& call) {
     method_by(call.method, polygons_any_methods);
@@ -201,7 +201,7 @@ class PolygonsSet {
     return fmt::format("{}: {} and {}: {} at about {}\n", name_of(c.contact), polygon_text(c, true),
                        polygon_text(c, false), shown_by(c), place_text(place_of(input_, c)));
   }
-  static sunder::Contact kind_of(const PolygonsContact& c) { return c.contact; }
+  static sunder::Relation kind_of(const PolygonsContact& c) { return c.contact; }
 
   ContactRow row(const PolygonsContact& c) const {
     const PolygonSource &i = input_.source[c.i], &j = input_.source[c.j];
@@ -231,7 +231,7 @@ class PolygonsSet {
         [this](std::uint32_t i) { return input_.name(i); },
         [this](PlanePicture& drawing, std::uint32_t i, Ink ink) { draw(drawing, input_.polygons[i], ink); },
         [this](const PolygonsContact& c) {
-          return c.contact == sunder::Contact::overlapping ? std::optional(place_of(input_, c)) : std::nullopt;
+          return c.contact == sunder::Relation::overlapping ? std::optional(place_of(input_, c)) : std::nullopt;
         });
   }
 

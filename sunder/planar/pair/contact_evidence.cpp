@@ -1,5 +1,6 @@
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_point.h>
+#include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
 
 #include <algorithm>
@@ -144,14 +145,15 @@ std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& p
   return {edge.y, -edge.x};
 }
 
-void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Relation contact) {
   const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
-  if (contact == Contact::none) return pairs.add_pair(index_a, index_b, certificate);
-  if (contact == Contact::overlapping) {
+  if (contact == Relation::none) return pairs.add_pair(index_a, index_b, certificate);
+  if (contact == Relation::overlapping) {
     return pairs.add_overlapping(index_a, index_b, overlapping_point(a, pose_a, b, pose_b));
   }
-  pairs.add_touching(index_a, index_b, pairs.common_point(index_a, index_b, certificate),
-                     touching_direction(a, pose_a, b, pose_b, certificate));
+  const CommonVertices& common = std::get<CommonVertices>(certificate);
+  pairs.add_touching(index_a, index_b, pairs.common_point(index_a, index_b, common),
+                     touching_direction(a, pose_a, b, pose_b, common));
 }
 
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance) {
@@ -164,7 +166,7 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertifi
                    const PolygonDistance& distance, double least) {
   const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
   if (!distance.closest) {
-    const auto& [at, of_a, of_b] = pairs.common_point(index_a, index_b, certificate);
+    const auto& [at, of_a, of_b] = pairs.common_point(index_a, index_b, std::get<CommonVertices>(certificate));
     return pairs.add_clearance_broken(index_a, index_b, least, {at, of_a}, {at, of_b});
   }
   const auto [of_a, of_b] = closest_points(a, pose_a, b, pose_b, *distance.closest);
@@ -175,7 +177,7 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertifi
 }
 
 std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
-                                         const Pose& pose_b, const PairCertificate& meet) {
+                                         const Pose& pose_b, const CommonVertices& meet) {
   const std::span<const std::uint32_t> all(meet.vertices);
   const Corner of_a{a, pose_a, all.first(meet.count_a)}, of_b{b, pose_b, all.subspan(meet.count_a, meet.count_b)};
   std::vector<Exact> candidates = of_a.outward();
@@ -242,3 +244,24 @@ CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const 
 }
 
 }  // namespace sunder::planar
+
+namespace sunder {
+
+void prove(const TextSink& sink, const AskedPair<planar::ConvexPolygon, planar::Pose>& asked,
+           const PairAnswer& answer) {
+  const auto& [a, at_a, b, at_b, name_a, name_b, tells_relation, origin] = asked;
+  const auto in_space = [](const planar::ConvexPolygon& polygon) {
+    std::vector<Point3> vertices;
+    for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
+    return vertices;
+  };
+  const std::vector<Point3> of_a = in_space(a), of_b = in_space(b);
+  prove_pair(sink, asked, PairClaims::Space::planar, of_a, planar::in_space(at_a.affine()), of_b,
+             planar::in_space(at_b.affine()), [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
+               const Relation relation =
+                   tells_relation ? planar::polygon_polygon_contact(a, at_a, b, at_b) : Relation::none;
+               planar::add_claims(pairs, {index_a, index_b, a, at_a, b, at_b}, answer.evidence, relation);
+             });
+}
+
+}  // namespace sunder

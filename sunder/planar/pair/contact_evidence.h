@@ -6,6 +6,7 @@
 // polygon_polygon_intersection besides.
 #pragma once
 
+#include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/planar/object/convex_polygon.h>
@@ -30,7 +31,7 @@ struct ClaimedPair {
 
 // States what polygon_polygon's certificate says: that they are apart, or meet; where the contact is not none, that
 // they touch, or overlap.
-void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact);
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Relation contact);
 
 // States how far apart they are; of polygons that meet, nothing.
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance);
@@ -48,7 +49,7 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertifi
 // segment also by the way out of it. Where the cones of both meet, and neither is all of the plane, an edge of one of
 // them is in the other; and if all common directions but one have all of both on one line, that one is an edge, too.
 std::array<Dyadic, 3> touching_direction(const ConvexPolygon& a, const Pose& pose_a,  //
-                                         const ConvexPolygon& b, const Pose& pose_b, const PairCertificate& meet);
+                                         const ConvexPolygon& b, const Pose& pose_b, const CommonVertices& meet);
 
 // A point of both relative interiors, with how they make it. Requires the contact to be overlapping. It is the mean of
 // corners of the common part; rounded, where that still is inside both.
@@ -73,3 +74,10 @@ ExactPoint2 exact_middle(const ConvexPolygon& polygon, const Pose& pose);
 std::array<Dyadic, 2> outward_normal(const ConvexPolygon& polygon, const Pose& pose, std::uint32_t v);
 
 }  // namespace sunder::planar
+
+namespace sunder {
+
+// Writes what polygon_polygon says of them as a certificate file, whole. Requires the answer to be about these.
+void prove(const TextSink& sink, const AskedPair<planar::ConvexPolygon, planar::Pose>& asked, const PairAnswer& answer);
+
+}  // namespace sunder

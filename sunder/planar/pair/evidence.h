@@ -93,12 +93,12 @@ Few corners_around(const typename Sequence::Vertex& p, const Sequence& q, Corner
 // Fills in that these corners of a and of b have a common point in their hulls: at most four.
 template <class A, class B>
 bool fill_meet(const A& a, Corners of_a, const B& b, Corners of_b, PairCertificate& certificate) {
-  certificate.verdict = Verdict::meet;
-  certificate.count_a = static_cast<std::uint8_t>(of_a.size());
-  certificate.count_b = static_cast<std::uint8_t>(of_b.size());
+  CommonVertices& found = certificate.emplace<CommonVertices>();
+  found.count_a = static_cast<std::uint8_t>(of_a.size());
+  found.count_b = static_cast<std::uint8_t>(of_b.size());
   std::size_t k = 0;
-  for (const std::uint32_t c : of_a) certificate.vertices[k++] = a.number(c);
-  for (const std::uint32_t c : of_b) certificate.vertices[k++] = b.number(c);
+  for (const std::uint32_t c : of_a) found.vertices[k++] = a.number(c);
+  for (const std::uint32_t c : of_b) found.vertices[k++] = b.number(c);
   return true;
 }
 
@@ -171,18 +171,16 @@ bool parts(const A& a, std::uint32_t i, const B& b, std::uint32_t near, StageTal
 template <class A, class B>
 void fill_apart_by_edge_of_a(const A& a, std::uint32_t i, const B& b, std::uint32_t near, PairCertificate& c) {
   const std::uint32_t at = position(a, i), next = position(a, at + 1);
-  c.verdict = Verdict::apart;
-  c.direction = {.kind = Direction::Kind::side_of_a, .index = {a.number(at), a.number(next)}};
-  c.extreme_a = a.number(at);
-  c.extreme_b = b.number(position(b, near));
+  c = Separation{{.kind = Direction::Kind::side_of_a, .index = {a.number(at), a.number(next)}},
+                 a.number(at),
+                 b.number(position(b, near))};
 }
 template <class A, class B>
 void fill_apart_by_edge_of_b(const A& a, std::uint32_t near, const B& b, std::uint32_t j, PairCertificate& c) {
   const std::uint32_t at = position(b, j), next = position(b, at + 1);
-  c.verdict = Verdict::apart;
-  c.direction = {.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}};
-  c.extreme_a = a.number(position(a, near));
-  c.extreme_b = b.number(at);
+  c = Separation{{.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}},
+                 a.number(position(a, near)),
+                 b.number(at)};
 }
 
 // Does an edge at vertex i of a or at vertex j of b part the two, with the other vertex nearest to it? Fills in the

@@ -129,10 +129,8 @@ minkowski_difference_search::Found search_difference(const A& a, std::uint32_t o
     const std::uint32_t i = last_along(a, a0, b0), j = last_along(b, b0, a0);
     const Sign beyond = dot_2d(a0, b0, a[i], b[j], &tally);  // of b's end beyond that of a
     if (beyond == Sign::positive) {
-      certificate.verdict = Verdict::apart;
-      certificate.direction = {.kind = Direction::Kind::difference, .index = {a.number(of_a), b.number(of_b)}};
-      certificate.extreme_a = a.number(i);
-      certificate.extreme_b = b.number(j);
+      certificate = Separation{
+          {.kind = Direction::Kind::difference, .index = {a.number(of_a), b.number(of_b)}}, a.number(i), b.number(j)};
       return found(false, false, true, i, j);
     }
     check_meet(a, std::array{of_a, i}, b, std::array{of_b, j}, certificate, tally);
@@ -166,15 +164,15 @@ minkowski_difference_search::Found search_difference(const A& a, std::uint32_t o
 
 // Touching or overlapping? Where the two vertices that the ray begins with are one point, another vertex is taken.
 template <class A, class B>
-Contact contact_by_difference(const A& a, const B& b) {
+Relation contact_by_difference(const A& a, const B& b) {
   PairCertificate certificate;
   Cost cost;
   StageTally tally;
   const std::uint32_t other_a = a.size() > 1 ? 1 : 0, other_b = a.size() > 1 || b.size() == 1 ? 0 : 1;
   auto found = search_difference(a, 0, b, 0, certificate, cost, tally);
   if (found.at_corner) found = search_difference(a, other_a, b, other_b, certificate, cost, tally);
-  if (!found.meet) return Contact::none;
-  return found.inside || found.at_corner ? Contact::overlapping : Contact::touching;  // at_corner: two points
+  if (!found.meet) return Relation::none;
+  return found.inside || found.at_corner ? Relation::overlapping : Relation::touching;  // at_corner: two points
 }
 
 }  // namespace sunder::planar

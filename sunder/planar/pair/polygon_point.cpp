@@ -81,10 +81,8 @@ void explain(const Sequence& p, const typename Sequence::Vertex& x, const Locate
       if (!found.in_line) {
         fill_apart_by_edge_of_a(p, at, point, 0, answer.evidence);
       } else {
-        answer.evidence.verdict = Verdict::apart;
-        answer.evidence.direction = {.kind = Direction::Kind::difference, .index = {p.number(at), 0}};
-        answer.evidence.extreme_a = p.number(at);
-        answer.evidence.extreme_b = 0;
+        answer.evidence =
+            Separation{{.kind = Direction::Kind::difference, .index = {p.number(at), 0}}, p.number(at), 0};
       }
       return;
     case Place::vertex:

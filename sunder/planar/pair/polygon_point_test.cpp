@@ -27,7 +27,7 @@ CheckResult check(const PolygonPoint& answer, const ConvexPolygon& polygon, cons
 PolygonPoint place_of_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point,
                             bool with_scan = true) {
   const PolygonPoint found = polygon_point(polygon, pose, point);
-  EXPECT_EQ(found.evidence.verdict == Verdict::meet, found.place != Place::outside);
+  EXPECT_EQ(verdict_of(found.evidence) == Verdict::meet, found.place != Place::outside);
   const Tangents t = tangents(polygon, pose, point);
   EXPECT_EQ(t.place, found.place);
   if (!with_scan) return found;

@@ -28,8 +28,8 @@ PairAnswer polygon_polygon_by_gjk(const ConvexPolygon& a, const Pose& pose_a,  /
                      [](const auto& in_a, const auto& in_b) { return answer_by_nearest(in_a, in_b); });
 }
 
-Contact polygon_polygon_contact(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
-                                const Pose& pose_b) {
+Relation polygon_polygon_contact(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
+                                 const Pose& pose_b) {
   return with_placed(a, pose_a, b, pose_b,
                      [](const auto& in_a, const auto& in_b) { return contact_by_difference(in_a, in_b); });
 }

@@ -54,7 +54,8 @@ PairAnswer polygon_polygon_by_scan(const ConvexPolygon& a, const Pose& pose_a,  
                                    const ConvexPolygon& b, const Pose& pose_b);
 
 // Touching or overlapping? Cost: as the front door.
-Contact polygon_polygon_contact(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b);
+Relation polygon_polygon_contact(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b,
+                                 const Pose& pose_b);
 
 }  // namespace planar
 

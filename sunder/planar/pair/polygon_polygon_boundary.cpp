@@ -27,15 +27,15 @@ bool is_inside(const P& p, const Q& q, Cost& cost, StageTally& tally) {
   return true;
 }
 
-BoundariesAnswer answer_of(bool meet, bool a_inside, bool b_inside, Cost cost, const StageTally& tally) {
+RelationAnswer answer_of(bool meet, bool a_inside, bool b_inside, Cost cost, const StageTally& tally) {
   cost.exact += tally.exact;
-  return {boundaries_of(meet, a_inside, b_inside), cost};
+  return {relation_of_boundaries(meet, a_inside, b_inside), cost};
 }
 
 }  // namespace
 
-BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
-                                          const ConvexPolygon& b, const Pose& pose_b) {
+RelationAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
+                                        const ConvexPolygon& b, const Pose& pose_b) {
   return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
     PairCertificate certificate;
     Cost cost;
@@ -47,8 +47,8 @@ BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& po
   });
 }
 
-BoundariesAnswer polygon_polygon_boundary_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
-                                                  const ConvexPolygon& b, const Pose& pose_b) {
+RelationAnswer polygon_polygon_boundary_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
+                                                const ConvexPolygon& b, const Pose& pose_b) {
   Cost cost;
   StageTally tally;
   const PosedPolygon in_a(a, pose_a), in_b(b, pose_b);

@@ -7,26 +7,18 @@
 // as each vertex of a polygon around another one may be the only one that is not far enough out.
 #pragma once
 
-#include <sunder/base/boundaries.h>
-#include <sunder/base/cost.h>
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 
 namespace sunder::planar {
 
-using sunder::Boundaries;
-
-struct [[nodiscard]] BoundariesAnswer {
-  Boundaries relation = Boundaries::apart;
-  Cost cost;
-};
-
 // Cost: that of polygon_polygon where they are apart; else at most 4 (n + m) probes more.
-BoundariesAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
-                                          const ConvexPolygon& b, const Pose& pose_b);
+RelationAnswer polygon_polygon_boundary(const ConvexPolygon& a, const Pose& pose_a,  //
+                                        const ConvexPolygon& b, const Pose& pose_b);
 
 // Every vertex against every edge: the oracle. O(n m).
-BoundariesAnswer polygon_polygon_boundary_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
-                                                  const ConvexPolygon& b, const Pose& pose_b);
+RelationAnswer polygon_polygon_boundary_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
+                                                const ConvexPolygon& b, const Pose& pose_b);
 
 }  // namespace sunder::planar

@@ -92,7 +92,7 @@ bool accepted(const PairAnswer& answer, const ConvexPolygon& a, const Pose& pose
   };
   const auto of_a = table(a), of_b = table(b);
   const Affine3 in_a = in_space(pose_a.affine()), in_b = in_space(pose_b.affine());
-  return check_absolutely(answer.certificate(), {of_a, in_a, false}, {of_b, in_b, false}) == CheckResult::accepted;
+  return check_absolutely(answer.evidence, {of_a, in_a, false}, {of_b, in_b, false}) == CheckResult::accepted;
 }
 
 // Everything that is claimed for one answer, whichever object comes first.

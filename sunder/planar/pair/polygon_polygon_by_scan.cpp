@@ -39,8 +39,7 @@ struct PairScan {
   }
 
   bool apart() {
-    PairCertificate& c = answer.evidence;
-    c.verdict = Verdict::apart;
+    Separation& c = answer.evidence.emplace<Separation>();
     const auto in_a = [this](std::uint32_t v) { return of_a(v); };
     const auto in_b = [this](std::uint32_t v) { return of_b(v); };
     for (const Sign outer : {Sign::negative, Sign::positive}) {  // to the right of an edge, or to its left
@@ -85,9 +84,7 @@ struct PairScan {
   }
 
   void fill(std::initializer_list<std::uint32_t> in_a, std::initializer_list<std::uint32_t> in_b) {
-    PairCertificate& c = answer.evidence;
-    c = {};
-    c.verdict = Verdict::meet;
+    CommonVertices& c = answer.evidence.emplace<CommonVertices>();
     c.count_a = static_cast<std::uint8_t>(in_a.size());
     c.count_b = static_cast<std::uint8_t>(in_b.size());
     std::copy(in_b.begin(), in_b.end(), std::copy(in_a.begin(), in_a.end(), c.vertices.begin()));

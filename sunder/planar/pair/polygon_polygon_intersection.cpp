@@ -138,9 +138,9 @@ CommonPart polygon_polygon_intersection(const ConvexPolygon& a, const Pose& pose
   return with_placed(a, pose_a, b, pose_b, [](const auto& in_a, const auto& in_b) {
     CommonPart out;
     StageTally tally;
-    const Contact contact = contact_by_difference(in_a, in_b);
-    if (contact != Contact::none) {
-      const bool overlap = contact == Contact::overlapping && in_a.size() > 2 && in_b.size() > 2;
+    const Relation contact = contact_by_difference(in_a, in_b);
+    if (contact != Relation::none) {
+      const bool overlap = contact == Relation::overlapping && in_a.size() > 2 && in_b.size() > 2;
       if (in_a.size() <= in_b.size()) {
         cut_with(in_a, in_b, true, overlap, out, tally);
       } else {

@@ -16,13 +16,13 @@ namespace {
 using Exact = Vector2<Dyadic>;
 
 // Of a body and what a line or ray has in common with it.
-Contact contact_of(const PolygonCut& cut, std::uint32_t vertices) {
-  if (!cut.meet()) return Contact::none;
+Relation contact_of(const PolygonCut& cut, std::uint32_t vertices) {
+  if (!cut.meet()) return Relation::none;
   const bool inner_of_body = vertices == 1 ||
                              (vertices == 2 && (cut.kind == CutKind::along || cut.first.place == Place::edge)) ||
                              cut.kind == CutKind::across;
   const bool inner_of_ray = cut.kind != CutKind::point || cut.first.own == OwnEnd::none;
-  return inner_of_body && inner_of_ray ? Contact::overlapping : Contact::touching;
+  return inner_of_body && inner_of_ray ? Relation::overlapping : Relation::touching;
 }
 
 CommonKind kind_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
@@ -41,7 +41,7 @@ PolygonCommon common_of(const ConvexPolygon& polygon, const PolygonCut& cut) {
 }
 
 PolygonCommon common_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
-  const Contact contact = !half.meet ? Contact::none : half.touching ? Contact::touching : Contact::overlapping;
+  const Relation contact = !half.meet ? Relation::none : half.touching ? Relation::touching : Relation::overlapping;
   Cost cost = by_line.cost;
   cost.probes += half.cost.probes;
   cost.iterations += half.cost.iterations;
@@ -96,8 +96,8 @@ std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, co
   if (std::holds_alternative<HalfPlane>(other)) return way_in_space(left_of(along(other)));
   const bool is_ray = std::holds_alternative<Ray>(other);
   const PolygonCut by_line = is_ray ? polygon_line(polygon, pose, line_of(other)) : common.cut;
-  const Contact of_line = contact_of(by_line, polygon.size());
-  const bool is_behind = common.meet() ? of_line == Contact::overlapping : of_line != Contact::none;
+  const Relation of_line = contact_of(by_line, polygon.size());
+  const bool is_behind = common.meet() ? of_line == Relation::overlapping : of_line != Relation::none;
   return way_in_space(is_behind ? out_of_polygon(polygon, pose, along(other), by_line.last)
                                 : across_line(polygon, pose, other, by_line));
 }
@@ -228,11 +228,11 @@ UnboundedBody body_of(const Unbounded& other) {
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
                 const Unbounded& other, const PolygonCommon& common, bool tells_contact) {
   const bool is_on_line = !std::holds_alternative<HalfPlane>(other);
-  if (common.contact == Contact::none) {
+  if (common.contact == Relation::none) {
     pairs.add_apart(a, b, parting(polygon, pose, other, common));
   } else if (!tells_contact) {
     pairs.add_meet(a, b, some_point(polygon, pose, other, common));
-  } else if (common.contact == Contact::touching) {
+  } else if (common.contact == Relation::touching) {
     pairs.add_touching(a, b, some_point(polygon, pose, other, common), parting(polygon, pose, other, common));
   } else {
     pairs.add_overlapping(a, b, overlapping_point(polygon, pose, other, common));

@@ -43,11 +43,11 @@ struct [[nodiscard]] PolygonCommon {
   std::uint32_t witness = 0;  // of a half-plane, as in polygon_half_plane.h; else meaningless
 
   // A vertex is its own relative interior; a segment's is without its ends, a ray's without its beginning.
-  Contact contact = Contact::none;
+  Relation contact = Relation::none;
   DecidedBy decided_by = DecidedBy::filter;
   Cost cost;
 
-  bool meet() const { return contact != Contact::none; }
+  bool meet() const { return contact != Relation::none; }
 };
 
 // Cost: that of polygon_line, polygon_ray, or of polygon_half_plane and polygon_line.

@@ -13,7 +13,7 @@
 namespace sunder::planar {
 
 struct ConvexPairTest {
-  Contact contact = Contact::none;  // none where it does not count
+  Relation contact = Relation::none;  // none where it does not count
   PairAnswer answer;
 };
 
@@ -22,7 +22,7 @@ inline ConvexPairTest test_pair(const ConvexPolygon& a, const ConvexPolygon& b, 
   ConvexPairTest test;
   test.answer = polygon_polygon(a, in_place, b, in_place);
   if (!test.answer.meet()) return test;
-  const Contact contact = polygon_polygon_contact(a, in_place, b, in_place);
+  const Relation contact = polygon_polygon_contact(a, in_place, b, in_place);
   if (counts(contact, allowed)) test.contact = contact;
   return test;
 }
@@ -33,8 +33,8 @@ inline bool report_pair(std::span<const ConvexPolygon> polygons, std::uint32_t i
   const std::uint32_t first = std::min(i, j), second = std::max(i, j);
   ConvexPairTest test = test_pair(polygons[first], polygons[second], allowed);
   answer.cost.probes += 1 + test.answer.cost.probes;
-  if (test.contact == Contact::none) return false;
-  answer.found = {{first, second, test.contact}, test.answer.evidence};
+  if (test.contact == Relation::none) return false;
+  answer.found = {{first, second, test.contact}, std::get<CommonVertices>(test.answer.evidence)};
   return true;
 }
 

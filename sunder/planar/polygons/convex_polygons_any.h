@@ -22,8 +22,8 @@
 
 namespace sunder::planar {
 
-struct ConvexPolygonsContact : ContactOfTwo<Contact> {
-  PairCertificate evidence;                                                                     // that they meet
+struct ConvexPolygonsContact : ContactOfTwo<Relation> {
+  CommonVertices evidence;                                                                      // that they meet
   friend bool operator==(const ConvexPolygonsContact&, const ConvexPolygonsContact&) = delete;  // not of evidence
 };
 

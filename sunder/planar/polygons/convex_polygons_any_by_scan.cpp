@@ -55,9 +55,9 @@ ConvexPolygonsAnswer convex_polygons_any_by_scan(std::span<const ConvexPolygon> 
       const PairAnswer pair = polygon_polygon_by_scan(polygons[i], Pose(), polygons[j], Pose());
       answer.cost.probes += pair.cost.probes;
       if (!pair.meet()) continue;
-      const Contact contact = overlap(polygons[i], polygons[j]) ? Contact::overlapping : Contact::touching;
+      const Relation contact = overlap(polygons[i], polygons[j]) ? Relation::overlapping : Relation::touching;
       if (!counts(contact, options.allowed)) continue;
-      answer.found = {{i, j, contact}, pair.evidence};
+      answer.found = {{i, j, contact}, std::get<CommonVertices>(pair.evidence)};
       return answer;
     }
   }

@@ -22,7 +22,7 @@ namespace {
 const Affine3 in_place;
 
 // What the certificate of a pair says: some common point.
-ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const PairCertificate& c) {
+ExactPoint2 common_point(const ConvexPolygon& a, const ConvexPolygon& b, const CommonVertices& c) {
   std::vector<Posed3> points;
   for (std::uint32_t k = 0; k < c.count_a + c.count_b; ++k) {
     const Point2& p = (k < c.count_a ? a : b)[c.vertices[k]];

@@ -34,15 +34,15 @@ using ConvexMethod = ConvexPolygonsAnswer(std::span<const ConvexPolygon>, const 
 constexpr std::array<ConvexMethod*, 4> convex_methods{convex_polygons_any_by_scan, convex_polygons_any_by_sweep,
                                                       convex_polygons_any_by_grid, convex_polygons_any};
 
-Contact convex_contact_in(const ConvexPolygonsAnswer& answer) {
-  return answer.meet() ? answer.found->kind : Contact::none;
+Relation convex_contact_in(const ConvexPolygonsAnswer& answer) {
+  return answer.meet() ? answer.found->kind : Relation::none;
 }
 
-Contact convex_contact(const Polygons& polygons, Allowed allowed = Allowed::nothing) {
-  const Contact by_scan = convex_contact_in(convex_polygons_any_by_scan(polygons, {allowed, {}, nullptr}));
+Relation convex_contact(const Polygons& polygons, Allowed allowed = Allowed::nothing) {
+  const Relation by_scan = convex_contact_in(convex_polygons_any_by_scan(polygons, {allowed, {}, nullptr}));
   for (ConvexMethod* method : convex_methods) {
     const ConvexPolygonsAnswer answer = method(polygons, {allowed, {}, nullptr});
-    EXPECT_EQ(answer.meet(), by_scan != Contact::none);
+    EXPECT_EQ(answer.meet(), by_scan != Relation::none);
     if (polygons.size() == 2) {
       EXPECT_EQ(convex_contact_in(answer), by_scan);
     }
@@ -51,22 +51,22 @@ Contact convex_contact(const Polygons& polygons, Allowed allowed = Allowed::noth
 }
 
 TEST(ConvexPolygonsAny, KnownCases) {
-  EXPECT_EQ(convex_contact({}), Contact::none);
-  EXPECT_EQ(convex_contact({box(0, 0, 1, 1)}), Contact::none);
-  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(2, 0, 3, 1)}), Contact::none);
-  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}), Contact::touching);
-  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 1, 3, 3)}), Contact::touching);
-  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}, Allowed::touch), Contact::none);
-  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(1, 1, 2, 2)}, Allowed::touch), Contact::overlapping);  // inside
-  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(0, 0, 4, 4)}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{2, 2}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{4, 2}})}), Contact::touching);
-  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{1, 1}})}, Allowed::touch), Contact::overlapping);  // equal points
-  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{0, 0}, {2, 2}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(convex_contact({hull({{2, 2}}), hull({{0, 0}, {2, 2}})}), Contact::touching);
-  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 3}})}, Allowed::touch), Contact::overlapping);
-  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{2, 2}, {3, 3}})}), Contact::touching);
-  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 2}})}), Contact::touching);
+  EXPECT_EQ(convex_contact({}), Relation::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1)}), Relation::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(2, 0, 3, 1)}), Relation::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}), Relation::touching);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 1, 3, 3)}), Relation::touching);
+  EXPECT_EQ(convex_contact({box(0, 0, 1, 1), box(1, 0, 3, 1)}, Allowed::touch), Relation::none);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(1, 1, 2, 2)}, Allowed::touch), Relation::overlapping);  // inside
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), box(0, 0, 4, 4)}, Allowed::touch), Relation::overlapping);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{2, 2}})}, Allowed::touch), Relation::overlapping);
+  EXPECT_EQ(convex_contact({box(0, 0, 4, 4), hull({{4, 2}})}), Relation::touching);
+  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{1, 1}})}, Allowed::touch), Relation::overlapping);  // equal points
+  EXPECT_EQ(convex_contact({hull({{1, 1}}), hull({{0, 0}, {2, 2}})}, Allowed::touch), Relation::overlapping);
+  EXPECT_EQ(convex_contact({hull({{2, 2}}), hull({{0, 0}, {2, 2}})}), Relation::touching);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 3}})}, Allowed::touch), Relation::overlapping);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{2, 2}, {3, 3}})}), Relation::touching);
+  EXPECT_EQ(convex_contact({hull({{0, 0}, {2, 2}}), hull({{1, 1}, {3, 2}})}), Relation::touching);
 }
 
 // Where a point is, by orientations against all edges.

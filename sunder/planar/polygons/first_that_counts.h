@@ -19,7 +19,7 @@ inline auto first_that_counts(PolygonsAnswer& answer, Allowed allowed) {
 
 // Where two polygons are only known to meet: how they do.
 inline void classify(std::span<const Polygon> polygons, PolygonsAnswer& answer) {
-  if (!answer.meet() || answer.found->contact != Contact::touching) return;
+  if (!answer.meet() || answer.found->contact != Relation::touching) return;
   const std::uint32_t i = answer.found->i, j = answer.found->j;
   const PolygonsAnswer pair = polygons_contact(polygons[i], polygons[j]);
   answer.cost.probes += pair.cost.probes;

@@ -21,7 +21,7 @@ bool LowestContacts::add(const PolygonsContact& c) {
 void LowestContacts::make_room() {
   const auto pair = [](const PolygonsContact& c) { return std::uint64_t{c.i} << 32 | c.j; };
   const auto tells_less = [](const PolygonsContact& c) {
-    return c.contact == Contact::overlapping ? 0 : 8 - static_cast<int>(c.kind);
+    return c.contact == Relation::overlapping ? 0 : 8 - static_cast<int>(c.kind);
   };
   const auto before = [&](const PolygonsContact& a, const PolygonsContact& b) {
     if (pair(a) != pair(b)) return pair(a) < pair(b);  // mostly
@@ -52,7 +52,7 @@ PolygonContactsInOrder::PolygonContactsInOrder(std::span<const Polygon> polygons
   for (std::uint64_t first = 0, width = size; first < size;) {
     Block block{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(std::min(size, first + width))};
     cost_.probes += ask(block).probes;
-    for (const PolygonsContact& c : held_) ++(c.contact == Contact::touching ? touching_ : overlapping_);
+    for (const PolygonsContact& c : held_) ++(c.contact == Relation::touching ? touching_ : overlapping_);
     blocks_.push_back(block);
     width = std::uint64_t{4} * block.size();  // what is far beyond the next one's end need not be compared
     first = block.last;

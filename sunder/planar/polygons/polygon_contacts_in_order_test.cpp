@@ -25,7 +25,7 @@ std::vector<Polygon> some_squares(std::uint32_t count, std::uint64_t seed) {
 
 // What does not depend on the method: of those that overlap, what shows it does.
 auto told_of(const PolygonsContact& c) {
-  return std::tuple(c.i, c.j, c.contact, c.contact == Contact::touching ? c.kind : ContactKind::none);
+  return std::tuple(c.i, c.j, c.contact, c.contact == Relation::touching ? c.kind : ContactKind::none);
 }
 
 void expect_same(const std::vector<PolygonsContact>& found, const std::vector<PolygonsContact>& expected) {
@@ -106,11 +106,11 @@ TEST(LowestContacts, KeepsTheLowestAndWhatTellsMost) {
   for (int k = 0; k < 300000; ++k) {
     const auto i = static_cast<std::uint32_t>(random.below(size - 8));
     const auto j = i + 1 + static_cast<std::uint32_t>(random.below(8));
-    found.add({Contact::touching, ContactKind::shared_endpoint, false, i, j, 0, 0});  // does not count
-    found.add({Contact::touching, ContactKind::touch, false, i, j, 1, 1});
-    if (j == i + 1) found.add({Contact::overlapping, ContactKind::crossing, false, i, j, 2, 2});
-    if (j == i + 2) found.add({Contact::touching, ContactKind::overlap, false, i, j, 3, 3});
-    found.add({Contact::touching, ContactKind::touch, false, i, j, 1, 1});
+    found.add({Relation::touching, ContactKind::shared_endpoint, false, i, j, 0, 0});  // does not count
+    found.add({Relation::touching, ContactKind::touch, false, i, j, 1, 1});
+    if (j == i + 1) found.add({Relation::overlapping, ContactKind::crossing, false, i, j, 2, 2});
+    if (j == i + 2) found.add({Relation::touching, ContactKind::overlap, false, i, j, 3, 3});
+    found.add({Relation::touching, ContactKind::touch, false, i, j, 1, 1});
   }
   const std::vector<PolygonsContact> kept = found.take_in_order();
   const std::uint32_t end = found.end();

@@ -33,7 +33,7 @@ CommonEnds common_ends(const Segment& s, const Segment& t, ContactKind kind) {
 
 }  // namespace
 
-bool PolygonMeetings::report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind) {
+bool PolygonMeetings::report(Relation contact, std::uint32_t e, std::uint32_t f, ContactKind kind) {
   if (edges_.polygon_of(e) > edges_.polygon_of(f)) std::swap(e, f);
   const std::uint32_t i = edges_.polygon_of(e), j = edges_.polygon_of(f);
   if (may_meet(groups_, i, j)) return true;
@@ -49,7 +49,7 @@ bool PolygonMeetings::take(std::uint32_t e, std::uint32_t f, ContactKind kind) {
   const bool of_one = edges_.polygon_of(e) == edges_.polygon_of(f);
   if (!of_one) {
     const bool overlap = kind == ContactKind::crossing && overlap_where_crossing(e, f);
-    if (!report(overlap ? Contact::overlapping : Contact::touching, e, f, kind)) return false;
+    if (!report(overlap ? Relation::overlapping : Relation::touching, e, f, kind)) return false;
   }
   // Of two polygons, either they overlap, or others of their edges end and meet there. Of one: it is not as required.
   if (kind == ContactKind::crossing) return true;
@@ -110,7 +110,7 @@ bool PolygonMeetings::enter(const Leaving& leaving) {
   for (const Leaving& other : open_) {
     if (other.polygon == leaving.polygon) continue;
     const ContactKind kind = segment_segment(edges_.edges()[other.edge], edges_.edges()[leaving.edge]);
-    if (!report(Contact::overlapping, other.edge, leaving.edge, kind)) return false;
+    if (!report(Relation::overlapping, other.edge, leaving.edge, kind)) return false;
   }
   open_.push_back(leaving);
   return true;
@@ -136,7 +136,7 @@ bool PolygonMeetings::report_inside(std::uint32_t ring, std::uint32_t polygon) {
   const auto& [of, number] = edges_.rings()[ring];
   const std::uint32_t vertex = edges_.polygon(of).ring_begin(number);
   const bool first = of < polygon;
-  return found_({Contact::overlapping, ContactKind::none, first, std::min(of, polygon), std::max(of, polygon),
+  return found_({Relation::overlapping, ContactKind::none, first, std::min(of, polygon), std::max(of, polygon),
                  first ? vertex : 0, first ? 0 : vertex});
 }
 

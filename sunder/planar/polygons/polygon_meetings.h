@@ -64,7 +64,7 @@ class PolygonMeetings {
   bool look_around(const Point2& p, std::span<const Meeting> meetings);
   bool walk_around();
   bool enter(const Leaving& leaving);
-  bool report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind);
+  bool report(Relation contact, std::uint32_t e, std::uint32_t f, ContactKind kind);
   bool report_inside(std::uint32_t ring, std::uint32_t polygon);
 
   PolygonEdges& edges_;

@@ -210,7 +210,7 @@ bool PolygonPairs::compare_near(const Polygon& a, const Polygon& b) {
         cross == Guess::positive ? ContactKind::crossing : segment_segment(sorted({p, p_end}), sorted({q, q_end}));
     if (kind == ContactKind::none) continue;
     const bool overlap = kind == ContactKind::crossing && overlap_at_crossing(a, e, b, f, cost.probes);
-    found_.contact = overlap ? Contact::overlapping : Contact::touching;
+    found_.contact = overlap ? Relation::overlapping : Relation::touching;
     found_.kind = kind;
     found_.of_i = e;
     found_.of_j = f;
@@ -262,12 +262,12 @@ std::optional<std::uint32_t> PolygonPairs::vertex_inside(const Polygon& inner, c
 
 std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint32_t j) {
   const Polygon &a = polygons_[i], &b = polygons_[j];
-  found_ = {Contact::none, ContactKind::none, false, i, j, 0, 0};
+  found_ = {Relation::none, ContactKind::none, false, i, j, 0, 0};
   const bool are_apart = compare(a, b);
   wait_for_ = are_apart ? most_near : 1;
   if (!are_apart) {
-    if (found_.contact == Contact::none) return std::nullopt;
-    if (found_.contact == Contact::overlapping) return found_;
+    if (found_.contact == Relation::none) return std::nullopt;
+    if (found_.contact == Relation::overlapping) return found_;
     const PolygonsAnswer pair = polygons_contact(a, b);
     constexpr std::uint64_t of_a_call = 256;  // it takes as long as so many looks, beside what it counts
     cost.probes += of_a_call + pair.cost.probes;
@@ -279,12 +279,12 @@ std::optional<PolygonsContact> PolygonPairs::contact(std::uint32_t i, std::uint3
   }
   if (may_be_inside(a, b)) {
     if (const auto vertex = vertex_inside(a, b)) {
-      return PolygonsContact{Contact::overlapping, ContactKind::none, true, i, j, *vertex, 0};
+      return PolygonsContact{Relation::overlapping, ContactKind::none, true, i, j, *vertex, 0};
     }
   }
   if (may_be_inside(b, a)) {
     if (const auto vertex = vertex_inside(b, a)) {
-      return PolygonsContact{Contact::overlapping, ContactKind::none, false, i, j, 0, *vertex};
+      return PolygonsContact{Relation::overlapping, ContactKind::none, false, i, j, 0, *vertex};
     }
   }
   if (gave_up()) return std::nullopt;
@@ -316,7 +316,7 @@ std::optional<bool> for_each_meeting_pair(std::span<const Polygon> polygons, con
     may_be_interrupted(2);
     const auto [i, j] = waiting[compared++ % most_waiting];
     const std::optional<PolygonsContact> contact = pairs.contact(i, j);
-    if (!contact || contact->contact == Contact::none) return contact.has_value();
+    if (!contact || contact->contact == Relation::none) return contact.has_value();
     if (counts(*contact, options.allowed)) pairs.allow(looks_for_found);
     was_stopped = !found(*contact);
     return !was_stopped;

@@ -5,13 +5,13 @@
 
 namespace sunder::planar {
 
-bool PolygonPlace::report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind) {
+bool PolygonPlace::report(Relation contact, std::uint32_t e, std::uint32_t f, ContactKind kind) {
   if (edges_.polygon_of(e) > edges_.polygon_of(f)) std::swap(e, f);
   return found_(
       {contact, kind, false, edges_.polygon_of(e), edges_.polygon_of(f), edges_.in_polygon(e), edges_.in_polygon(f)});
 }
 
-bool PolygonPlace::report_if_wanted(Contact contact, std::uint32_t e, std::uint32_t f) {
+bool PolygonPlace::report_if_wanted(Relation contact, std::uint32_t e, std::uint32_t f) {
   ++probes;
   if (!is_wanted(edges_.polygon_of(e), edges_.polygon_of(f))) return true;
   return report(contact, e, f, segment_segment(edges_.edges()[e], edges_.edges()[f]));
@@ -81,7 +81,7 @@ bool PolygonPlace::touch_across_groups(std::span<const Member> members) {
         continue;
       }
       if (l < k && members[l].chosen) continue;  // it was looked at
-      if (!report_if_wanted(Contact::touching, members[k].edge, members[l].edge)) return false;
+      if (!report_if_wanted(Relation::touching, members[k].edge, members[l].edge)) return false;
     }
   }
   return true;
@@ -122,7 +122,7 @@ bool PolygonPlace::enter(std::uint32_t edge) {
   for (const std::uint32_t g : open_groups_) {
     if (g == group) continue;
     for (std::uint32_t k = open_[g].begin; k < open_[g].begin + open_[g].count; ++k) {
-      if (!report_if_wanted(Contact::overlapping, open_edge_[open_list_[k]], edge)) return false;
+      if (!report_if_wanted(Relation::overlapping, open_edge_[open_list_[k]], edge)) return false;
     }
   }
   open_edge_[m] = edge;

@@ -44,7 +44,7 @@ class PolygonPlace {
   // stop. Cost: O(m log m) for m edges, and what is found.
   bool look(std::span<const Leaving> leaving);
 
-  bool report(Contact contact, std::uint32_t e, std::uint32_t f, ContactKind kind);
+  bool report(Relation contact, std::uint32_t e, std::uint32_t f, ContactKind kind);
   bool is_wanted(std::uint32_t polygon, std::uint32_t other) const {
     return end_ == nullptr || std::min(polygon, other) < *end_;
   }
@@ -71,7 +71,7 @@ class PolygonPlace {
   bool enter(std::uint32_t edge);
   void leave(std::uint32_t edge);
 
-  bool report_if_wanted(Contact contact, std::uint32_t e, std::uint32_t f);
+  bool report_if_wanted(Relation contact, std::uint32_t e, std::uint32_t f);
 
   const PolygonEdges& edges_;
   const std::uint32_t* end_;

@@ -223,7 +223,7 @@ bool PolygonSweep::report_crossing(std::uint32_t e, std::uint32_t f) {
   const std::uint32_t p = edges_.polygon_of(e), q = edges_.polygon_of(f);
   ++cost.probes;
   if (p == q || may_meet(options_.groups, p, q) || !place_.is_wanted(p, q)) return true;
-  return place_.report(Contact::overlapping, e, f, ContactKind::crossing);
+  return place_.report(Relation::overlapping, e, f, ContactKind::crossing);
 }
 
 // Rings that begin here are inside of those polygons that fill what is below, save of those that have edges here.
@@ -246,7 +246,7 @@ bool PolygonSweep::look_inside() {
 bool PolygonSweep::report_inside(std::uint32_t e, std::uint32_t outer) {
   const std::uint32_t inner = edges_.polygon_of(e), vertex = edges_.in_polygon(e);  // the edge goes on from there
   const bool first = inner < outer;
-  return found_({Contact::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
+  return found_({Relation::overlapping, ContactKind::none, first, std::min(inner, outer), std::max(inner, outer),
                  first ? vertex : 0, first ? 0 : vertex});
 }
 

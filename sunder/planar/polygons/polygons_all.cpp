@@ -48,10 +48,10 @@ class PairCount {
     if (!is_there_.empty()) {
       const std::size_t at = std::size_t{c.i} * count_ + c.j;
       is_there_[at] = true;
-      if (c.contact == Contact::overlapping) overlaps_[at] = true;
+      if (c.contact == Relation::overlapping) overlaps_[at] = true;
       return;
     }
-    const std::uint64_t is_touching = c.contact == Contact::touching ? 1 : 0;
+    const std::uint64_t is_touching = c.contact == Relation::touching ? 1 : 0;
     const std::uint64_t key = std::uint64_t{c.i} << 32 | std::uint64_t{c.j} << 1 | is_touching;
     if (!keys_.empty() && keys_.back() == key) return;
     keys_.push_back(key);
@@ -144,7 +144,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
   Cost cost;
   const bool is_counted = for_each_meeting_pair(polygons, options, cost, [&](const PolygonsContact& c) {
                             if (counts(c, options.allowed)) {
-                              ++(c.contact == Contact::touching ? answer.touching : answer.overlapping);
+                              ++(c.contact == Relation::touching ? answer.touching : answer.overlapping);
                             }
                             return true;
                           }).has_value();

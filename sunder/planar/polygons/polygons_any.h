@@ -34,7 +34,7 @@ namespace sunder::planar {
 // unless both polygons have a vertex in the point: there notches of the one may hold what the other fills, and where
 // the interiors are not connected, polygons may have edges that cross, and touch.
 struct PolygonsContact {
-  Contact contact = Contact::none;       // of a contact that was found never none
+  Relation contact = Relation::none;     // of a contact that was found never none
   ContactKind kind = ContactKind::none;  // of the two edges; none: it is shown by a vertex
   bool i_inside = false;                 // where kind is none: is it a vertex of i?
   std::uint32_t i = 0, j = 0;            // the polygons, i < j
@@ -45,7 +45,7 @@ struct PolygonsContact {
 // Overlapping always counts. Touching does not where `touch` is allowed, nor where `shared_endpoint` is and all common
 // points are vertices of both: then kind is shared_endpoint.
 inline bool counts(const PolygonsContact& c, Allowed allowed) {
-  if (c.contact != Contact::touching) return c.contact == Contact::overlapping;
+  if (c.contact != Relation::touching) return c.contact == Relation::overlapping;
   return allowed == Allowed::nothing || (allowed == Allowed::shared_endpoint && c.kind != ContactKind::shared_endpoint);
 }
 

@@ -26,7 +26,7 @@ using Rings = std::vector<Ring>;
 
 PolygonsContact contact_in(const PolygonsAnswer& answer) { return answer.found.value_or(PolygonsContact()); }
 
-// As all methods say. Contact::none: they do not meet.
+// As all methods say. Relation::none: they do not meet.
 PolygonsContact contact(const Rings& a, const Rings& b) {
   const std::vector<Polygon> set{Polygon(a), Polygon(b)};
   const PolygonsContact found = contact_in(polygons_contact(set[0], set[1]));
@@ -49,45 +49,45 @@ PolygonsContact contact(const Rings& a, const Rings& b) {
 
 TEST(PolygonsContact, KnownCases) {
   const Ring unit = box_ring(0, 0, 4, 4);
-  EXPECT_EQ(contact({unit}, {box_ring(5, 0, 9, 4)}).contact, Contact::none);
+  EXPECT_EQ(contact({unit}, {box_ring(5, 0, 9, 4)}).contact, Relation::none);
   const PolygonsContact at_corner = contact({unit}, {box_ring(4, 4, 9, 9)});
-  EXPECT_EQ(at_corner.contact, Contact::touching);
+  EXPECT_EQ(at_corner.contact, Relation::touching);
   EXPECT_EQ(at_corner.kind, ContactKind::shared_endpoint);
   const PolygonsContact along = contact({unit}, {box_ring(4, 1, 9, 3)});
-  EXPECT_EQ(along.contact, Contact::touching);
+  EXPECT_EQ(along.contact, Relation::touching);
   EXPECT_EQ(along.kind, ContactKind::overlap);
   EXPECT_EQ(contact({unit}, {{{4, 2}, {6, 1}, {6, 3}}}).kind, ContactKind::touch);
-  EXPECT_EQ(contact({unit}, {box_ring(3, 3, 9, 9)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact({unit}, {unit}).contact, Contact::overlapping);
+  EXPECT_EQ(contact({unit}, {box_ring(3, 3, 9, 9)}).contact, Relation::overlapping);
+  EXPECT_EQ(contact({unit}, {unit}).contact, Relation::overlapping);
   // Corners at corners only, and yet across: no two edges cross.
-  EXPECT_EQ(contact({unit}, {{{0, 0}, {4, 4}, {4, 6}, {-1, 0}}}).contact, Contact::overlapping);
+  EXPECT_EQ(contact({unit}, {{{0, 0}, {4, 4}, {4, 6}, {-1, 0}}}).contact, Relation::overlapping);
   // Inside, with nothing in common: a vertex shows it.
   const PolygonsContact inside = contact({box_ring(1, 1, 2, 2)}, {unit});
-  EXPECT_EQ(inside.contact, Contact::overlapping);
+  EXPECT_EQ(inside.contact, Relation::overlapping);
   EXPECT_EQ(inside.kind, ContactKind::none);
   EXPECT_TRUE(inside.i_inside);
 }
 
 TEST(PolygonsContact, HolesAndIslands) {
   const Rings frame{box_ring(0, 0, 20, 20), box_ring(5, 5, 15, 15)};
-  EXPECT_EQ(contact(frame, {box_ring(6, 6, 9, 9)}).contact, Contact::none);        // in the hole
-  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 15)}).contact, Contact::touching);  // fills it
-  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 16)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box_ring(1, 1, 2, 2)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29), box_ring(-1, -1, 21, 21)}).contact, Contact::none);  // around it
+  EXPECT_EQ(contact(frame, {box_ring(6, 6, 9, 9)}).contact, Relation::none);        // in the hole
+  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 15)}).contact, Relation::touching);  // fills it
+  EXPECT_EQ(contact(frame, {box_ring(5, 5, 15, 16)}).contact, Relation::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(1, 1, 2, 2)}).contact, Relation::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29)}).contact, Relation::overlapping);
+  EXPECT_EQ(contact(frame, {box_ring(-9, -9, 29, 29), box_ring(-1, -1, 21, 21)}).contact, Relation::none);  // around it
   const Rings with_island{box_ring(0, 0, 20, 20), box_ring(5, 5, 15, 15), box_ring(8, 8, 12, 12)};
-  EXPECT_EQ(contact(with_island, {box_ring(9, 9, 10, 10)}).contact, Contact::overlapping);
-  EXPECT_EQ(contact(with_island, {box_ring(5, 5, 15, 15), box_ring(8, 8, 12, 12)}).contact, Contact::touching);
+  EXPECT_EQ(contact(with_island, {box_ring(9, 9, 10, 10)}).contact, Relation::overlapping);
+  EXPECT_EQ(contact(with_island, {box_ring(5, 5, 15, 15), box_ring(8, 8, 12, 12)}).contact, Relation::touching);
   // One part inside, one far away.
   EXPECT_EQ(contact({box_ring(30, 0, 31, 1), box_ring(1, 1, 2, 2)}, {box_ring(0, 0, 9, 9)}).contact,
-            Contact::overlapping);
+            Relation::overlapping);
   // A hole that touches the lower side from inside, above one whose upper side passes there.
   EXPECT_EQ(contact({box_ring(0, 0, 8, 8), {{4, 0}, {6, 4}, {2, 4}}}, {box_ring(-1, -3, 9, 0)}).contact,
-            Contact::touching);
+            Relation::touching);
   // Of two parts each, one of which they have in common.
   EXPECT_EQ(contact({box_ring(0, 0, 1, 1), box_ring(4, 0, 5, 1)}, {box_ring(4, 0, 5, 1), box_ring(8, 0, 9, 1)}).contact,
-            Contact::overlapping);
+            Relation::overlapping);
 }
 
 // Edges cross in a vertex of both, where the hole of each holds what the other fills: around that point they have
@@ -97,17 +97,17 @@ TEST(PolygonsContact, NotchesWhereEdgesCross) {
   const Rings a{{{1, 1}, {1, 7}, {5, 7}, {5, 1}}, {{1, 5}, {3, 5}, {2, 4}}};
   const Rings b{{{-1, 5}, {5, 5}, {5, 1}, {-1, 1}}, {{1, 5}, {2, 4}, {1, 3}}};
   const PolygonsContact elsewhere = contact(a, b);
-  EXPECT_EQ(elsewhere.contact, Contact::overlapping);
+  EXPECT_EQ(elsewhere.contact, Relation::overlapping);
   EXPECT_NE(elsewhere.kind, ContactKind::crossing);
   // The holes reach the other side, too, so that the insides are not connected: they only touch.
   const Rings c{{{-4, 0}, {4, 0}, {-2, 6}}, {{0, 0}, {1, 2}, {0, 4}, {-1, 2}}};
   const Rings d{{{0, -4}, {8, -4}, {8, 8}, {0, 8}}, {{0, 0}, {5, -1}, {5, 5}, {0, 4}, {0.5, 2}}};
   const PolygonsContact touching = contact(c, d);
-  EXPECT_EQ(touching.contact, Contact::touching);
+  EXPECT_EQ(touching.contact, Relation::touching);
   EXPECT_EQ(touching.kind, ContactKind::crossing);
   EXPECT_EQ(polygons_count(std::vector{Polygon(c), Polygon(d)}).touching, 1u);
   // One of the holes is too small.
-  EXPECT_EQ(contact(c, {d[0], {{0, 0}, {5, -1}, {5, 5}, {2, 4}, {0.5, 2}}}).contact, Contact::overlapping);
+  EXPECT_EQ(contact(c, {d[0], {{0, 0}, {5, -1}, {5, 5}, {2, 4}, {0.5, 2}}}).contact, Relation::overlapping);
 }
 
 // The question for tracts: borders in common are allowed; the sliver is found.
@@ -125,7 +125,7 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
   tracts[12] = Polygon(Rings{box_ring(2, 2, std::nextafter(3.0, 4.0), 3)});
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     const PolygonsAnswer answer = method(tracts, {Allowed::touch, {}, nullptr});
-    EXPECT_EQ(answer.found->contact, Contact::overlapping);
+    EXPECT_EQ(answer.found->contact, Relation::overlapping);
     EXPECT_EQ(answer.found->i, 12u);
     EXPECT_EQ(answer.found->j, 17u);
   }

@@ -162,19 +162,19 @@ PolygonsAnswer contact_in(const Polygon& a, const Polygon& b) {
       ++answer.cost.probes;
       const ContactKind kind = segment_segment(sorted(a.edge(e)), sorted(b.edge(f)));
       if (kind <= found.kind) continue;
-      found = {Contact::touching, kind, false, 0, 1, e, f};
+      found = {Relation::touching, kind, false, 0, 1, e, f};
     }
   }
   if (overlap<Number>(a, b, answer.cost)) {
-    found.contact = Contact::overlapping;
+    found.contact = Relation::overlapping;
     for (std::uint32_t v = 0; v < a.size() && found.kind == ContactKind::none; ++v) {
-      if (inside<Number>(b, a.vertices()[v])) found = {Contact::overlapping, ContactKind::none, true, 0, 1, v, 0};
+      if (inside<Number>(b, a.vertices()[v])) found = {Relation::overlapping, ContactKind::none, true, 0, 1, v, 0};
     }
     for (std::uint32_t v = 0; v < b.size() && found.kind == ContactKind::none && !found.i_inside; ++v) {
-      if (inside<Number>(a, b.vertices()[v])) found = {Contact::overlapping, ContactKind::none, false, 0, 1, 0, v};
+      if (inside<Number>(a, b.vertices()[v])) found = {Relation::overlapping, ContactKind::none, false, 0, 1, 0, v};
     }
   }
-  if (found.contact != Contact::none) answer.found = found;
+  if (found.contact != Relation::none) answer.found = found;
   return answer;
 }
 

@@ -134,7 +134,7 @@ ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsConta
   const bool is_overlap = found.kind == ContactKind::overlap;
   ExactPoint2 common = is_overlap ? ExactPoint2{Dyadic(first.x) + Dyadic(last.x), Dyadic(first.y) + Dyadic(last.y), 2.0}
                                   : common_point(s, t);
-  if (found.contact != Contact::overlapping) return common;
+  if (found.contact != Relation::overlapping) return common;
   if (!is_overlap) return inside_both_near(a, b, common).value_or(common);
   for (const Point2& end : {first, last}) {
     if (const std::optional<ExactPoint2> inside = inside_both_near(a, b, exactly(end))) return *inside;

@@ -31,7 +31,7 @@ void expect_inside_both(const Ring& a, const Ring& b) {
   for (auto* method : {polygons_any_by_grid, polygons_any_by_sweep}) {
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
       const PolygonsContact found = method(both, {allowed, {}, nullptr}).found.value();
-      ASSERT_EQ(found.contact, Contact::overlapping);
+      ASSERT_EQ(found.contact, Relation::overlapping);
       const ExactPoint2 p = common_point(both[0], both[1], found);
       EXPECT_TRUE(is_inside(a, p) && is_inside(b, p));
     }

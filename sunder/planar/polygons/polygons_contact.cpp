@@ -25,9 +25,9 @@ PolygonsAnswer polygons_contact(const Polygon& a, const Polygon& b) {
   const Box2 common = common_part(a.box(), b.box());
   PolygonEdges edges({&a, &b});
   const auto greatest = [&](const PolygonsContact& found) {
-    const bool more = found.contact != Contact::touching || !answer.meet() || found.kind > answer.found->kind;
+    const bool more = found.contact != Relation::touching || !answer.meet() || found.kind > answer.found->kind;
     if (more) answer.found = found;
-    return found.contact != Contact::overlapping;
+    return found.contact != Relation::overlapping;
   };
   const auto by_sweep = [&] {
     PolygonSweep sweep(edges, {}, greatest);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace sunder::polytope {
 
@@ -86,6 +87,17 @@ bool holds(const Polytope& body, const Pose& pose, const ExactEvidence& evidence
 }
 
 }  // namespace
+
+std::shared_ptr<const ExactEvidence> exact_part(const Evidence& evidence) {
+  if (const auto* apart = std::get_if<ExactParting>(&evidence)) return apart->exact;
+  const auto* meet = std::get_if<ExactMeeting>(&evidence);
+  return meet != nullptr ? meet->exact : nullptr;
+}
+
+Evidence evidence_of(Verdict verdict, std::shared_ptr<const ExactEvidence> exact) {
+  if (verdict == Verdict::apart) return ExactParting{std::move(exact)};
+  return ExactMeeting{std::move(exact)};
+}
 
 bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b, Verdict verdict,
            const ExactEvidence& evidence) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
@@ -31,24 +32,38 @@ struct ExactEvidence {
   ExactPointN in_a{}, in_b{};
 };
 
-// Evidence as plain data, as the search leaves it. For `meet` of two bodies of points: the hulls of these points of A
-// and of B have a common one. For `apart` of such: the direction, if `exact` is null.
-struct Evidence {
-  Verdict verdict = Verdict::apart;
+// Two bodies of points are apart, as along this direction of doubles.
+struct PartingDirection {
+  static constexpr Verdict verdict = Verdict::apart;
   std::array<double, most_dimension> direction{};
+};
+
+// Two bodies of points meet: the hulls of these points of A and of B have a common one.
+struct CommonPoints {
+  static constexpr Verdict verdict = Verdict::meet;
   std::uint8_t count_a = 0, count_b = 0;
   std::array<std::uint32_t, most_dimension + 1> of_a{}, of_b{};
-  // What the exact method found: always where a body is of half-spaces.
-  std::shared_ptr<const ExactEvidence> exact{};
 };
 
-struct [[nodiscard]] PolytopeAnswer {
-  Evidence evidence;
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;  // probes: rows looked at
-
-  bool meet() const { return evidence.verdict == Verdict::meet; }
+// What exact methods found: always where a body is of half-spaces. Not null.
+struct ExactParting {
+  static constexpr Verdict verdict = Verdict::apart;
+  std::shared_ptr<const ExactEvidence> exact;
 };
+struct ExactMeeting {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const ExactEvidence> exact;
+};
+
+// As the search leaves it.
+using Evidence = std::variant<PartingDirection, CommonPoints, ExactParting, ExactMeeting>;
+using PolytopeAnswer = Answer<Evidence>;  // probes: rows looked at
+
+// What exact methods found; null where doubles were enough.
+std::shared_ptr<const ExactEvidence> exact_part(const Evidence& evidence);
+
+// Requires it not to be undecided.
+Evidence evidence_of(Verdict verdict, std::shared_ptr<const ExactEvidence> exact);
 
 // The evidence in exact numbers. Requires the answer to be about these. Cost: exact arithmetic; some small determinants
 // where the evidence is of points that meet.

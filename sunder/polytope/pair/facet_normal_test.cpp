@@ -52,7 +52,7 @@ TEST(FacetNormal, PartsFacesALastBitApart) {
         const Pose here(d);
         const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
         EXPECT_FALSE(answer.meet());
-        EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+        EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
         finished += answer.decided_by == DecidedBy::finishing;
         ++pairs;
       }
@@ -74,7 +74,7 @@ TEST(FacetNormal, PartsFacesOfManyPoints) {
         const Pose here(d);
         const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
         EXPECT_FALSE(answer.meet());
-        EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+        EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
         finished += answer.decided_by == DecidedBy::finishing;
         ++pairs;
       }

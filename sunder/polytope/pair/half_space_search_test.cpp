@@ -106,7 +106,7 @@ TEST(HalfSpaceSearch, LeavesWhatIsNotPlain) {
       const Polytope &a = is_exchanged ? beyond : slab, &b = is_exchanged ? slab : beyond;
       const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
       EXPECT_EQ(answer.meet(), gap <= 0);
-      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+      EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
       const PolytopeAnswer of_point =
           is_exchanged ? polytope_polytope(point, here, beyond, here) : polytope_polytope(beyond, here, point, here);
       EXPECT_EQ(of_point.meet(), gap <= 0);
@@ -139,7 +139,7 @@ TEST(HalfSpaceSearch, ProposesWhereOneBoundaryTouchesAnother) {
       const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
       EXPECT_EQ(answer.meet(), gap == 0);
       EXPECT_EQ(answer.decided_by, DecidedBy::evidence);
-      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+      EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
     }
   }
 }
@@ -177,7 +177,7 @@ TEST(HalfSpaceSearch, ProposesNothingThatOneOfThemBreaksByALastBit) {
       const Polytope &a = is_exchanged ? last : one, &b = is_exchanged ? one : last;
       const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
       EXPECT_TRUE(answer.meet()) << i;
-      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer))) << i;
+      EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer))) << i;
     }
   }
   EXPECT_GT(misled, count / 100);
@@ -233,9 +233,7 @@ TEST(HalfSpaceSearch, NormalsThatNearlyCancel) {
     for (const bool is_exchanged : {false, true}) {
       const Polytope &one = is_exchanged ? b : a, &other = is_exchanged ? a : b;
       const PolytopeAnswer answer = polytope_polytope(one, here, other, here);
-      ASSERT_TRUE(
-          check(one, here, other, here, answer.evidence.verdict, exact_evidence(one, here, other, here, answer)))
-          << i;
+      ASSERT_TRUE(check(one, here, other, here, answer.verdict(), exact_evidence(one, here, other, here, answer))) << i;
       decided[answer.meet() ? 1 : 0] += answer.decided_by == DecidedBy::evidence;
     }
   }
@@ -273,9 +271,7 @@ TEST(HalfSpaceSearch, PointsOnBoundariesThatOthersBreakByALastBit) {
     for (const bool is_exchanged : {false, true}) {
       const Polytope &one = is_exchanged ? b : a, &other = is_exchanged ? a : b;
       const PolytopeAnswer answer = polytope_polytope(one, here, other, here);
-      ASSERT_TRUE(
-          check(one, here, other, here, answer.evidence.verdict, exact_evidence(one, here, other, here, answer)))
-          << i;
+      ASSERT_TRUE(check(one, here, other, here, answer.verdict(), exact_evidence(one, here, other, here, answer))) << i;
       decided += answer.decided_by == DecidedBy::evidence;
     }
   }
@@ -335,7 +331,7 @@ TEST(HalfSpaceSearch, LeavesGamesThatDoublesCannotHold) {
     const Polytope a = body(2, half_spaces, false), b = body(2, points, true);
     const PolytopeAnswer answer = polytope_polytope(a, here, b, here), exchanged = polytope_polytope(b, here, a, here);
     EXPECT_EQ(answer.meet(), exchanged.meet());
-    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
     return answer.meet();
   };
   EXPECT_TRUE(meet({1e300, 0, 0, 0, 1e300, 0}, {1e300, 1e300, 1e300, -1e300, -1e300, -1e300}));
@@ -358,7 +354,7 @@ TEST(HalfSpaceSearch, SamplesOfLargeBodiesComeFirst) {
     const Polytope b = body(d, round_rows(random, d, 300, centre, b_of_points), b_of_points);
     const Pose here(d);
     const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
-    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
     sampled += answer.cost.probes < std::uint64_t{answer.cost.iterations} * (a.size() + b.size());
     plain += answer.decided_by != DecidedBy::finishing;
     meets += answer.meet();
@@ -407,7 +403,7 @@ TEST(HalfSpaceSearch, FacetsThatTouchAreToldWithoutPhaseOne) {
     }
     const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
     EXPECT_EQ(answer.meet(), !is_apart);
-    EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+    EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
     plain += answer.decided_by != DecidedBy::finishing;
     proposals += is_apart ? 0 : answer.cost.proposals;
   }

@@ -160,8 +160,7 @@ std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const E
 
 HyperplaneEvidence parting_hyperplanes(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
                                        const Pose& pose_b, const PolytopeAnswer& answer) {
-  SUNDER_REQUIRE(!answer.meet() && answer.evidence.exact);
-  const ExactEvidence& exact = *answer.evidence.exact;
+  const ExactEvidence& exact = *std::get<ExactParting>(answer.evidence).exact;
   const std::size_t d = a.body().dimension();
   const ExactVector opposite = negated(exact.numbers);
   Enclosure around_a(0, a, pose_a), around_b(1, b, pose_b);

@@ -116,3 +116,15 @@ void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope&
 }
 
 }  // namespace sunder::polytope
+
+namespace sunder {
+
+void prove(const TextSink& sink, const AskedPair<polytope::Polytope, polytope::Pose>& asked,
+           const polytope::PolytopeAnswer& answer) {
+  ClaimsWriter file(sink);
+  file.add_origin(asked.origin);
+  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer);
+  file.end();
+}
+
+}  // namespace sunder

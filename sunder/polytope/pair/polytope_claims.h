@@ -4,6 +4,7 @@
 // None throws, but for want of memory, or what the writer's sink throws.
 #pragma once
 
+#include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/claims.h>
 #include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
@@ -28,3 +29,11 @@ void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope&
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const HyperplaneEvidence& evidence);
 
 }  // namespace sunder::polytope
+
+namespace sunder {
+
+// Writes what polytope_polytope says of them as a certificate file, whole. Requires the answer to be about these.
+void prove(const TextSink& sink, const AskedPair<polytope::Polytope, polytope::Pose>& asked,
+           const polytope::PolytopeAnswer& answer);
+
+}  // namespace sunder

@@ -41,7 +41,7 @@ struct KnownDirection {
   BoundedProduct reach;
 };
 struct KnownSimplex {
-  Evidence evidence;
+  CommonPoints points;
   std::array<Vector, most_dimension> inverse{};
 };
 
@@ -52,19 +52,18 @@ class ManyPoints {
   PolytopeAnswer answer(std::span<const double> point) {
     PolytopeAnswer known;
     if (const KnownDirection* const d = directions_.find([&](const KnownDirection& k) { return parts(k, point); })) {
-      known.evidence.verdict = Verdict::apart;
-      std::copy_n(d->direction.begin(), point.size(), known.evidence.direction.begin());
+      std::copy_n(d->direction.begin(), point.size(), known.evidence.emplace<PartingDirection>().direction.begin());
       known.cost.proposals = 1;
       return known;
     }
     if (const KnownSimplex* const s = simplices_.find([&](const KnownSimplex& k) { return holds(k, point); })) {
-      known.evidence = s->evidence;
+      known.evidence = s->points;
       known.cost.proposals = 1;
       return known;
     }
     const Polytope one = Polytope::from_points(polytope_.dimension(), {point.begin(), point.end()});
     PolytopeAnswer answer = polytope_polytope(polytope_, pose_, one, pose_);
-    if (polytope_.is_of_points() && !answer.evidence.exact) remember(answer);
+    if (polytope_.is_of_points()) remember(answer);
     return answer;
   }
 
@@ -82,7 +81,7 @@ class ManyPoints {
 
   bool holds(const KnownSimplex& known, std::span<const double> point) const {
     const std::size_t d = point.size();
-    const std::span<const double> first = polytope_.row(known.evidence.of_a[0]);
+    const std::span<const double> first = polytope_.row(known.points.of_a[0]);
     double rest = 1;
     for (std::size_t r = 0; r < d; ++r) {
       double weight = 0;
@@ -93,33 +92,34 @@ class ManyPoints {
     if (!(rest > 0)) return false;
     std::array<Interval, most_dimension*(most_dimension + 1)> points;
     for (std::size_t k = 0; k <= d; ++k) {
-      const std::span<const double> row = polytope_.row(known.evidence.of_a[k]);
+      const std::span<const double> row = polytope_.row(known.points.of_a[k]);
       for (std::size_t c = 0; c < d; ++c) points[k * d + c] = Interval(row[c]) - Interval(point[c]);
     }
     return least_weight_of_origin(std::span<const Interval>(points).first(d * (d + 1)), d) == Guess::positive;
   }
 
   void remember(const PolytopeAnswer& answer) {
-    const Evidence& evidence = answer.evidence;
     const std::size_t d = polytope_.dimension();
-    if (evidence.verdict == Verdict::apart) {
+    if (const auto* apart = std::get_if<PartingDirection>(&answer.evidence)) {
       Vector direction{};
-      std::copy_n(evidence.direction.begin(), d, direction.begin());
+      std::copy_n(apart->direction.begin(), d, direction.begin());
       const Support far = support(polytope_, pose_, direction, 1);
       directions_.add({direction, far.product});
-    } else if (evidence.count_a == d + 1) {
-      KnownSimplex known{.evidence = evidence};
-      if (invert(known)) simplices_.add(std::move(known));
+      return;
     }
+    const auto* points = std::get_if<CommonPoints>(&answer.evidence);
+    if (points == nullptr || points->count_a != d + 1) return;
+    KnownSimplex known{.points = *points};
+    if (invert(known)) simplices_.add(std::move(known));
   }
 
   // Of the matrix of edges, by elimination in floating point; false where it finds none.
   bool invert(KnownSimplex& known) const {
     const std::size_t d = polytope_.dimension();
-    const std::span<const double> first = polytope_.row(known.evidence.of_a[0]);
+    const std::span<const double> first = polytope_.row(known.points.of_a[0]);
     std::array<std::array<double, 2 * most_dimension>, most_dimension> rows{};
     for (std::size_t r = 0; r < d; ++r) {
-      for (std::size_t c = 0; c < d; ++c) rows[r][c] = polytope_.row(known.evidence.of_a[c + 1])[r] - first[r];
+      for (std::size_t c = 0; c < d; ++c) rows[r][c] = polytope_.row(known.points.of_a[c + 1])[r] - first[r];
       rows[r][d + r] = 1;
     }
     for (std::size_t k = 0; k < d; ++k) {

@@ -36,7 +36,7 @@ TEST(PolytopePoint, ManyAtOnceAreAsEachAlone) {
       ASSERT_EQ(answers[k].meet(), alone.meet());
       for (const PolytopeAnswer& answer : {answers[k], alone}) {
         const ExactEvidence exact = exact_evidence(hull, pose, one, pose, answer);
-        ASSERT_TRUE(check(hull, pose, one, pose, answer.evidence.verdict, exact));
+        ASSERT_TRUE(check(hull, pose, one, pose, answer.verdict(), exact));
       }
       ++all;
       inside += answers[k].meet();

@@ -70,8 +70,7 @@ class Search {
       answer_.decided_by = DecidedBy::evidence;
     }
     if (!holds) return false;
-    answer_.evidence.verdict = Verdict::apart;
-    std::copy_n(direction.begin(), d_, answer_.evidence.direction.begin());
+    std::copy_n(direction.begin(), d_, answer_.evidence.emplace<PartingDirection>().direction.begin());
     return true;
   }
 
@@ -87,36 +86,34 @@ class Search {
     if (least_weight_of_origin(std::span<const Interval>(points).first(d_ * (d_ + 1)), d_) != Guess::positive) {
       return false;
     }
-    Evidence& evidence = answer_.evidence;
-    evidence.verdict = Verdict::meet;
-    collect(evidence);
+    answer_.evidence = collected();
     return true;
   }
 
   // The points of the simplex, each once.
-  void collect(Evidence& evidence) const {
+  CommonPoints collected() const {
+    CommonPoints points;
     const auto add = [](std::uint32_t k, auto& list, std::uint8_t& count) {
       const auto end = list.begin() + count;
       if (std::find(list.begin(), end, k) == end) list[count++] = k;
     };
     for (std::size_t k = 0; k < simplex_.size(); ++k) {
-      add(simplex_[k].a, evidence.of_a, evidence.count_a);
-      add(simplex_[k].b, evidence.of_b, evidence.count_b);
+      add(simplex_[k].a, points.of_a, points.count_a);
+      add(simplex_[k].b, points.of_b, points.count_b);
     }
+    return points;
   }
 
   // Does the simplex, which may be of any dimension, hold the origin, by exact weights?
   bool holds_origin_exactly() {
     if (simplex_.size() == 0) return false;
     ++answer_.cost.exact;
-    Evidence evidence{.verdict = Verdict::meet};
-    collect(evidence);
+    const CommonPoints points = collected();
     auto common = common_point_by_determinants(
         a_, pose_a_, b_, pose_b_,
-        {std::span(evidence.of_a).first(evidence.count_a), std::span(evidence.of_b).first(evidence.count_b)});
+        {std::span(points.of_a).first(points.count_a), std::span(points.of_b).first(points.count_b)});
     if (!common) return false;
-    evidence.exact = std::make_shared<const ExactEvidence>(*std::move(common));
-    answer_.evidence = std::move(evidence);
+    answer_.evidence = ExactMeeting{std::make_shared<const ExactEvidence>(*std::move(common))};
     answer_.decided_by = DecidedBy::evidence;
     return true;
   }
@@ -130,18 +127,16 @@ class Search {
     ++answer_.cost.proposals;
     const Dyadic last = a.furthest(*y, answer_.cost).product, least = -b.furthest(negated(*y), answer_.cost).product;
     if ((least - last).sign() != Sign::positive) return false;
-    answer_.evidence = {.verdict = Verdict::apart,
-                        .exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = *std::move(y)})};
+    answer_.evidence = ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = *std::move(y)})};
     answer_.decided_by = DecidedBy::evidence;
     return true;
   }
 
   void finish() {
-    Evidence hint;
-    collect(hint);
+    const CommonPoints hint = collected();
     ExactDecision decision = decide_exactly({a_, pose_a_}, {b_, pose_b_}, std::span(hint.of_a).first(hint.count_a),
                                             std::span(hint.of_b).first(hint.count_b), answer_.cost);
-    answer_.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
+    answer_.evidence = evidence_of(decision.verdict, std::move(decision.evidence));
     answer_.decided_by = DecidedBy::finishing;
   }
 
@@ -170,7 +165,7 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
   ExactDecision decision = proposal.decision
                                ? *std::move(proposal.decision)
                                : decide_exactly({a, pose_a}, {b, pose_b}, proposal.of_a, proposal.of_b, answer.cost);
-  answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
+  answer.evidence = evidence_of(decision.verdict, std::move(decision.evidence));
   return answer;
 }
 
@@ -181,15 +176,14 @@ PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Po
 ExactEvidence exact_evidence(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b,
                              const PolytopeAnswer& answer) {
   require_one_dimension(a, pose_a, b, pose_b);
-  const Evidence& evidence = answer.evidence;
-  if (evidence.exact) return *evidence.exact;
-  if (evidence.verdict == Verdict::meet) {
-    const NamedPoints named{std::span(evidence.of_a).first(evidence.count_a),
-                            std::span(evidence.of_b).first(evidence.count_b)};
+  if (const auto exact = exact_part(answer.evidence)) return *exact;
+  if (const auto* points = std::get_if<CommonPoints>(&answer.evidence)) {
+    const NamedPoints named{std::span(points->of_a).first(points->count_a),
+                            std::span(points->of_b).first(points->count_b)};
     if (auto common = common_point_by_determinants(a, pose_a, b, pose_b, named)) return *std::move(common);
     return common_point_of({a, pose_a}, {b, pose_b}, named.of_a, named.of_b);
   }
-  const auto begin = evidence.direction.begin();
+  const auto begin = std::get<PartingDirection>(answer.evidence).direction.begin();
   return {.numbers = ExactVector(begin, begin + static_cast<std::ptrdiff_t>(a.dimension()))};
 }
 

@@ -189,17 +189,16 @@ PolytopeAnswer polytope_polytope_by_scan(const Polytope& a, const Pose& pose_a, 
   answer.cost.probes = (std::uint64_t{a.size()} + b.size()) * (std::uint64_t{answer.cost.iterations} + 1);
   ExactEvidence evidence;
   if (meet) {
-    answer.evidence.verdict = Verdict::meet;
     evidence.numbers = of_a.place(program, evidence.of_a, evidence.in_a);
     evidence.denominator = program.denominator();
     of_b.place(program, evidence.of_b, evidence.in_b);
   } else {  // y . (image of A) + s <= 0, -y . (image of B) + t <= 0, and y . right-hand side > 0
-    answer.evidence.verdict = Verdict::apart;
     for (std::size_t r = 0; r < d; ++r) evidence.numbers.push_back(program.multiplier(r));
     of_a.multipliers(program, evidence.of_a);
     of_b.multipliers(program, evidence.of_b);
   }
-  answer.evidence.exact = std::make_shared<const ExactEvidence>(std::move(evidence));
+  answer.evidence =
+      evidence_of(meet ? Verdict::meet : Verdict::apart, std::make_shared<const ExactEvidence>(std::move(evidence)));
   return answer;
 }
 

@@ -40,8 +40,8 @@ class TreeSearch {
       ++answer.cost.iterations;
       ++answer.cost.proposals;
       if ((of_a.product + of_b.product).sign() == Sign::negative) {
-        answer.evidence.verdict = Verdict::apart;
-        answer.evidence.exact = std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)});
+        answer.evidence =
+            ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)})};
         return true;
       }
       if (simplex_.has(of_a.index, of_b.index) || !simplex_.add(difference(of_a.index, of_b.index))) break;
@@ -91,7 +91,7 @@ PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& 
     of_b = search.named(&DifferencePoint::b);
   }
   ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, of_a, of_b, answer.cost, &scans);
-  answer.evidence = {.verdict = decision.verdict, .exact = std::move(decision.evidence)};
+  answer.evidence = evidence_of(decision.verdict, std::move(decision.evidence));
   answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
   return answer;
 }

@@ -42,7 +42,7 @@ Pose shift(std::size_t d, const std::vector<double>& by) { return Pose::from_mat
 PolytopeAnswer checked(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b) {
   PolytopeAnswer answer = polytope_polytope(a, pose_a, b, pose_b);
   EXPECT_EQ(answer.meet(), polytope_polytope_by_scan(a, pose_a, b, pose_b).meet());
-  EXPECT_TRUE(check(a, pose_a, b, pose_b, answer.evidence.verdict, exact_evidence(a, pose_a, b, pose_b, answer)));
+  EXPECT_TRUE(check(a, pose_a, b, pose_b, answer.verdict(), exact_evidence(a, pose_a, b, pose_b, answer)));
   return answer;
 }
 
@@ -103,7 +103,7 @@ TEST(PolytopePolytope, LargeBodiesTakeFewLooksAtAllPoints) {
       const Polytope a = sphere(0), b = sphere(distance);
       const Pose here(d);
       const PolytopeAnswer answer = polytope_polytope(a, here, b, here);
-      EXPECT_TRUE(check(a, here, b, here, answer.evidence.verdict, exact_evidence(a, here, b, here, answer)));
+      EXPECT_TRUE(check(a, here, b, here, answer.verdict(), exact_evidence(a, here, b, here, answer)));
       EXPECT_EQ(answer.decided_by, DecidedBy::filter);
       looks += answer.cost.probes;
       meets += answer.meet();

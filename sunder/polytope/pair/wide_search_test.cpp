@@ -56,10 +56,10 @@ TEST(WideSearch, DecidesWhatDoublesCannotHold) {
     Cost cost;
     const auto decision = search_widely(half_spaces, points, cost);
     const PolytopeAnswer answer = polytope_polytope(pair.points, here, pair.half_spaces, moved);
-    EXPECT_TRUE(check(pair.points, here, pair.half_spaces, moved, answer.evidence.verdict,
+    EXPECT_TRUE(check(pair.points, here, pair.half_spaces, moved, answer.verdict(),
                       exact_evidence(pair.points, here, pair.half_spaces, moved, answer)));
     if (!decision) continue;
-    EXPECT_EQ(decision->verdict, answer.evidence.verdict) << i;
+    EXPECT_EQ(decision->verdict, answer.verdict()) << i;
     ++decided;
     meeting += answer.meet();
   }
@@ -78,7 +78,7 @@ TEST(WideSearch, IsTheScansAnswer) {
     Cost cost;
     const auto decision = search_widely(half_spaces, points, cost);
     ASSERT_TRUE(decision.has_value()) << i;
-    EXPECT_EQ(decision->verdict, polytope_polytope_by_scan(pair.half_spaces, here, pair.points, here).evidence.verdict);
+    EXPECT_EQ(decision->verdict, polytope_polytope_by_scan(pair.half_spaces, here, pair.points, here).verdict());
   }
 }
 

@@ -54,11 +54,11 @@ class PolygonByDrums {
     bool beside(std::uint32_t v, bool is_above) const { return holds(search.beside(v, is_above)); }
 
     template <class Sequence>
-    bool meet(const Sequence& q, const PairCertificate& found) const {
+    bool meet(const Sequence& q, const CommonVertices& found) const {
       return propose_common_point<Real>(search.body_, q, search.polygon_, r, found, holds);
     }
 
-    bool parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
+    bool parted(const PocketSequence<Real>& q, const Separation& found) const {
       if (propose_touch<Real>(search.body_, q, search.polygon_, r, found, holds)) return true;
       const std::uint32_t n = q.size(), near = r.vertex(found.extreme_b);
       const auto by_side = [&](std::uint32_t k) {

@@ -129,11 +129,11 @@ class PolyhedraByDrums {
     }
 
     template <class Sequence>
-    End meet(const Sequence& q, const PairCertificate& found) const {
+    End meet(const Sequence& q, const CommonVertices& found) const {
       return propose_common_point<Real>(search.q_, q, search.p_, r, found, holds) ? End::held : End::stuck;
     }
 
-    End parted(const PocketSequence<Real>& q, const PairCertificate& found) const {
+    End parted(const PocketSequence<Real>& q, const Separation& found) const {
       if (propose_touch<Real>(search.q_, q, search.p_, r, found, holds)) return End::held;
       if (found.direction.kind == Direction::Kind::side_of_a) return by_facet(q.facet_behind(found.direction.index[0]));
       if (found.direction.kind != Direction::Kind::side_of_b) return End::stuck;

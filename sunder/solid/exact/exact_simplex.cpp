@@ -169,16 +169,8 @@ class ExactSimplex {
   }
 
   PairCertificate certificate() const {
-    PairCertificate c;
-    if (!basis_.is_solved()) {
-      c.verdict = Verdict::apart;
-      c.direction.kind = Direction::Kind::exact;
-      c.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(direction());
-      c.extreme_a = at_a_;
-      c.extreme_b = at_b_;
-      return c;
-    }
-    c.verdict = Verdict::meet;
+    if (!basis_.is_solved()) return Separation{exact_direction(direction()), at_a_, at_b_};
+    CommonVertices c;
     std::size_t n = 0;
     for (const Kind kind : {of_a, of_b}) {
       for (std::size_t i = 0; i < basis_.rows(); ++i) {

@@ -29,21 +29,21 @@ TEST(FlatFlat, KnownKinds) {
   EXPECT_EQ(line_line(x, Line::through({0, 0, 5e-324}, {0, 1, 5e-324})).kind, FlatKind::nothing);
   EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {4, 0, 0})).kind, FlatKind::ray);
   EXPECT_EQ(line_ray(x, Ray::from({3, 1, 0}, {3, 2, 0})).kind, FlatKind::nothing);
-  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {3, 2, 0})).contact, Contact::touching);
-  EXPECT_EQ(line_segment(x, Segment::between({3, -1, 0}, {3, 2, 0})).contact, Contact::overlapping);
+  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {3, 2, 0})).contact, Relation::touching);
+  EXPECT_EQ(line_segment(x, Segment::between({3, -1, 0}, {3, 2, 0})).contact, Relation::overlapping);
   EXPECT_EQ(line_segment(x, Segment::between({3, 0, 0}, {9, 0, 0})).kind, FlatKind::segment);
   const Ray right = Ray::from({0, 0, 0}, {1, 0, 0}), left = Ray::from({0, 0, 0}, {-1, 0, 0});
   EXPECT_EQ(ray_ray(right, left).kind, FlatKind::point);
-  EXPECT_EQ(ray_ray(right, left).contact, Contact::touching);
+  EXPECT_EQ(ray_ray(right, left).contact, Relation::touching);
   EXPECT_EQ(ray_ray(right, Ray::from({5, 0, 0}, {4, 0, 0})).kind, FlatKind::segment);
   EXPECT_EQ(ray_ray(right, Ray::from({-5, 0, 0}, {-6, 0, 0})).kind, FlatKind::nothing);
   EXPECT_EQ(ray_segment(right, Segment::between({-1, 0, 0}, {2, 0, 0})).kind, FlatKind::segment);
   EXPECT_EQ(segment_segment(Segment::between({0, 0, 0}, {1, 1, 1}), Segment::between({1, 0, 0}, {0, 1, 1})).contact,
-            Contact::overlapping);
-  EXPECT_EQ(line_point(x, {7, 0, 0}).contact, Contact::overlapping);
-  EXPECT_EQ(ray_point(right, {0, 0, 0}).contact, Contact::touching);
+            Relation::overlapping);
+  EXPECT_EQ(line_point(x, {7, 0, 0}).contact, Relation::overlapping);
+  EXPECT_EQ(ray_point(right, {0, 0, 0}).contact, Relation::touching);
   EXPECT_EQ(ray_point(right, {-1, 0, 0}).kind, FlatKind::nothing);
-  EXPECT_EQ(segment_point(Segment::between({1, 2, 3}, {1, 2, 3}), {1, 2, 3}).contact, Contact::overlapping);
+  EXPECT_EQ(segment_point(Segment::between({1, 2, 3}, {1, 2, 3}), {1, 2, 3}).contact, Relation::overlapping);
   const Plane floor = Plane::at({0, 0, 2}, 1);
   EXPECT_EQ(plane_line(floor, x).kind, FlatKind::nothing);
   EXPECT_EQ(plane_ray(floor, Ray::from({0, 0, 1}, {0, 0, 2})).kind, FlatKind::nothing);
@@ -110,7 +110,7 @@ TEST(FlatFlat, Random) {
     ASSERT_TRUE(verified.accepted()) << text;
     const std::string verdict = !common.meet() ? "apart" : tells ? std::string(name_of(common.contact)) : "meet";
     ASSERT_EQ(verified.statements[0].verdict, verdict);
-    if (common.contact == Contact::touching) {
+    if (common.contact == Relation::touching) {
       ASSERT_EQ(common.kind, FlatKind::point);
     }
     ++tally[std::string(kind_names[std::min(i_a, i_b)]) + " " + kind_names[std::max(i_a, i_b)] + " " + verdict];

@@ -52,7 +52,7 @@ class Two {
     const Linear &point = p_.is_point() ? p_ : q_, &other = p_.is_point() ? q_ : p_;
     if (other.is_point()) {
       if (!(point.a == other.a)) return nothing();
-      return {FlatKind::point, Contact::overlapping, {}, {}};
+      return {FlatKind::point, Relation::overlapping, {}, {}};
     }
     if (!is_on_line(other, point.a)) return nothing();
     return collinear();
@@ -86,7 +86,7 @@ class Two {
     const Place on_q = place(axis, q_, p_, s);
     if (on_q == Place::outside) return nothing();
     const bool inside = on_p == Place::inside && on_q == Place::inside;
-    return {FlatKind::point, inside ? Contact::overlapping : Contact::touching, {}, {}};
+    return {FlatKind::point, inside ? Relation::overlapping : Relation::touching, {}, {}};
   }
 
   // On one line, of which a coordinate tells the order; they are intervals of it.
@@ -107,14 +107,14 @@ class Two {
     if (q.low && (!both.low || *q.low > *both.low)) both.low = q.low;
     if (q.high && (!both.high || *q.high < *both.high)) both.high = q.high;
     if (!both.low || !both.high) {
-      return {both.low || both.high ? FlatKind::ray : FlatKind::line, Contact::overlapping, {}, {}};
+      return {both.low || both.high ? FlatKind::ray : FlatKind::line, Relation::overlapping, {}, {}};
     }
     if (*both.low > *both.high) return nothing();
-    if (*both.low < *both.high) return {FlatKind::segment, Contact::overlapping, {}, {}};
+    if (*both.low < *both.high) return {FlatKind::segment, Relation::overlapping, {}, {}};
     const auto is_inside = [&](const Linear& l, const Interval& i) {
       return l.is_point() || ((!i.low || *i.low < *both.low) && (!i.high || *i.high > *both.high));
     };
-    return {FlatKind::point, is_inside(p_, p) && is_inside(q_, q) ? Contact::overlapping : Contact::touching, {}, {}};
+    return {FlatKind::point, is_inside(p_, p) && is_inside(q_, q) ? Relation::overlapping : Relation::touching, {}, {}};
   }
 
   const Linear &p_, &q_;

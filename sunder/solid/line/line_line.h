@@ -23,11 +23,11 @@ struct [[nodiscard]] FlatCommon {
   FlatKind kind = FlatKind::nothing;
   // Relative interiors are meant: of a line and a plane all of it, of a ray all but its beginning, of a segment all but
   // its ends, of a point the point.
-  Contact contact = Contact::none;
+  Relation contact = Relation::none;
   DecidedBy decided_by = DecidedBy::filter;
   Cost cost;  // probes: signs that were asked for
 
-  bool meet() const { return contact != Contact::none; }
+  bool meet() const { return contact != Relation::none; }
 };
 
 // Exact; of the world. Cost: at most 13 signs.

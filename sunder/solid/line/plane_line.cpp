@@ -16,24 +16,24 @@ FlatCommon plane_linear(const Plane& plane, const Linear& linear) {
                          : linear.begins   ? FlatKind::ray
                                            : FlatKind::line;
   const Sign a = side(linear.a), b = linear.is_point() ? a : side(linear.b);
-  const auto found = [&](FlatKind kind, Contact contact) {
+  const auto found = [&](FlatKind kind, Relation contact) {
     common.kind = kind;
     common.contact = contact;
     conclude(common, tally.exact);
     return common;
   };
-  if (a == Sign::zero && b == Sign::zero) return found(whole, Contact::overlapping);
+  if (a == Sign::zero && b == Sign::zero) return found(whole, Relation::overlapping);
   if ((a == Sign::zero && linear.begins) || (b == Sign::zero && linear.ends)) {
-    return found(FlatKind::point, Contact::touching);
+    return found(FlatKind::point, Relation::touching);
   }
   const bool opposite = a * b != Sign::positive;  // the plane is between the two points, or in one that is no end
-  if (opposite) return found(FlatKind::point, Contact::overlapping);
-  if (linear.ends) return found(FlatKind::nothing, Contact::none);
+  if (opposite) return found(FlatKind::point, Relation::overlapping);
+  if (linear.ends) return found(FlatKind::nothing, Relation::none);
   // How the line rises: normal . (b - a), as the height of b over the plane through a.
   ++common.cost.probes;
   const Sign rise = side_of_plane(plane.normal, linear.a, 0, posed(linear.b, identity), &tally);
   const bool hits = linear.begins ? rise * a == Sign::negative : rise != Sign::zero;
-  return found(hits ? FlatKind::point : FlatKind::nothing, hits ? Contact::overlapping : Contact::none);
+  return found(hits ? FlatKind::point : FlatKind::nothing, hits ? Relation::overlapping : Relation::none);
 }
 
 FlatCommon plane_line(const Plane& plane, const Line& line) { return plane_linear(plane, line); }

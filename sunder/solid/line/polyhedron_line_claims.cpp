@@ -351,13 +351,13 @@ PolyhedronCut polyhedron_line_like(const ConvexPolyhedron& body, const Pose& pos
   return polyhedron_segment(body, pose, std::get<Segment>(other));
 }
 
-Contact contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut) {
-  if (!cut.meet()) return Contact::none;
+Relation contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut) {
+  if (!cut.meet()) return Relation::none;
   const bool is_point = cut.kind == CutKind::point;
   const CutPlace at = cut.kind == CutKind::across ? CutPlace::inside : is_point ? cut.last.at.place : cut.surface.place;
   const bool inner_of_body = static_cast<int>(at) == body.dimension();
   const bool inner_of_other = !is_point || cut.last.own == OwnEnd::none || ends_of(other).is_point();
-  return inner_of_body && inner_of_other ? Contact::overlapping : Contact::touching;
+  return inner_of_body && inner_of_other ? Relation::overlapping : Relation::touching;
 }
 
 LineBody body_of(const LineLike& other) {
@@ -371,17 +371,17 @@ LineBody body_of(const LineLike& other) {
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
                 const LineLike& other, const PolyhedronCut& cut, bool tells_contact) {
   Claims claims(body, pose, other, cut);
-  const Contact contact = contact_of(body, other, cut);
-  if (contact == Contact::none) {
+  const Relation contact = contact_of(body, other, cut);
+  if (contact == Relation::none) {
     pairs.add_apart(a, b, claims.parting());
   } else if (!tells_contact) {
     pairs.add_meet(a, b, claims.some_point());
-  } else if (contact == Contact::touching) {
+  } else if (contact == Relation::touching) {
     pairs.add_touching(a, b, claims.some_point(), claims.touching_direction());
   } else {
     pairs.add_overlapping(a, b, claims.overlapping_point());
   }
-  if (contact != Contact::none) claims.add_common_part(pairs, a, b);
+  if (contact != Relation::none) claims.add_common_part(pairs, a, b);
 }
 
 void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body,

@@ -23,7 +23,7 @@ PolyhedronCut polyhedron_line_like(const ConvexPolyhedron& body, const Pose& pos
 
 // Do they touch, or overlap? Relative interiors count: that of a segment is without its ends, that of a ray without its
 // beginning; a point is its own. Requires their answer.
-Contact contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut);
+Relation contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut);
 
 // The other as a body of a certificate file, so that what is said of it is said of the whole: for
 // PairClaims::add_body. A line is a point and two opposite ways, a ray a point and one, a segment its two points.

@@ -1,5 +1,6 @@
 #include <sunder/number/exact_vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 
 namespace sunder::solid {
 
@@ -21,11 +22,12 @@ ClosestPoints closest_points(const ClosestFeatures& closest) {
   return {point(0, f.count_a), point(f.count_a, std::size_t{f.count_a} + f.count_b)};
 }
 
-void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact) {
-  if (contact == Contact::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Relation contact) {
+  if (contact == Relation::none) return pairs.add_pair(pair.index_a, pair.index_b, certificate);
   const Interiors found = interiors(pair.a, pair.pose_a, pair.b, pair.pose_b);
   if (found.meet) return pairs.add_overlapping(pair.index_a, pair.index_b, found.point);
-  pairs.add_touching(pair.index_a, pair.index_b, pairs.common_point(pair.index_a, pair.index_b, certificate),
+  pairs.add_touching(pair.index_a, pair.index_b,
+                     pairs.common_point(pair.index_a, pair.index_b, std::get<CommonVertices>(certificate)),
                      found.direction);
 }
 
@@ -38,7 +40,7 @@ void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDi
 void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance, double least) {
   const std::uint32_t a = pair.index_a, b = pair.index_b;
   if (!distance.closest) {
-    const CommonPoint common = pairs.common_point(a, b, distance.answer.certificate());
+    const CommonPoint common = pairs.common_point(a, b, std::get<CommonVertices>(distance.answer.evidence));
     return pairs.add_clearance_broken(a, b, least, {common.at, common.of_a}, {common.at, common.of_b});
   }
   const auto [of_a, of_b] = closest_points(*distance.closest);
@@ -49,3 +51,18 @@ void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronD
 }
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+void prove(const TextSink& sink, const AskedPair<solid::ConvexPolyhedron, solid::Pose>& asked,
+           const PairAnswer& answer) {
+  const auto& [a, at_a, b, at_b, name_a, name_b, tells_relation, origin] = asked;
+  prove_pair(sink, asked, PairClaims::Space::solid, a.vertices(), at_a.affine(), b.vertices(), at_b.affine(),
+             [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
+               const Relation relation =
+                   tells_relation ? polyhedron_polyhedron_contact(a, at_a, b, at_b) : Relation::none;
+               solid::add_claims(pairs, {index_a, index_b, a, at_a, b, at_b}, answer.evidence, relation);
+             });
+}
+
+}  // namespace sunder

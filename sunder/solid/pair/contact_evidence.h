@@ -3,6 +3,7 @@
 // polyhedron_polyhedron_contact and polyhedron_polyhedron_distance.
 #pragma once
 
+#include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/exact/exact_simplex.h>
@@ -32,7 +33,7 @@ struct ClaimedPair {
 
 // States what polyhedron_polyhedron's certificate says: that they are apart, or meet; where the contact is not none,
 // that they touch, or overlap.
-void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Contact contact);
+void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate, Relation contact);
 
 // States how far apart they are; of bodies that meet, nothing.
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance);
@@ -41,3 +42,11 @@ void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDi
 void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance, double least);
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+// Writes what polyhedron_polyhedron says of them as a certificate file, whole. Requires the answer to be about these.
+void prove(const TextSink& sink, const AskedPair<solid::ConvexPolyhedron, solid::Pose>& asked,
+           const PairAnswer& answer);
+
+}  // namespace sunder

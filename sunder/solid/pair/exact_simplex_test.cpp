@@ -53,7 +53,7 @@ TEST(ExactSimplexTest, DecidesAllPairsLikeTheScan) {
       Cost cost;
       StageTally tally;
       const PairCertificate answer = decide_by_exact_simplex(a, b, hint, cost, tally);
-      ASSERT_EQ(answer.verdict == Verdict::meet, meet) << i << " " << name_of(c.family) << " hint " << hint.count;
+      ASSERT_EQ(verdict_of(answer) == Verdict::meet, meet) << i << " " << name_of(c.family) << " hint " << hint.count;
       ASSERT_EQ(check_placed(answer, a, b), CheckResult::accepted)
           << i << " " << name_of(c.family) << " hint " << hint.count;
     }
@@ -84,7 +84,7 @@ TEST(ExactSimplexTest, EndsWhateverTheDegeneracy) {
         Cost cost;
         StageTally tally;
         const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
-        EXPECT_EQ(c.verdict, polyhedron_polyhedron_by_scan(body, here, body, there).evidence.verdict);
+        EXPECT_EQ(verdict_of(c), polyhedron_polyhedron_by_scan(body, here, body, there).verdict());
         EXPECT_EQ(check_placed(c, a, b), CheckResult::accepted);
       }
     }
@@ -108,10 +108,10 @@ TEST(ExactSimplexTest, TheEndsOfTheRangeOfDoubles) {
           Cost cost;
           StageTally tally;
           const PairCertificate c = decide_by_exact_simplex(a, b, {}, cost, tally);
-          ASSERT_EQ(c.verdict, polyhedron_polyhedron_by_scan(p, here, q, there).evidence.verdict)
+          ASSERT_EQ(verdict_of(c), polyhedron_polyhedron_by_scan(p, here, q, there).verdict())
               << s << " " << t << " " << linear << " " << shift;
           ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted);
-          ++(c.verdict == Verdict::meet ? meet : apart);
+          ++(verdict_of(c) == Verdict::meet ? meet : apart);
         }
       }
     }
@@ -125,9 +125,9 @@ TEST(ExactSimplexTest, TwoPoints) {
   const Pose pose;
   Cost cost;
   StageTally tally;
-  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(origin, pose), {}, cost, tally).verdict,
+  EXPECT_EQ(verdict_of(decide_by_exact_simplex(Placed(origin, pose), Placed(origin, pose), {}, cost, tally)),
             Verdict::meet);
-  EXPECT_EQ(decide_by_exact_simplex(Placed(origin, pose), Placed(other, pose), {}, cost, tally).verdict,
+  EXPECT_EQ(verdict_of(decide_by_exact_simplex(Placed(origin, pose), Placed(other, pose), {}, cost, tally)),
             Verdict::apart);
   EXPECT_TRUE(interiors_meet(origin, Placed(origin, pose), origin, Placed(origin, pose), tally));
   EXPECT_FALSE(interiors_meet(origin, Placed(origin, pose), other, Placed(other, pose), tally));
@@ -168,7 +168,7 @@ TEST(ExactSimplexTest, InteriorsMeetIffSlightlySmallerBodiesDo) {
     ASSERT_EQ(interiors_meet(a, Placed(a, pose), b, Placed(b, pose), tally), expected) << i;
     ASSERT_EQ(interiors_meet(b, Placed(b, pose), a, Placed(a, pose), tally), expected) << i;
     if (polyhedron_polyhedron_by_scan(a, pose, b, pose).meet()) {
-      ASSERT_EQ(polyhedron_polyhedron_contact(a, pose, b, pose), expected ? Contact::overlapping : Contact::touching)
+      ASSERT_EQ(polyhedron_polyhedron_contact(a, pose, b, pose), expected ? Relation::overlapping : Relation::touching)
           << i;
       ++seen[{a.dimension(), b.dimension()}][expected];
     }

@@ -10,14 +10,15 @@ PairAnswer polyhedron_polyhedron(const ConvexPolyhedron& a, const Pose& pose_a, 
   return polyhedron_polyhedron_by_gjk(a, pose_a, b, pose_b);
 }
 
-Contact polyhedron_polyhedron_contact(const ConvexPolyhedron& a, const Pose& pose_a,  //
-                                      const ConvexPolyhedron& b, const Pose& pose_b) {
+Relation polyhedron_polyhedron_contact(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                       const ConvexPolyhedron& b, const Pose& pose_b) {
   const PairAnswer answer = polyhedron_polyhedron(a, pose_a, b, pose_b);
-  if (!answer.meet()) return Contact::none;
+  const auto* common = std::get_if<CommonVertices>(&answer.evidence);
+  if (common == nullptr) return Relation::none;
   // Five vertices whose weights are unique and positive span A - B around the origin.
-  if (answer.evidence.count_a + answer.evidence.count_b == 5) return Contact::overlapping;
+  if (common->count_a + common->count_b == 5) return Relation::overlapping;
   StageTally tally;
-  return interiors_meet(a, Placed(a, pose_a), b, Placed(b, pose_b), tally) ? Contact::overlapping : Contact::touching;
+  return interiors_meet(a, Placed(a, pose_a), b, Placed(b, pose_b), tally) ? Relation::overlapping : Relation::touching;
 }
 
 }  // namespace solid

@@ -69,8 +69,8 @@ PairAnswer polyhedron_polyhedron_by_scan(const ConvexPolyhedron& a, const Pose& 
                                          const ConvexPolyhedron& b, const Pose& pose_b);
 
 // Touching or overlapping? May cost more than the question whether they meet.
-Contact polyhedron_polyhedron_contact(const ConvexPolyhedron& a, const Pose& pose_a,  //
-                                      const ConvexPolyhedron& b, const Pose& pose_b);
+Relation polyhedron_polyhedron_contact(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                       const ConvexPolyhedron& b, const Pose& pose_b);
 
 }  // namespace solid
 

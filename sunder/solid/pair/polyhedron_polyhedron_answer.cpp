@@ -60,8 +60,9 @@ class Disposal {
   }
 
  private:
-  // What all claims that the bodies are apart come to: the extreme vertices, and that they are strictly apart.
-  bool parts(const WorldDirection& direction, std::uint32_t near_a, std::uint32_t near_b) {
+  // What all claims that the bodies are apart come to: the extreme vertices, and that they are strictly apart. `found`
+  // has the direction.
+  bool parts(const WorldDirection& direction, std::uint32_t near_a, std::uint32_t near_b, Separation found) {
     // The strict comparison first: it costs least and fails most.
     if (compare_along(direction, a_[near_a], b_[near_b], &tally_) != Sign::positive) return false;
     Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
@@ -70,18 +71,15 @@ class Disposal {
     if (last_a != near_a || last_b != near_b) {
       if (compare_along(direction, a_[last_a], b_[last_b], &tally_) != Sign::positive) return false;
     }
-    certificate_.verdict = Verdict::apart;
-    certificate_.extreme_a = last_a;
-    certificate_.extreme_b = last_b;
+    found.extreme_a = last_a;
+    found.extreme_b = last_b;
+    certificate_ = std::move(found);
     return true;
   }
 
   bool apart_along(const Point3& direction, std::uint32_t near_a, std::uint32_t near_b) {
     if (!is_finite(direction)) return false;
-    if (!parts(WorldDirection(direction), near_a, near_b)) return false;
-    certificate_.direction.kind = Direction::Kind::given;
-    certificate_.direction.given = direction;
-    return true;
+    return parts(WorldDirection(direction), near_a, near_b, {{.given = direction}});
   }
 
   bool apart_along_sum(const Proposal& p) {
@@ -90,26 +88,21 @@ class Disposal {
     return parts_exactly({sum(p.direction.x, p.rest.x), sum(p.direction.y, p.rest.y), sum(p.direction.z, p.rest.z)}, p);
   }
 
-  bool parts_exactly(Vector3<Dyadic> d, const Proposal& p) {
+  bool parts_exactly(const Vector3<Dyadic>& d, const Proposal& p) {
     ++tally_.exact;
-    if (!parts(WorldDirection(d), p.near_a, p.near_b)) return false;
-    certificate_.direction.kind = Direction::Kind::exact;
-    certificate_.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-        std::array<Dyadic, 3>{std::move(d.x), std::move(d.y), std::move(d.z)});
-    return true;
+    return parts(WorldDirection(d), p.near_a, p.near_b, {exact_direction({d.x, d.y, d.z})});
   }
 
   static bool is_finite(const Point3& d) { return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z); }
 
   bool apart_along_features(Direction::Kind kind, const Proposal& p) {
-    Direction& d = certificate_.direction;
-    d.kind = kind;
+    Separation found{{.kind = kind}};
+    Direction& d = found.direction;
     std::copy_n(p.vertices.begin(), d.index.size(), d.index.begin());
-    d.reversed = false;
     ++tally_.exact;
     const Vector3<Interval> n = world_direction(d, vertices_of(a_), vertices_of(b_)).enclosure();
     d.reversed = dot({n.x.low, n.y.low, n.z.low}, p.direction) < 0;
-    return parts(world_direction(d, vertices_of(a_), vertices_of(b_)), p.near_a, p.near_b);
+    return parts(world_direction(d, vertices_of(a_), vertices_of(b_)), p.near_a, p.near_b, found);
   }
 
   // Two vertices next to each other: if a plane parts the bodies there, one along a facet at either vertex does,
@@ -172,10 +165,8 @@ class Disposal {
     const std::size_t count_a = p.count_a, count = count_a + p.count_b;
     for (std::size_t i = 0; i < count; ++i) points[i] = i < count_a ? a_[p.vertices[i]] : b_[p.vertices[i]];
     if (!have_common_point({points.data(), count_a}, {points.data() + count_a, count - count_a}, &tally_)) return false;
-    certificate_.verdict = Verdict::meet;
-    certificate_.count_a = p.count_a;
-    certificate_.count_b = p.count_b;
-    std::copy_n(p.vertices.begin(), certificate_.vertices.size(), certificate_.vertices.begin());
+    CommonVertices& found = certificate_.emplace<CommonVertices>(CommonVertices{p.count_a, p.count_b});
+    std::copy_n(p.vertices.begin(), found.vertices.size(), found.vertices.begin());
     return true;
   }
 

@@ -132,9 +132,9 @@ TEST_F(PolyhedronPolyhedronAnswerTest, CheckApartIsThePlainTruthFromAnyStart) {
     ties += most == lowest;
     ++(parted ? accepted : refused);
     if (!parted) continue;
-    ASSERT_EQ(c.verdict, Verdict::apart);
-    ASSERT_EQ(c.direction.kind, Direction::Kind::given);
-    ASSERT_EQ(c.direction.given, d);
+    ASSERT_EQ(verdict_of(c), Verdict::apart);
+    ASSERT_EQ(std::get<Separation>(c).direction.kind, Direction::Kind::given);
+    ASSERT_EQ(std::get<Separation>(c).direction.given, d);
     ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted);
   }
   EXPECT_GT(accepted, 500);
@@ -158,28 +158,28 @@ TEST_F(PolyhedronPolyhedronAnswerTest, WhatIsAcceptedHolds) {
     const DifferenceSimplex s = simplex_of(a, b, pairs);
     PairCertificate c;
     if (check_apart_by_features(a, b, s, {1, random_.uniform(-1, 1), random_.uniform(-1, 1)}, c, tally_)) {
-      ASSERT_EQ(c.verdict, Verdict::apart);
+      ASSERT_EQ(verdict_of(c), Verdict::apart);
       ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
-      ++kinds[c.direction.kind];
+      ++kinds[std::get<Separation>(c).direction.kind];
     } else {
       ++refused;
     }
     if (check_meet(a, b, s, c, tally_)) {
-      ASSERT_EQ(c.verdict, Verdict::meet);
+      ASSERT_EQ(verdict_of(c), Verdict::meet);
       ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
-      ++counts[c.count_a + c.count_b];
+      ++counts[std::get<CommonVertices>(c).count_a + std::get<CommonVertices>(c).count_b];
     } else {
       ++refused;
     }
     const DifferenceSimplexOf<DoubleDouble> t = finer(a, b, s);
     if (check_meet(a, b, t, c, tally_)) {
-      ASSERT_EQ(c.verdict, Verdict::meet);
+      ASSERT_EQ(verdict_of(c), Verdict::meet);
       ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
-      ++finer_counts[c.count_a + c.count_b];
+      ++finer_counts[std::get<CommonVertices>(c).count_a + std::get<CommonVertices>(c).count_b];
     }
     if (check_apart_perpendicular(a, b, t, some_vertex(a), some_vertex(b), c, tally_)) {
-      ASSERT_EQ(c.verdict, Verdict::apart);
-      ASSERT_EQ(c.direction.kind, Direction::Kind::exact);
+      ASSERT_EQ(verdict_of(c), Verdict::apart);
+      ASSERT_EQ(std::get<Separation>(c).direction.kind, Direction::Kind::exact);
       ASSERT_EQ(check_placed(c, a, b), CheckResult::accepted) << i;
       ++perpendicular[s.count];
     } else {
@@ -234,20 +234,20 @@ TEST_F(PolyhedronPolyhedronAnswerTest, FeaturesPartWhatDoublesCannot) {
     const Point3 q = point.vertices()[0];
     EXPECT_EQ(apart(point, {{Point3{1, 1, 1}, q}, {Point3{1, -1, 1}, q}, {Point3{1, -1, -1}, q}}, turned({1, 0, 0}), c),
               gap > 0);
-    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_a);
+    EXPECT_TRUE(gap == 0 || std::get<Separation>(c).direction.kind == Direction::Kind::normal_of_a);
 
     const ConvexPolyhedron plate(std::vector<Point3>{{1 + gap, 5, 7}, {1 + gap, -9, 5}, {1 + gap, 4, -8}, {3, 0, 0}});
     const Point3 r{1, 1, 1};
     EXPECT_EQ(apart(plate, {{r, Point3{1 + gap, 5, 7}}, {r, Point3{1 + gap, -9, 5}}, {r, Point3{1 + gap, 4, -8}}},
                     turned({1, 0, 0}), c),
               gap > 0);
-    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::normal_of_b);
+    EXPECT_TRUE(gap == 0 || std::get<Separation>(c).direction.kind == Direction::Kind::normal_of_b);
 
     const ConvexPolyhedron edge(std::vector<Point3>{{2 + gap, 0, 0.25}, {0 + gap, 2, 0.25}, {3, 3, 0.5}, {3, 3, -0.5}});
     EXPECT_EQ(apart(edge, {{Point3{1, 1, 1}, Point3{2 + gap, 0, 0.25}}, {Point3{1, 1, -1}, Point3{gap, 2, 0.25}}},
                     turned({1, 1, 0}), c),
               gap > 0);
-    EXPECT_TRUE(gap == 0 || c.direction.kind == Direction::Kind::edge_cross_edge);
+    EXPECT_TRUE(gap == 0 || std::get<Separation>(c).direction.kind == Direction::Kind::edge_cross_edge);
   }
 }
 
@@ -347,7 +347,7 @@ TEST_F(PolyhedronPolyhedronAnswerTest, TouchingPairsAreAccepted) {
   const Pose corner = shift(2, 2, 2);
   const Placed at_corner(cube, corner);
   ASSERT_TRUE(check_meet(a, at_corner, simplex_of(a, at_corner, {{v(1, 1, 1), v(-1, -1, -1)}}), c, tally_));
-  EXPECT_EQ(c.count_a + c.count_b, 2);
+  EXPECT_EQ(std::get<CommonVertices>(c).count_a + std::get<CommonVertices>(c).count_b, 2);
   EXPECT_EQ(check_placed(c, a, at_corner), CheckResult::accepted);
 
   const Pose off = shift(2, 2, std::nextafter(2.0, 3.0));

@@ -78,7 +78,7 @@ TEST(PolyhedronPolyhedronBatch, HasTheVerdictsOfSinglePairs) {
     ASSERT_EQ(meet[k], polyhedron_polyhedron(*a, *pose_a, *b, *pose_b).meet() ? 1 : 0) << asked.names[k];
     if (meet[k] == 0) continue;
     ++meeting;
-    ASSERT_EQ(check_absolutely(answers[k].certificate(), {a->vertices(), pose_a->affine(), false},
+    ASSERT_EQ(check_absolutely(answers[k].evidence, {a->vertices(), pose_a->affine(), false},
                                {b->vertices(), pose_b->affine(), false}),
               CheckResult::accepted)
         << asked.names[k];
@@ -96,7 +96,8 @@ TEST(PolyhedronPolyhedronBatch, IsTheSameForAnyNumberOfThreads) {
     polyhedron_polyhedron_batch(asked.pairs, meet, {threads, answers});
     std::vector<std::uint32_t> all(meet.begin(), meet.end());
     for (const PairAnswer& answer : answers) {
-      all.insert(all.end(), answer.evidence.vertices.begin(), answer.evidence.vertices.end());
+      const auto* common = std::get_if<CommonVertices>(&answer.evidence);
+      if (common != nullptr) all.insert(all.end(), common->vertices.begin(), common->vertices.end());
     }
     return all;
   };

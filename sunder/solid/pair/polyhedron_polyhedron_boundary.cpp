@@ -42,21 +42,21 @@ bool is_inside(const Placed& p, const Placed& q, Cost& cost, StageTally& tally) 
 
 }  // namespace
 
-BoundariesAnswer polyhedron_polyhedron_boundary(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
-                                                const ConvexPolyhedron& body_b, const Pose& pose_b) {
+RelationAnswer polyhedron_polyhedron_boundary(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
+                                              const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const PairAnswer answer = polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
   Cost cost = answer.cost;
-  if (!answer.meet()) return {Boundaries::apart, cost};
+  if (!answer.meet()) return {Relation::none, cost};
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   StageTally tally;
   const bool a_inside = is_inside(a, b, cost, tally);
   const bool b_inside = !a_inside && is_inside(b, a, cost, tally);
   cost.exact += tally.exact;
-  return {boundaries_of(true, a_inside, b_inside), cost};
+  return {relation_of_boundaries(true, a_inside, b_inside), cost};
 }
 
-BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
-                                                        const ConvexPolyhedron& body_b, const Pose& pose_b) {
+RelationAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
+                                                      const ConvexPolyhedron& body_b, const Pose& pose_b) {
   Cost cost;
   const auto inside = [&](const ConvexPolyhedron& p, const Pose& pose_p, const ConvexPolyhedron& q,
                           const Pose& pose_q) {
@@ -78,7 +78,7 @@ BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& 
   };
   const bool meet = polyhedron_polyhedron_by_scan(body_a, pose_a, body_b, pose_b).meet();
   const bool a_inside = inside(body_a, pose_a, body_b, pose_b), b_inside = inside(body_b, pose_b, body_a, pose_a);
-  return {boundaries_of(meet, a_inside, b_inside), cost};
+  return {relation_of_boundaries(meet, a_inside, b_inside), cost};
 }
 
 }  // namespace sunder::solid

@@ -8,27 +8,19 @@
 // for those that ask whether the bodies meet.
 #pragma once
 
-#include <sunder/base/boundaries.h>
-#include <sunder/base/cost.h>
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
 namespace sunder::solid {
 
-using sunder::Boundaries;
-
-struct [[nodiscard]] BoundariesAnswer {
-  Boundaries relation = Boundaries::apart;
-  Cost cost;
-};
-
 // Cost: that of polyhedron_polyhedron where they are apart; else O(n log m + m log n) probes more at most, and an exact
 // direction for each facet. Allocates.
-BoundariesAnswer polyhedron_polyhedron_boundary(const ConvexPolyhedron& a, const Pose& pose_a,  //
-                                                const ConvexPolyhedron& b, const Pose& pose_b);
+RelationAnswer polyhedron_polyhedron_boundary(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                              const ConvexPolyhedron& b, const Pose& pose_b);
 
 // Every vertex against every facet, in exact numbers: the oracle. O(n m).
-BoundariesAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& a, const Pose& pose_a,  //
-                                                        const ConvexPolyhedron& b, const Pose& pose_b);
+RelationAnswer polyhedron_polyhedron_boundary_by_scan(const ConvexPolyhedron& a, const Pose& pose_a,  //
+                                                      const ConvexPolyhedron& b, const Pose& pose_b);
 
 }  // namespace sunder::solid

@@ -95,22 +95,18 @@ class Scan {
     answer.cost.exact = exact_prices_;
     const FiveIntegers y = multipliers();
     if (y[3] + y[4] > 0) {
-      answer.evidence.verdict = Verdict::apart;
-      answer.evidence.direction.kind = Direction::Kind::exact;
-      answer.evidence.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(
-          std::array{dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)});
-      answer.evidence.extreme_a = furthest(0, y);
-      answer.evidence.extreme_b = furthest(1, y);
+      answer.evidence = Separation{exact_direction({dyadic_of(y[0], 0), dyadic_of(y[1], 0), dyadic_of(y[2], 0)}),
+                                   furthest(0, y), furthest(1, y)};
       return answer;
     }
-    answer.evidence.verdict = Verdict::meet;
+    CommonVertices& common = answer.evidence.emplace<CommonVertices>();
     std::size_t n = 0;
     for (std::size_t body = 0; body < 2; ++body) {
       for (std::size_t i = 0; i < 5; ++i) {
         const auto number = static_cast<std::size_t>(dictionary_.basic[i]);
         if (dictionary_.basic[i] < 0 || dictionary_.rows[i].back().is_zero() || body_of(number) != body) continue;
-        answer.evidence.vertices[n++] = vertex_of(number);
-        ++(body == 0 ? answer.evidence.count_a : answer.evidence.count_b);
+        common.vertices[n++] = vertex_of(number);
+        ++(body == 0 ? common.count_a : common.count_b);
       }
     }
     return answer;

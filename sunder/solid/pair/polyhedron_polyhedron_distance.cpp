@@ -255,7 +255,7 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   StageTally tally;
   Closest closest(a, b, answer.cost, tally);
-  const PairCertificate& apart = answer.evidence;
+  const Separation& apart = std::get<Separation>(answer.evidence);
   const bool held =
       propose<double>(a, b, apart.extreme_a, apart.extreme_b, closest, answer.cost) ||
       propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest, answer.cost);

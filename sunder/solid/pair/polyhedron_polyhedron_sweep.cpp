@@ -18,9 +18,7 @@ namespace {
 
 PlacedVertices vertices_of(const Placed& body) { return {body.graph.vertices, body.pose, body.tame}; }
 
-const Pose& pose_at(const Translation& of, SweepAnswer::Found found) {
-  return found == SweepAnswer::Found::at_end ? of.end() : of.begin();
-}
+const Pose& pose_at(const Translation& of, bool is_end) { return is_end ? of.end() : of.begin(); }
 
 // The difference of A and B, and what that is moved by on the way.
 class SweptSupport : public GraphSupport<double> {
@@ -58,27 +56,29 @@ SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Transla
   SweepAnswer answer;
   StageTally tally;
   const Placed first_a(a, of_a.begin()), first_b(b, of_b.begin()), last_a(a, of_a.end()), last_b(b, of_b.end());
+  std::uint32_t near_a = 0, near_b = 0;  // extreme along the last direction that was tried
   for (const bool is_end : {false, true}) {
     if (is_end && of_a.rests() && of_b.rests()) break;
-    const PairAnswer here = is_end ? polyhedron_polyhedron(a, of_a.end(), b, of_b.end())
-                                   : polyhedron_polyhedron(a, of_a.begin(), b, of_b.begin());
+    const PairAnswer here = polyhedron_polyhedron(a, pose_at(of_a, is_end), b, pose_at(of_b, is_end));
     answer.cost.probes += here.cost.probes;
     answer.cost.iterations += here.cost.iterations;
     answer.cost.proposals += here.cost.proposals;
     tally.exact += static_cast<std::uint32_t>(here.cost.exact);
-    answer.evidence = here.evidence;
-    answer.found = is_end ? SweepAnswer::Found::at_end : SweepAnswer::Found::at_begin;
     const bool finished = here.decided_by == DecidedBy::finishing;
-    if (here.meet() || (of_a.rests() && of_b.rests())) {
+    if (const auto* common = std::get_if<CommonVertices>(&here.evidence)) {
+      answer.evidence = CommonVerticesAtAnEnd{*common, is_end};
       conclude(answer, tally.exact, finished);
       return answer;
     }
+    const Separation& apart = std::get<Separation>(here.evidence);
+    near_a = apart.extreme_a, near_b = apart.extreme_b;
     // Does the direction hold at the other end? The vertices that are extreme along it are so at all times.
     const Placed &here_a = is_end ? last_a : first_a, &here_b = is_end ? last_b : first_b;
     const Placed &there_a = is_end ? first_a : last_a, &there_b = is_end ? first_b : last_b;
-    const WorldDirection d = world_direction(here.evidence.direction, vertices_of(here_a), vertices_of(here_b));
-    if (compare_along(d, there_a[here.evidence.extreme_a], there_b[here.evidence.extreme_b], &tally) ==
-        Sign::positive) {
+    const WorldDirection d = world_direction(apart.direction, vertices_of(here_a), vertices_of(here_b));
+    if ((of_a.rests() && of_b.rests()) ||
+        compare_along(d, there_a[near_a], there_b[near_b], &tally) == Sign::positive) {
+      answer.evidence = SeparationOnTheWay{apart, is_end};
       conclude(answer, tally.exact, finished);
       return answer;
     }
@@ -88,12 +88,12 @@ SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Transla
     ++answer.cost.proposals;
     PairCertificate found;
     if (!dispose(first_a, first_b, proposal, found, answer.cost, tally)) return false;
-    if (compare_along(WorldDirection(proposal.direction), last_a[found.extreme_a], last_b[found.extreme_b], &tally) !=
+    Separation& apart = std::get<Separation>(found);
+    if (compare_along(WorldDirection(proposal.direction), last_a[apart.extreme_a], last_b[apart.extreme_b], &tally) !=
         Sign::positive) {
       return false;
     }
-    answer.evidence = found;
-    answer.found = SweepAnswer::Found::at_begin;
+    answer.evidence = SeparationOnTheWay{std::move(apart)};
     return true;
   };
   const Point3 path = relative_path(of_a, of_b);
@@ -104,19 +104,12 @@ SweepAnswer polyhedron_polyhedron_sweep(const ConvexPolyhedron& a, const Transla
     conclude(answer, tally.exact);
     return answer;
   }
-  SweepOutcome found = decide_by_sweep_simplex(a, of_a, b, of_b, SweepTime::any, answer.evidence.extreme_a,
-                                               answer.evidence.extreme_b, answer.cost, tally);
-  answer.evidence = {};
+  SweepOutcome found = decide_by_sweep_simplex(a, of_a, b, of_b, SweepTime::any, near_a, near_b, answer.cost, tally);
   if (found.contact) {
-    answer.found = SweepAnswer::Found::between;
-    answer.evidence.verdict = Verdict::meet;
-    answer.contact = std::make_shared<const SweepContact>(*std::move(found.contact));
+    answer.evidence = ContactOnTheWay{std::make_shared<const SweepContact>(*std::move(found.contact))};
   } else {
-    answer.found = SweepAnswer::Found::at_begin;
-    answer.evidence.direction.kind = Direction::Kind::exact;
-    answer.evidence.direction.numbers = std::make_shared<const std::array<Dyadic, 3>>(std::move(found.direction));
-    answer.evidence.extreme_a = found.extreme_a;
-    answer.evidence.extreme_b = found.extreme_b;
+    answer.evidence =
+        SeparationOnTheWay{{exact_direction(std::move(found.direction)), found.extreme_a, found.extreme_b}};
   }
   conclude(answer, tally.exact, true);
   return answer;
@@ -132,8 +125,9 @@ std::optional<SweepContact> polyhedron_polyhedron_first_contact(const ConvexPoly
 std::array<Dyadic, 3> parting_direction(const SweepAnswer& answer,                           //
                                         const ConvexPolyhedron& a, const Translation& of_a,  //
                                         const ConvexPolyhedron& b, const Translation& of_b) {
-  const Placed at_a(a, pose_at(of_a, answer.found)), at_b(b, pose_at(of_b, answer.found));
-  const Vector3<Dyadic> d = world_direction(answer.evidence.direction, vertices_of(at_a), vertices_of(at_b)).exact();
+  const auto& [separation, is_at_end] = std::get<SeparationOnTheWay>(answer.evidence);
+  const Placed at_a(a, pose_at(of_a, is_at_end)), at_b(b, pose_at(of_b, is_at_end));
+  const Vector3<Dyadic> d = world_direction(separation.direction, vertices_of(at_a), vertices_of(at_b)).exact();
   return {d.x, d.y, d.z};
 }
 

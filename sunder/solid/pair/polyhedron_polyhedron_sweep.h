@@ -24,26 +24,44 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <variant>
 
 namespace sunder::solid {
 
-struct [[nodiscard]] SweepAnswer {
-  enum class Found : std::uint8_t {
-    at_begin,  // evidence is of the poses at time 0
-    at_end,    // of those at time 1
-    between,   // contact has it; evidence but its verdict is meaningless
-  };
-
-  // meet: of the one time. apart: of all times; the direction, where it is named by features, is that of the poses at
-  // the one time, and the extreme vertices are so at all times.
-  PairCertificate evidence;
-  Found found = Found::at_begin;
-  std::shared_ptr<const SweepContact> contact{};  // null but for `between`
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
-
-  bool meet() const { return evidence.verdict == Verdict::meet; }
+// Two polyhedra are apart at all times: the direction parts them, and the extreme vertices are so at all times. A
+// direction that is named by features is that of the poses at time 0, or at time 1.
+struct SeparationOnTheWay {
+  static constexpr Verdict verdict = Verdict::apart;
+  Separation separation;
+  bool is_at_end = false;
 };
+
+// Others are, as along the direction, which is from A to B.
+struct PartedOnTheWay {
+  static constexpr Verdict verdict = Verdict::apart;
+  std::array<Dyadic, 3> direction;
+};
+
+// Two polyhedra meet at time 0, or at time 1.
+struct CommonVerticesAtAnEnd {
+  static constexpr Verdict verdict = Verdict::meet;
+  CommonVertices common;
+  bool is_at_end = false;
+};
+
+// They meet at some time; its own direction is zero.
+struct ContactOnTheWay {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const SweepContact> contact;
+};
+
+// It is not known whether they meet on the way: never of polyhedra.
+struct UndecidedOnTheWay {
+  static constexpr Verdict verdict = Verdict::undecided;
+};
+
+using SweepAnswer =
+    Answer<std::variant<UndecidedOnTheWay, SeparationOnTheWay, PartedOnTheWay, CommonVerticesAtAnEnd, ContactOnTheWay>>;
 
 // Asks at both ends, and tries the directions found there at the other one; then searches in floating point for a
 // direction that holds at both; then decides by the exact simplex method.

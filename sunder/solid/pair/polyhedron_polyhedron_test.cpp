@@ -56,14 +56,14 @@ const std::vector<std::pair<std::string, Method>> methods{
 
 // P1, P3 and the swap of P2 for all methods, and the kind of contact.
 void expect_contact(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
-                    Contact expected, const std::string& what) {
+                    Relation expected, const std::string& what) {
   const PlacedVertices in_a{a.vertices(), pose_a.affine(), false}, in_b{b.vertices(), pose_b.affine(), false};
   for (const auto& [name, method] : methods) {
     const PairAnswer there = method(a, pose_a, b, pose_b), back = method(b, pose_b, a, pose_a);
-    EXPECT_EQ(there.meet(), expected != Contact::none) << what << " by " << name;
-    EXPECT_EQ(back.meet(), expected != Contact::none) << what << " by " << name << ", swapped";
-    EXPECT_EQ(name_of(check_absolutely(there.certificate(), in_a, in_b)), "accepted") << what << " by " << name;
-    EXPECT_EQ(name_of(check_absolutely(back.certificate(), in_b, in_a)), "accepted")
+    EXPECT_EQ(there.meet(), expected != Relation::none) << what << " by " << name;
+    EXPECT_EQ(back.meet(), expected != Relation::none) << what << " by " << name << ", swapped";
+    EXPECT_EQ(name_of(check_absolutely(there.evidence, in_a, in_b)), "accepted") << what << " by " << name;
+    EXPECT_EQ(name_of(check_absolutely(back.evidence, in_b, in_a)), "accepted")
         << what << " by " << name << ", swapped";
   }
   EXPECT_EQ(name_of(polyhedron_polyhedron_contact(a, pose_a, b, pose_b)), name_of(expected)) << what;
@@ -129,15 +129,15 @@ TEST(PolyhedronPolyhedronTest, P1_TouchesAreExactForEachPairOfFeatures) {
   for (const Touch& t : touches()) {
     const ConvexPolyhedron a(t.a), b(t.b);
     if (t.outward == Point3()) continue;  // crosses: no sense is outward
-    expect_contact(a, Pose(), b, Pose(), Contact::touching, t.name);
+    expect_contact(a, Pose(), b, Pose(), Relation::touching, t.name);
     for (const double gap : {least, 1e-310, 1e-200, 0x1p-60, 0x1p-53, 0x1p-52, 0x1p-40, 0x1p-6}) {
       const auto shift = [&](double by) {
         return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {t.outward.x * by, t.outward.y * by, t.outward.z * by});
       };
       const std::string what = t.name + ", gap " + std::to_string(std::log2(gap));
-      expect_contact(a, Pose(), b, shift(gap), Contact::none, what);
+      expect_contact(a, Pose(), b, shift(gap), Relation::none, what);
       // Against it their interiors meet, where bodies have an interior about the touch.
-      if (!flat(t)) expect_contact(a, Pose(), b, shift(-gap), Contact::overlapping, what + " before");
+      if (!flat(t)) expect_contact(a, Pose(), b, shift(-gap), Relation::overlapping, what + " before");
     }
   }
 }
@@ -155,43 +155,44 @@ TEST(PolyhedronPolyhedronTest, P1_TheEndsOfTheRangeOfDoubles) {
       if (s == 4 * least && t.name.find("facet, facet") == std::string::npos) continue;  // halves and quarters only
       const auto name = t.name + ", scale " + std::to_string(std::ilogb(s));
       const Pose by_pose = Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {0, 0, 0});
-      expect_contact(scaled(t.a, s), Pose(), scaled(t.b, s), Pose(), Contact::touching, name + " points");
-      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), by_pose, Contact::touching, name + " pose");
+      expect_contact(scaled(t.a, s), Pose(), scaled(t.b, s), Pose(), Relation::touching, name + " points");
+      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), by_pose, Relation::touching,
+                     name + " pose");
       const Pose beyond =
           Pose::from_matrix(by_pose.affine().linear, {t.outward.x * least, t.outward.y * least, t.outward.z * least});
-      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), beyond, Contact::none, name + " apart");
+      expect_contact(ConvexPolyhedron(t.a), by_pose, ConvexPolyhedron(t.b), beyond, Relation::none, name + " apart");
     }
   }
   const ConvexPolyhedron huge(
       Points{{largest, largest, largest}, {-largest, largest, largest}, {0, -largest, largest}, {0, 0, -largest}});
   const ConvexPolyhedron top(Points{{0, 0, largest}}), corner(Points{{largest, largest, largest}}),
       beside(Points{{largest, largest, std::nextafter(largest, 0)}});
-  expect_contact(huge, Pose(), top, Pose(), Contact::touching, "huge, facet");
-  expect_contact(huge, Pose(), corner, Pose(), Contact::touching, "huge, vertex");
-  expect_contact(huge, Pose(), beside, Pose(), Contact::none, "huge, beside");
-  expect_contact(huge, Pose(), huge, Pose(), Contact::overlapping, "huge, itself");
+  expect_contact(huge, Pose(), top, Pose(), Relation::touching, "huge, facet");
+  expect_contact(huge, Pose(), corner, Pose(), Relation::touching, "huge, vertex");
+  expect_contact(huge, Pose(), beside, Pose(), Relation::none, "huge, beside");
+  expect_contact(huge, Pose(), huge, Pose(), Relation::overlapping, "huge, itself");
   // The image is up to 3 largest^2, or the least double's square.
   const Pose larger = Pose::from_matrix({largest, 0, 0, 0, largest, 0, 0, 0, largest}, {0, 0, 0});
   const Pose larger_on = Pose::from_matrix(larger.affine().linear, {0, 0, least});
-  expect_contact(huge, larger, top, larger, Contact::touching, "squares");
-  expect_contact(huge, larger, top, larger_on, Contact::none, "squares, and the least double");
+  expect_contact(huge, larger, top, larger, Relation::touching, "squares");
+  expect_contact(huge, larger, top, larger_on, Relation::none, "squares, and the least double");
   const ConvexPolyhedron tiny(Points{{least, 0, 0}, {0, least, 0}, {0, 0, least}, {0, 0, 0}}),
       dot(Points{{least, 0, 0}});
   const Pose smaller = Pose::from_matrix({least, 0, 0, 0, least, 0, 0, 0, least}, {0, 0, 0});
-  expect_contact(tiny, smaller, dot, smaller, Contact::touching, "tiny squares");
-  expect_contact(tiny, smaller, dot, Pose(), Contact::none, "tiny squares, and the least double");
+  expect_contact(tiny, smaller, dot, smaller, Relation::touching, "tiny squares");
+  expect_contact(tiny, smaller, dot, Pose(), Relation::none, "tiny squares, and the least double");
   // A body of 1e300 and one of 1e-300 in it, on it, beside it.
   const ConvexPolyhedron large_cube = scaled(tests::cube_corners(-1, 1), 0x1p1000),
                          small_cube = scaled(tests::cube_corners(-1, 1), 0x1p-1000);
   for (const double sense : {1.0, -1.0}) {
     const auto at = [&](double y) { return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {sense * 0x1p1000, y, 0}); };
-    expect_contact(large_cube, Pose(), small_cube, at(0), Contact::overlapping, "small on large");
-    expect_contact(large_cube, at(0), small_cube, Pose(), Contact::overlapping, "small on shifted large");
+    expect_contact(large_cube, Pose(), small_cube, at(0), Relation::overlapping, "small on large");
+    expect_contact(large_cube, at(0), small_cube, Pose(), Relation::overlapping, "small on shifted large");
     const ConvexPolyhedron on(
         moved_points(Points(small_cube.vertices().begin(), small_cube.vertices().end()), {sense * 0x1p-1000, 0, 0}));
-    expect_contact(large_cube, at(0), on, Pose(), Contact::overlapping, "small under the facet");
+    expect_contact(large_cube, at(0), on, Pose(), Relation::overlapping, "small under the facet");
     const Pose against = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {-sense * 0x1p-1000, 0, 0});
-    expect_contact(large_cube, at(0), small_cube, against, Contact::touching, "small against the facet");
+    expect_contact(large_cube, at(0), small_cube, against, Relation::touching, "small against the facet");
   }
 }
 
@@ -200,38 +201,38 @@ TEST(PolyhedronPolyhedronTest, P1_ContainmentAndCrossing) {
   const auto small = [](double s, const Point3& at) {
     return Pose::from_matrix({s, 0, 0, 0, s, 0, 0, 0, s}, {at.x, at.y, at.z});
   };
-  expect_contact(box, Pose(), box, Pose(), Contact::overlapping, "itself");
+  expect_contact(box, Pose(), box, Pose(), Relation::overlapping, "itself");
   for (const double s : {0.5, 1e-9, 1e-300, 0x1p-1074}) {
-    expect_contact(box, Pose(), box, small(s, {0.1, 0.2, -0.3}), Contact::overlapping, "inside");
-    expect_contact(box, Pose(), box, small(s, {1, 1, 1}), Contact::overlapping, "about a vertex");
-    expect_contact(box, Pose(), box, small(s, {3, 1, 1}), Contact::none, "outside");
+    expect_contact(box, Pose(), box, small(s, {0.1, 0.2, -0.3}), Relation::overlapping, "inside");
+    expect_contact(box, Pose(), box, small(s, {1, 1, 1}), Relation::overlapping, "about a vertex");
+    expect_contact(box, Pose(), box, small(s, {3, 1, 1}), Relation::none, "outside");
   }
-  expect_contact(box, Pose(), box, small(0.5, {0.5, 0.5, 0.5}), Contact::overlapping, "inside, sharing a vertex");
-  expect_contact(box, Pose(), point, Pose(), Contact::overlapping, "a point inside");
-  expect_contact(point, Pose(), point, Pose(), Contact::overlapping, "a point and itself");
-  expect_contact(point, Pose(), point, small(1, {least, 0, 0}), Contact::none, "two points");
+  expect_contact(box, Pose(), box, small(0.5, {0.5, 0.5, 0.5}), Relation::overlapping, "inside, sharing a vertex");
+  expect_contact(box, Pose(), point, Pose(), Relation::overlapping, "a point inside");
+  expect_contact(point, Pose(), point, Pose(), Relation::overlapping, "a point and itself");
+  expect_contact(point, Pose(), point, small(1, {least, 0, 0}), Relation::none, "two points");
   const ConvexPolyhedron segment(Points{{-3, 0, 0}, {3, 0, 0}}), other(Points{{0, -1, 0}, {0, 1, 0}});
-  expect_contact(box, Pose(), segment, Pose(), Contact::overlapping, "a segment through");
-  expect_contact(segment, Pose(), other, Pose(), Contact::overlapping, "segments that cross");
-  expect_contact(segment, Pose(), other, small(1, {0, 1, 0}), Contact::touching, "segments in a T");
-  expect_contact(segment, Pose(), other, small(1, {3, 1, 0}), Contact::touching, "segments in an L");
-  expect_contact(segment, Pose(), other, small(1, {0, 0, least}), Contact::none, "skew segments");
-  expect_contact(segment, Pose(), segment, small(1, {5, 0, 0}), Contact::overlapping, "segments along");
-  expect_contact(segment, Pose(), segment, small(1, {6, 0, 0}), Contact::touching, "segments end to end");
-  expect_contact(segment, Pose(), segment, small(1, {6, 0, least}), Contact::none, "segments next to each other");
-  expect_contact(segment, Pose(), point, small(1, {3, 0, 0}), Contact::touching, "a point at an end");
-  expect_contact(segment, Pose(), point, small(1, {2, 0, 0}), Contact::overlapping, "a point on a segment");
+  expect_contact(box, Pose(), segment, Pose(), Relation::overlapping, "a segment through");
+  expect_contact(segment, Pose(), other, Pose(), Relation::overlapping, "segments that cross");
+  expect_contact(segment, Pose(), other, small(1, {0, 1, 0}), Relation::touching, "segments in a T");
+  expect_contact(segment, Pose(), other, small(1, {3, 1, 0}), Relation::touching, "segments in an L");
+  expect_contact(segment, Pose(), other, small(1, {0, 0, least}), Relation::none, "skew segments");
+  expect_contact(segment, Pose(), segment, small(1, {5, 0, 0}), Relation::overlapping, "segments along");
+  expect_contact(segment, Pose(), segment, small(1, {6, 0, 0}), Relation::touching, "segments end to end");
+  expect_contact(segment, Pose(), segment, small(1, {6, 0, least}), Relation::none, "segments next to each other");
+  expect_contact(segment, Pose(), point, small(1, {3, 0, 0}), Relation::touching, "a point at an end");
+  expect_contact(segment, Pose(), point, small(1, {2, 0, 0}), Relation::overlapping, "a point on a segment");
   const ConvexPolyhedron square(Points{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
   const Pose upright = Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {0, 0, 0});
-  expect_contact(square, Pose(), square, upright, Contact::overlapping, "squares that cross");
-  expect_contact(square, Pose(), square, small(1, {2, 0, 0}), Contact::touching, "squares side by side");
-  expect_contact(square, Pose(), square, small(1, {1, 1, 0}), Contact::overlapping, "squares in a plane");
-  expect_contact(square, Pose(), square, small(1, {0, 0, least}), Contact::none, "squares above each other");
-  expect_contact(square, Pose(), segment, Pose(), Contact::overlapping, "a segment across a square");
+  expect_contact(square, Pose(), square, upright, Relation::overlapping, "squares that cross");
+  expect_contact(square, Pose(), square, small(1, {2, 0, 0}), Relation::touching, "squares side by side");
+  expect_contact(square, Pose(), square, small(1, {1, 1, 0}), Relation::overlapping, "squares in a plane");
+  expect_contact(square, Pose(), square, small(1, {0, 0, least}), Relation::none, "squares above each other");
+  expect_contact(square, Pose(), segment, Pose(), Relation::overlapping, "a segment across a square");
   expect_contact(square, Pose(), other, Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {0.5, 0.5, 0}),
-                 Contact::overlapping, "a segment through a square");
-  expect_contact(square, Pose(), other, Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {1, 0.5, 0}), Contact::touching,
-                 "a segment through a side");
+                 Relation::overlapping, "a segment through a square");
+  expect_contact(square, Pose(), other, Pose::from_matrix({1, 0, 0, 0, 0, -1, 0, 1, 0}, {1, 0.5, 0}),
+                 Relation::touching, "a segment through a side");
 }
 
 // P2: scaling and shifting exactly, and reflecting; any one affine map for both keeps touches.
@@ -239,7 +240,7 @@ TEST(PolyhedronPolyhedronTest, P2_ExactMapsForBothChangeNothing) {
   Random random(tests::chosen_seed(97));
   for (const Touch& t : touches()) {
     const ConvexPolyhedron a(t.a), b(t.b);
-    const Contact contact = t.outward == Point3() ? Contact::overlapping : Contact::touching;
+    const Relation contact = t.outward == Point3() ? Relation::overlapping : Relation::touching;
     const std::vector<std::pair<std::string, Pose>> maps{
         {"reflected in x", Pose::from_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0})},
         {"reflected in the origin", Pose::from_matrix({-1, 0, 0, 0, -1, 0, 0, 0, -1}, {0, 0, 0})},
@@ -276,7 +277,7 @@ TEST(PolyhedronPolyhedronTest, P3_CertificatesAreAccepted) {
     for (const auto& [name, method] : methods) {
       const PairAnswer answer = method(a, Pose(), b, pose);
       ASSERT_EQ(answer.meet(), meet) << i << " " << name;
-      ASSERT_EQ(check_absolutely(answer.certificate(), {a.vertices(), Pose().affine(), false},
+      ASSERT_EQ(check_absolutely(answer.evidence, {a.vertices(), Pose().affine(), false},
                                  {b.vertices(), pose.affine(), false}),
                 CheckResult::accepted)
           << i << " " << name;
@@ -286,26 +287,26 @@ TEST(PolyhedronPolyhedronTest, P3_CertificatesAreAccepted) {
   EXPECT_LT(meets, count - count / 5);
 }
 
-// All of an answer as text, but for what its kind leaves meaningless.
+// All of an answer as text, but for what its direction's kind leaves meaningless.
 std::string text_of(const PairAnswer& answer) {
-  const PairCertificate& c = answer.evidence;
   std::string out = answer.meet() ? "meet" : "apart";
   const auto add = [&](const auto& x) { out += ' ' + std::to_string(x); };
-  if (answer.meet()) {
-    add(c.count_a);
-    for (std::size_t i = 0; i < std::size_t{c.count_a} + c.count_b; ++i) add(c.vertices[i]);
+  if (const auto* common = std::get_if<CommonVertices>(&answer.evidence)) {
+    add(common->count_a);
+    for (std::size_t i = 0; i < std::size_t{common->count_a} + common->count_b; ++i) add(common->vertices[i]);
   } else {
-    add(static_cast<int>(c.direction.kind));
-    add(c.extreme_a);
-    add(c.extreme_b);
-    if (c.direction.kind == Direction::Kind::given) {
-      for (const double x : {c.direction.given.x, c.direction.given.y, c.direction.given.z})
+    const auto& [direction, extreme_a, extreme_b] = std::get<Separation>(answer.evidence);
+    add(static_cast<int>(direction.kind));
+    add(extreme_a);
+    add(extreme_b);
+    if (direction.kind == Direction::Kind::given) {
+      for (const double x : {direction.given.x, direction.given.y, direction.given.z})
         out += ' ' + Dyadic(x).hexadecimal();
-    } else if (c.direction.kind == Direction::Kind::exact) {
-      for (const Dyadic& x : *c.direction.numbers) out += ' ' + x.hexadecimal();
+    } else if (direction.kind == Direction::Kind::exact) {
+      for (const Dyadic& x : *direction.numbers) out += ' ' + x.hexadecimal();
     } else {
-      add(c.direction.reversed ? 1 : 0);
-      for (const std::uint32_t v : c.direction.index) add(v);
+      add(direction.reversed ? 1 : 0);
+      for (const std::uint32_t v : direction.index) add(v);
     }
   }
   out += ' ' + std::string(name_of(answer.decided_by));
@@ -515,9 +516,9 @@ TEST(PolyhedronPolyhedronTest, NamesAreDifferent) {
   EXPECT_EQ(name_of(DecidedBy::filter), "filter");
   EXPECT_EQ(name_of(DecidedBy::evidence), "evidence");
   EXPECT_EQ(name_of(DecidedBy::finishing), "finishing");
-  EXPECT_EQ(name_of(Contact::none), "none");
-  EXPECT_EQ(name_of(Contact::touching), "touching");
-  EXPECT_EQ(name_of(Contact::overlapping), "overlapping");
+  EXPECT_EQ(name_of(Relation::none), "none");
+  EXPECT_EQ(name_of(Relation::touching), "touching");
+  EXPECT_EQ(name_of(Relation::overlapping), "overlapping");
 }
 
 TEST(PolyhedronPolyhedronTest, TheShortNameAnswersTheSame) {

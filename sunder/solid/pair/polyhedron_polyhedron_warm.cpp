@@ -104,18 +104,19 @@ Point3 rounded_direction(const Direction& direction, const Placed& a, const Plac
 
 // Keeps what a search has found.
 void keep(const PairCertificate& c, const Placed& a, const Placed& b, WarmStart& last) {
-  if (c.verdict == Verdict::meet) {
+  if (const auto* common = std::get_if<CommonVertices>(&c)) {
     last.kind = WarmStart::Kind::meet;
-    last.count_a = c.count_a, last.count_b = c.count_b;
-    last.vertices = c.vertices;
+    last.count_a = common->count_a, last.count_b = common->count_b;
+    last.vertices = common->vertices;
     return;
   }
+  const auto& [direction, extreme_a, extreme_b] = std::get<Separation>(c);
   last.kind = WarmStart::Kind::apart;
-  Point3 d = a.pulled(rounded_direction(c.direction, a, b));
+  Point3 d = a.pulled(rounded_direction(direction, a, b));
   if (!make_tame(d)) return;
   const auto first = last.partings.begin();
   std::copy_backward(first, last.partings.end() - 1, last.partings.end());
-  *first = {d, c.extreme_a, c.extreme_b};
+  *first = {d, extreme_a, extreme_b};
   if (last.partings_count < last.partings.size()) ++last.partings_count;
 }
 
@@ -135,10 +136,10 @@ PairAnswer polyhedron_polyhedron_warm(const ConvexPolyhedron& body_a, const Pose
   });
   if (!is_kept) {
     keep(answer.evidence, a, b, last);
-  } else if (!answer.meet()) {
+  } else if (const auto* apart = std::get_if<Separation>(&answer.evidence)) {
     last.kind = WarmStart::Kind::apart;
-    last.partings[0].extreme_a = answer.evidence.extreme_a;
-    last.partings[0].extreme_b = answer.evidence.extreme_b;
+    last.partings[0].extreme_a = apart->extreme_a;
+    last.partings[0].extreme_b = apart->extreme_b;
   }
   return answer;
 }

@@ -29,9 +29,9 @@ struct WarmStart {
   static constexpr std::size_t most_partings = 2;
 
   Kind kind = Kind::none;                         // of the last answer
-  std::uint8_t count_a = 0, count_b = 0;          // as in PairCertificate; meaningless but for `meet`
+  std::uint8_t count_a = 0, count_b = 0;          // as in CommonVertices; meaningless but for `meet`
   std::uint8_t partings_count = 0;                // how many of the partings there are
-  std::array<std::uint32_t, 5> vertices{};        // meet: as in PairCertificate; else meaningless
+  std::array<std::uint32_t, 5> vertices{};        // meet: as in CommonVertices; else meaningless
   std::array<Parting, most_partings> partings{};  // the one that held last is first
 };
 

@@ -20,9 +20,9 @@ namespace {
 void expect_right(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
                   const PairAnswer& answer, bool meet, const std::string& what) {
   ASSERT_EQ(answer.meet(), meet) << what;
-  ASSERT_EQ(check_absolutely(answer.certificate(), {a.vertices(), pose_a.affine(), false},
-                             {b.vertices(), pose_b.affine(), false}),
-            CheckResult::accepted)
+  ASSERT_EQ(
+      check_absolutely(answer.evidence, {a.vertices(), pose_a.affine(), false}, {b.vertices(), pose_b.affine(), false}),
+      CheckResult::accepted)
       << what;
 }
 

@@ -25,11 +25,8 @@ class BallAndBox {
     ++answer_.cost.proposals;
     const Nearest found = in_box(other_, ball_.from);
     if (nearness_guess(ball_.from, found.at, reach, size()) != Guess::positive) return false;
-    RoundEvidence& evidence = answer_.evidence;
-    evidence.verdict = Verdict::meet;
-    evidence.source = RoundEvidence::Source::between;
-    (is_a_ ? evidence.a : evidence.b) = {1, {0}, {1}};
-    (is_a_ ? evidence.b : evidence.a) = found.made;
+    const RoundCombination centre{1, {0}, {1}};
+    answer_.evidence = is_a_ ? PointBetweenCores{centre, found.made} : PointBetweenCores{found.made, centre};
     return true;
   }
 
@@ -86,11 +83,8 @@ bool ball_and_cylinder(const RoundImage& ball, bool is_a, const RoundImage& of, 
         nearness_guess(ball.from, x, ball.radius, ball.size) == Guess::positive)) {
     return false;
   }
-  RoundEvidence& evidence = answer.evidence;
-  evidence.verdict = Verdict::meet;
-  evidence.source = RoundEvidence::Source::point;
-  evidence.point = point(x);
-  (is_a ? evidence.a : evidence.b) = {1, {0}, {1}};
+  PointInDoubles& found = answer.evidence.emplace<PointInDoubles>(PointInDoubles{point(x)});
+  (is_a ? found.of_a : found.of_b) = {1, {0}, {1}};
   return true;
 }
 
@@ -102,27 +96,22 @@ bool parts(const V& direction, const RoundImage& a, const RoundImage& b, RoundAn
   if (!make_tame(d)) return false;
   way = d;
   if (gap_guess(vector(d), a, b) != Guess::positive) return false;
-  answer.evidence.verdict = Verdict::apart;
-  answer.evidence.direction = d;
+  answer.evidence.emplace<SeparatingDirection>(SeparatingDirection{d});
   return true;
 }
 
 bool balls(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
            Point3& way) {
   const RoundImage p = image_of_ball(a, pose_a), q = image_of_ball(b, pose_b);
-  RoundEvidence& evidence = answer.evidence;
   way = point(q.from - p.from);
   answer.cost.proposals = 1;
   switch (nearness_guess(p.from, q.from, a.radius() + b.radius(), p.size + q.size)) {
     case Guess::positive:
-      evidence.verdict = Verdict::meet;
-      evidence.source = RoundEvidence::Source::between;
-      evidence.a = evidence.b = {1, {0}, {1}};
+      answer.evidence.emplace<PointBetweenCores>(PointBetweenCores{{1, {0}, {1}}, {1, {0}, {1}}});
       return true;
     case Guess::negative:
       if (!make_tame(way)) return false;
-      evidence.verdict = Verdict::apart;
-      evidence.direction = way;
+      answer.evidence.emplace<SeparatingDirection>(SeparatingDirection{way});
       return true;
     default: return false;
   }

@@ -14,13 +14,32 @@ std::uint32_t add_round(PairClaims& pairs, const std::string& name, const Placed
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, std::uint32_t index_b,
                 const PlacedRound& b, const RoundEvidence& evidence, const RoundContact& contact) {
-  SUNDER_REQUIRE(evidence.verdict != Verdict::undecided);
-  if (evidence.verdict == Verdict::apart) return pairs.add_apart(index_a, index_b, direction_of(evidence));
-  if (contact.contact == Contact::overlapping) return pairs.add_overlapping(index_a, index_b, contact.point);
-  if (contact.contact == Contact::touching) {
-    return pairs.add_touching(index_a, index_b, contact.point, contact.direction);
+  SUNDER_REQUIRE(verdict_of(evidence) != Verdict::undecided);
+  if (verdict_of(evidence) == Verdict::apart) return pairs.add_apart(index_a, index_b, direction_of(a, b, evidence));
+  if (const auto* inside = std::get_if<OverlappingAt>(&contact)) {
+    return pairs.add_overlapping(index_a, index_b, inside->point);
+  }
+  if (const auto* touching = std::get_if<TouchingAt>(&contact)) {
+    return pairs.add_touching(index_a, index_b, touching->point, touching->direction);
   }
   pairs.add_meet(index_a, index_b, common_point_of(a, b, evidence));
 }
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+void prove(const TextSink& sink, const AskedPair<solid::RoundBody, solid::Pose>& asked,
+           const solid::RoundAnswer& answer) {
+  const solid::PlacedRound a(asked.a, asked.at_a), b(asked.b, asked.at_b);
+  ClaimsWriter file(sink);
+  file.add_origin(asked.origin);
+  PairClaims pairs(file);
+  const std::uint32_t index_a = add_round(pairs, asked.name_a, a), index_b = add_round(pairs, asked.name_b, b);
+  solid::RoundContact contact;
+  if (asked.tells_relation) contact = round_round_contact(a, b, answer.evidence);
+  add_claims(pairs, index_a, a, index_b, b, answer.evidence, contact);
+  pairs.end();
+}
+
+}  // namespace sunder

@@ -1,6 +1,8 @@
 // What round_round says of two bodies, in certificate files (docs/claims.md, "pair", "clearance").
 #pragma once
 
+#include <sunder/base/error.h>
+#include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_round.h>
@@ -22,3 +24,12 @@ void add_claims(PairClaims& pairs, std::uint32_t index_a, const PlacedRound& a, 
                 const PlacedRound& b, const RoundEvidence& evidence, const RoundContact& contact = {});
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+// Writes what round_round says of them as a certificate file, whole. Requires an answer about these, which is not
+// undecided. Throws Error as round_round.
+void prove(const TextSink& sink, const AskedPair<solid::RoundBody, solid::Pose>& asked,
+           const solid::RoundAnswer& answer);
+
+}  // namespace sunder

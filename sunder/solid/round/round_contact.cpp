@@ -126,7 +126,7 @@ class Contacts {
         if (parts_weakly(a_, b_, d)) return touching(d);
       }
     }
-    return {std::nullopt, point_, {}};
+    return {};
   }
 
  private:
@@ -211,8 +211,8 @@ class Contacts {
     }
   }
 
-  static RoundContact overlapping(const CommonPoint& inner) { return {Contact::overlapping, inner, {}}; }
-  RoundContact touching(const std::array<Dyadic, 3>& direction) const { return {Contact::touching, point_, direction}; }
+  static RoundContact overlapping(const CommonPoint& inner) { return OverlappingAt{inner}; }
+  RoundContact touching(const std::array<Dyadic, 3>& direction) const { return TouchingAt{point_, direction}; }
 
   RoundContact of_polyhedra() const {
     const Interiors found = interiors(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
@@ -223,11 +223,11 @@ class Contacts {
   RoundContact of_hulls() const {
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    if (!distance.closest) return {std::nullopt, point_, {}};  // not so: a point of both cores is inside
+    if (!distance.closest) return {};  // not so: a point of both cores is inside
     const auto [of_a, of_b] = closest_points(*distance.closest);
     const CommonPoint nearest = point_between(of_a, a_.radius(), of_b, b_.radius());
     if (const auto inner = inner_point(a_, b_, nearest)) return overlapping(*inner);
-    return {Contact::touching, nearest, way_between(of_a, of_b)};
+    return TouchingAt{nearest, way_between(of_a, of_b)};
   }
 
   // By the search that wants points inside.
@@ -253,9 +253,18 @@ class Contacts {
 }  // namespace
 
 RoundContact round_round_contact(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
-  if (evidence.verdict == Verdict::undecided) return {};
-  if (evidence.verdict == Verdict::apart) return {Contact::none, {}, {}};
+  if (verdict_of(evidence) != Verdict::meet) return {};
   return Contacts(a, b, evidence).decide();
+}
+
+Relation round_round_relation(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  const auto* common = std::get_if<CommonVertices>(&evidence);
+  if (common == nullptr) return relation_of(round_round_contact(a, b, evidence));
+  // Five vertices whose weights are unique and positive span A - B around the origin.
+  if (common->count_a + common->count_b == 5) return Relation::overlapping;
+  StageTally tally;
+  return interiors_meet(a.body.core(), a.core, b.body.core(), b.core, tally) ? Relation::overlapping
+                                                                             : Relation::touching;
 }
 
 RoundContact round_round_contact(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {

@@ -43,7 +43,7 @@ Interval radii_and_root(const Dyadic& radii, int sign, const Dyadic& square, con
 }
 
 // How the cores make a point that both have.
-DepthPoints common_point(const Placed& a, const Placed& b, const PairCertificate& evidence) {
+DepthPoints common_point(const Placed& a, const Placed& b, const CommonVertices& evidence) {
   const CommonPoint point = sunder::common_point(evidence, a, b);
   return {{point.at, point.of_a}, {point.at, point.of_b}};
 }
@@ -72,7 +72,8 @@ void of_hulls(const PlacedRound& a, const PlacedRound& b, RoundDepth& found) {
     found.depth = {std::max(sum.low, 0.0), sum.high};
   }
   if (!found.surface) {
-    found.points = std::make_shared<const DepthPoints>(common_point(a.core, b.core, cores.answer.evidence));
+    found.points = std::make_shared<const DepthPoints>(
+        common_point(a.core, b.core, std::get<CommonVertices>(cores.answer.evidence)));
     if (!cores.is_exact) found.depth.low = radii.enclosure().low;
   }
 }

@@ -102,7 +102,7 @@ bool Proposals::holds(const Nearest& p, const Nearest& q) {
 
 bool Proposals::holds(const V& x) {
   ++answer_.cost.proposals;
-  return is_inside(a, x) && is_inside(b, x) && meets(RoundEvidence::Source::point, point(x), {}, {});
+  return is_inside(a, x) && is_inside(b, x) && is(PointInDoubles{point(x)});
 }
 
 bool Proposals::is_inside(const Side& side, const V& x) {
@@ -141,8 +141,7 @@ bool Proposals::holds_core(const Side& hull, const Nearest& p, const Side& curve
   if (!is_whole(p)) return false;
   const Guess guess = side_guess(curved.image, p.at, hull.image.size);
   if (!(is_sure(guess) || !is_thorough_ ? guess == Guess::positive : surely())) return false;
-  return &hull == &a ? meets(RoundEvidence::Source::of_a, {}, p.made, {})
-                     : meets(RoundEvidence::Source::of_b, {}, {}, p.made);
+  return is(PointOfCore{&hull == &a, p.made});
 }
 
 bool Proposals::holds_thoroughly(const Nearest& p, const Nearest& q) {

@@ -51,7 +51,11 @@ class Proposals {
   bool is_inside(const Side& side, const V& x);
   bool holds(const Side& hull, const Nearest& p, const Side& curved, const Nearest& q);
   bool holds_core(const Side& hull, const Nearest& p, const Side& curved);  // a point of its core in the curved body
-  bool meets(RoundEvidence::Source source, const Point3& x, const RoundCombination& of_a, const RoundCombination& of_b);
+  template <class Evidence>
+  bool is(const Evidence& evidence) {
+    answer_.evidence = evidence;
+    return true;
+  }
 
   RoundAnswer& answer_;
   Point3& way_;
@@ -78,8 +82,7 @@ inline bool Proposals::settles(const Side& own, const Nearest& p, const Side& ot
   if (!is_whole(p) || (!other.is_curved() && !is_whole(q))) return false;
   const RoundCombination &of_a = &own == &a ? p.made : q.made, &of_b = &own == &a ? q.made : p.made;
   if (!other.is_curved()) {
-    return nearness_guess(p.at, q.at, reach, size) == Guess::positive &&
-           meets(RoundEvidence::Source::between, {}, of_a, of_b);
+    return nearness_guess(p.at, q.at, reach, size) == Guess::positive && is(PointBetweenCores{of_a, of_b});
   }
   if (far2 == 0 && holds_core(own, p, other)) return true;
   // From the point of the other body's surface inwards, by half of what is left over.
@@ -87,19 +90,7 @@ inline bool Proposals::settles(const Side& own, const Nearest& p, const Side& ot
   const double slack = reach - std::sqrt(far2), deep = length(inwards);
   const V x = sum(q.at, slack < deep ? 0.5 * slack / deep : 0.5, inwards);
   return side_guess(other.image, x) == Guess::positive &&
-         nearness_guess(p.at, x, reach, own.image.size) == Guess::positive &&
-         meets(RoundEvidence::Source::point, point(x), of_a, of_b);
-}
-
-inline bool Proposals::meets(RoundEvidence::Source source, const Point3& x, const RoundCombination& of_a,
-                             const RoundCombination& of_b) {
-  RoundEvidence& evidence = answer_.evidence;
-  evidence.verdict = Verdict::meet;
-  evidence.source = source;
-  evidence.point = x;
-  evidence.a = of_a;
-  evidence.b = of_b;
-  return true;
+         nearness_guess(p.at, x, reach, own.image.size) == Guess::positive && is(PointInDoubles{point(x), of_a, of_b});
 }
 
 }  // namespace sunder::solid::round_quick

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -33,12 +34,7 @@ class RoundDisposal {
   // strictly: points have to be inside of bodies with a radius.
   RoundDisposal(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer, StageTally& tally,
                 bool strictly = false)
-      : a_(a),
-        b_(b),
-        answer_(answer),
-        evidence_(answer.evidence),
-        tally_(tally),
-        least_(strictly ? Sign::positive : Sign::zero) {}
+      : a_(a), b_(b), answer_(answer), tally_(tally), least_(strictly ? Sign::positive : Sign::zero) {}
 
   // The direction parts A from B. Vertices of hulls to look from.
   bool parts(const WorldDirection& direction, std::uint32_t near_a, std::uint32_t near_b) {
@@ -46,16 +42,7 @@ class RoundDisposal {
     const RoundShape a = shape_along(a_, direction, End::greatest, near_a);
     const RoundShape b = shape_along(b_, direction, End::least, near_b);
     if (gap_sign(direction, a, b, &tally_) != Sign::positive) return false;
-    evidence_.verdict = Verdict::apart;
-    if (direction.is_doubles()) {
-      evidence_.direction = direction.doubles();
-      return true;
-    }
-    const Vector3<Dyadic> d = direction.exact();
-    const Vector3<Interval> about = direction.enclosure();
-    evidence_.direction = {about.x.low, about.y.low, about.z.low};
-    evidence_.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(std::array{d.x, d.y, d.z});
-    return true;
+    return is(separation_along(direction));
   }
 
   // Points of both cores are near enough to each other. Requires hulls.
@@ -64,7 +51,7 @@ class RoundDisposal {
     if (nearness(round_detail::weighted(a_, a), a_.radius(), round_detail::weighted(b_, b), b_.radius(), &tally_) <
         least_)
       return false;
-    return meets(RoundEvidence::Source::between, {}, a, b);
+    return is(PointBetweenCores{a, b});
   }
 
   // Both hold the point. Combinations are of hulls.
@@ -72,7 +59,7 @@ class RoundDisposal {
     if (!round_detail::is_finite(point)) return false;
     ++answer_.cost.proposals;
     const WeightedPoint x = round_detail::weighted(point);
-    return holds(a_, x, a) && holds(b_, x, b) && meets(RoundEvidence::Source::point, point, a, b);
+    return holds(a_, x, a) && holds(b_, x, b) && is(PointInDoubles{point, a, b});
   }
 
   // The same of a point in exact numbers.
@@ -80,8 +67,8 @@ class RoundDisposal {
     ++answer_.cost.proposals;
     tally_.exact += 2;
     if (!holds(a_, x, a) || !holds(b_, x, b)) return false;
-    evidence_.exact = std::make_shared<const CommonPoint>(CommonPoint{x, combination(a_, x, a), combination(b_, x, b)});
-    return meets(RoundEvidence::Source::exact, {}, a, b);
+    return is(ExactCommonPoint{
+        std::make_shared<const CommonPoint>(CommonPoint{x, combination(a_, x, a), combination(b_, x, b)})});
   }
 
   // A point of one core, which the other body holds. `core_a`: of A.
@@ -89,7 +76,7 @@ class RoundDisposal {
     ++answer_.cost.proposals;
     const WeightedPoint x = round_detail::weighted(core_a ? a_ : b_, c);
     if (side_of((core_a ? b_ : a_).shape, x, &tally_) < least_) return false;
-    return core_a ? meets(RoundEvidence::Source::of_a, {}, c, {}) : meets(RoundEvidence::Source::of_b, {}, {}, c);
+    return is(PointOfCore{core_a, c});
   }
 
  private:
@@ -115,19 +102,15 @@ class RoundDisposal {
   static Combination combination(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) {
     return body.body.is_curved() ? combination_of(body, x) : round_detail::exact(c);
   }
-  bool meets(RoundEvidence::Source source, const Point3& point, const RoundCombination& a, const RoundCombination& b) {
-    evidence_.verdict = Verdict::meet;
-    evidence_.source = source;
-    evidence_.point = point;
-    evidence_.a = a;
-    evidence_.b = b;
+  template <class Evidence>
+  bool is(Evidence&& evidence) {
+    answer_.evidence = std::forward<Evidence>(evidence);
     return true;
   }
 
   const PlacedRound& a_;
   const PlacedRound& b_;
   RoundAnswer& answer_;
-  RoundEvidence& evidence_;
   StageTally& tally_;
   Sign least_;
 };

@@ -245,9 +245,9 @@ TEST(RoundQuick, ABallOnTheAxisOrDeepInACylinder) {
       EXPECT_EQ(answer.cost.proposals, 1);
       if (!of.meet) continue;
       // Of the ball its centre, of the cylinder the common point.
-      EXPECT_EQ(answer.evidence.source, RoundEvidence::Source::point);
-      EXPECT_EQ((is_a ? answer.evidence.a : answer.evidence.b).count, 1U);
-      EXPECT_EQ((is_a ? answer.evidence.b : answer.evidence.a).count, 0U);
+      const PointInDoubles& found = std::get<PointInDoubles>(answer.evidence);
+      EXPECT_EQ((is_a ? found.of_a : found.of_b).count, 1U);
+      EXPECT_EQ((is_a ? found.of_b : found.of_a).count, 0U);
     }
   }
 }

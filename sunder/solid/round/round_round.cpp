@@ -21,7 +21,6 @@ namespace sunder::solid {
 
 namespace {
 
-using Source = RoundEvidence::Source;
 using round_detail::is_finite, round_detail::weighted;
 
 // ---- What is exact.
@@ -47,7 +46,7 @@ class RoundFinish {
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(distance.answer);
-    if (distance.meet()) return cores(distance.answer.certificate());
+    if (const auto* common = std::get_if<CommonVertices>(&distance.answer.evidence)) return cores(*common);
     const auto [square, over] = distance.closest->squared();
     const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
     ++tally_.exact;
@@ -63,8 +62,8 @@ class RoundFinish {
   bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
     const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(of_cores);
-    if (of_cores.meet()) {
-      cores(of_cores.certificate());
+    if (const auto* common = std::get_if<CommonVertices>(&of_cores.evidence)) {
+      cores(*common);
       return true;
     }
     return core_decides(true, near_a) || core_decides(false, near_b);
@@ -300,22 +299,12 @@ class RoundFinish {
     answer_.cost.iterations += of.cost.iterations;
     tally_.exact += of.cost.exact;
   }
-  void cores(const PairCertificate& certificate) {
-    answer_.evidence.verdict = Verdict::meet;
-    answer_.evidence.source = Source::cores;
-    answer_.evidence.of_cores = certificate;
-  }
+  void cores(const CommonVertices& common) { answer_.evidence = CoresMeet{common}; }
   void meet(CommonPoint point) {
-    answer_.evidence.verdict = Verdict::meet;
-    answer_.evidence.source = Source::exact;
-    answer_.evidence.exact = std::make_shared<const CommonPoint>(std::move(point));
+    answer_.evidence = ExactCommonPoint{std::make_shared<const CommonPoint>(std::move(point))};
   }
   void apart(const std::array<Dyadic, 3>& direction) {
-    answer_.evidence.verdict = Verdict::apart;
-    answer_.evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(direction);
-    const Vector3<Interval> about =
-        WorldDirection(Vector3<Dyadic>{direction[0], direction[1], direction[2]}).enclosure();
-    answer_.evidence.direction = {about.x.low, about.y.low, about.z.low};
+    answer_.evidence = separation_along(WorldDirection(Vector3<Dyadic>{direction[0], direction[1], direction[2]}));
   }
 
   const PlacedRound& a_;
@@ -323,30 +312,6 @@ class RoundFinish {
   RoundAnswer& answer_;
   StageTally& tally_;
 };
-
-void of_polyhedra(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer) {
-  const PairAnswer found = polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose);
-  answer.decided_by = found.decided_by;
-  answer.cost = found.cost;
-  RoundEvidence& evidence = answer.evidence;
-  if (found.meet()) {
-    evidence.verdict = Verdict::meet;
-    evidence.of_cores = found.certificate();
-    return;
-  }
-  evidence.verdict = Verdict::apart;
-  const WorldDirection d =
-      world_direction(found.certificate().direction, {a.body.core().vertices(), a.core.pose, a.core.tame},
-                      {b.body.core().vertices(), b.core.pose, b.core.tame});
-  if (d.is_doubles()) {
-    evidence.direction = d.doubles();
-  } else {
-    const Vector3<Dyadic> exact = d.exact();
-    const Vector3<Interval> about = d.enclosure();
-    evidence.direction = {about.x.low, about.y.low, about.z.low};
-    evidence.exact_direction = std::make_shared<const std::array<Dyadic, 3>>(std::array{exact.x, exact.y, exact.z});
-  }
-}
 
 // Where nothing quick has held.
 void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, RoundAnswer& answer) {
@@ -376,7 +341,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
       if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
     }
     if (answer.undecided()) finish.meet_in_the_middle(second.nearest_points, second.nearest_made);
-    if (answer.undecided()) answer.evidence.direction = second.best_direction;
+    if (answer.undecided()) answer.evidence = NearlyTouching{second.best_direction};
   }
   conclude(answer, tally.exact, !held);
 }
@@ -405,19 +370,27 @@ CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, d
           p.of_body, q.of_body};
 }
 
+RoundAnswer round_answer(PairAnswer&& of_polyhedra) {
+  const auto take = [](auto& evidence) { return RoundEvidence(std::move(evidence)); };
+  return {std::visit(take, of_polyhedra.evidence), of_polyhedra.decided_by, of_polyhedra.cost};
+}
+
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
-  const bool polyhedra = a.is_polyhedron() && b.is_polyhedron();
+  if (a.is_polyhedron() && b.is_polyhedron()) {
+    return round_answer(polyhedron_polyhedron(a.core(), pose_a, b.core(), pose_b));
+  }
   const bool ellipsoids = a.kind() == RoundKind::ellipsoid || b.kind() == RoundKind::ellipsoid;
-  return polyhedra || ellipsoids ? round_round(PlacedRound(a, pose_a), PlacedRound(b, pose_b))
-                                 : of_poses_as_given(a, pose_a, b, pose_b);
+  return ellipsoids ? round_round(PlacedRound(a, pose_a), PlacedRound(b, pose_b))
+                    : of_poses_as_given(a, pose_a, b, pose_b);
 }
 
 RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {
+  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
+    return round_answer(polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose));
+  }
   RoundAnswer answer;
   Point3 way{};
-  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
-    of_polyhedra(a, b, answer);
-  } else if (!decide_quickly(a.body, a.pose, b.body, b.pose, answer, way)) {
+  if (!decide_quickly(a.body, a.pose, b.body, b.pose, answer, way)) {
     search(a, b, way, answer);
   }
   return answer;
@@ -428,58 +401,109 @@ Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundE
   return {point.x + 0.0, point.y + 0.0, point.z + 0.0};
 }
 
-Point3 rounded_direction(const RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict != Verdict::meet);
-  const Point3& d = evidence.direction;
+Point3 rounded_direction(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  const Point3 d = near_direction(a, b, evidence);
   const double largest = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
   const Point3 e{d.x / largest, d.y / largest, d.z / largest};
   const double length = std::sqrt(e.x * e.x + e.y * e.y + e.z * e.z);
   return {e.x / length + 0.0, e.y / length + 0.0, e.z / length + 0.0};
 }
 
-RoundedGap rounded_gap(const RoundEvidence& evidence, const PlacedRound& a, const PlacedRound& b) {
+RoundedGap rounded_gap(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
   RoundSearch<DoubleDouble> search(a, b);
-  const std::array<Dyadic, 3> d = direction_of(evidence);
+  const std::array<Dyadic, 3> d = direction_of(a, b, evidence);
   const Vector3<Interval> near = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]}).enclosure();
   const Vector3<DoubleDouble> about{near.x.low, near.y.low, near.z.low};
   const DoubleDouble length = round_detail::root_of(dot(about, about));
   search.direction = {about.x / length, about.y / length, about.z / length};
   Cost cost;
   const DoubleDouble gap = search.gap_at(search.probe(cost)) - search.support.reach;
-  return {rounded_direction(evidence), std::max(nearest(gap) / search.simplex.scale, 0.0)};
+  return {rounded_direction(a, b, evidence), std::max(nearest(gap) / search.simplex.scale, 0.0)};
 }
 
-std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict == Verdict::apart);
-  if (evidence.exact_direction) return *evidence.exact_direction;
-  return {Dyadic(evidence.direction.x), Dyadic(evidence.direction.y), Dyadic(evidence.direction.z)};
+RoundEvidence separation_along(const WorldDirection& direction) {
+  if (direction.is_doubles()) return SeparatingDirection{direction.doubles()};
+  const Vector3<Dyadic> d = direction.exact();
+  const Vector3<Interval> about = direction.enclosure();
+  return ExactSeparatingDirection{{about.x.low, about.y.low, about.z.low},
+                                  std::make_shared<const std::array<Dyadic, 3>>(std::array{d.x, d.y, d.z})};
+}
+
+namespace {
+
+WorldDirection separating(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  if (const auto* of_polyhedra = std::get_if<Separation>(&evidence)) {
+    const auto placed = [](const PlacedRound& body) {
+      return PlacedVertices{body.body.core().vertices(), body.core.pose, body.core.tame};
+    };
+    return world_direction(of_polyhedra->direction, placed(a), placed(b));
+  }
+  if (const auto* doubles = std::get_if<SeparatingDirection>(&evidence)) return WorldDirection(doubles->direction);
+  const auto& [x, y, z] = *std::get<ExactSeparatingDirection>(evidence).exact;
+  return WorldDirection(Vector3<Dyadic>{x, y, z});
+}
+
+// How the bodies make their common point.
+class CommonPointOf {
+ public:
+  CommonPointOf(const PlacedRound& a, const PlacedRound& b) : a_(a), b_(b) {}
+
+  CommonPoint operator()(const CommonVertices& common) const { return common_point(common, a_.core, b_.core); }
+  CommonPoint operator()(const CoresMeet& meet) const {
+    CommonPoint point = common_point(meet.of_cores, a_.core, b_.core);
+    point.of_a = in_points(a_, std::move(point.of_a));
+    point.of_b = in_points(b_, std::move(point.of_b));
+    return point;
+  }
+  CommonPoint operator()(const ExactCommonPoint& exact) const { return *exact.point; }
+  CommonPoint operator()(const PointBetweenCores& between) const {
+    return point_between(of_core(a_, between.of_a), a_.radius(), of_core(b_, between.of_b), b_.radius());
+  }
+  CommonPoint operator()(const PointInDoubles& point) const {
+    const ExactPoint3 x = exact_point(weighted(point.at));
+    const auto made = [&](const PlacedRound& body, const RoundCombination& c) {
+      return body.body.is_curved() ? combination_of(body, x) : of_core(body, c).of_body;
+    };
+    return {x, made(a_, point.of_a), made(b_, point.of_b)};
+  }
+  CommonPoint operator()(const PointOfCore& point) const {
+    const auto [x, made] = of_core(point.is_of_a ? a_ : b_, point.made);
+    const Combination of_curved = combination_of(point.is_of_a ? b_ : a_, x);
+    return point.is_of_a ? CommonPoint{x, made, of_curved} : CommonPoint{x, of_curved, made};
+  }
+  template <class Other>  // of bodies that do not meet
+  CommonPoint operator()(const Other&) const {
+    SUNDER_REQUIRE(false);
+    return {};
+  }
+
+ private:
+  static PointOf of_core(const PlacedRound& body, const RoundCombination& c) {
+    return {exact_point(weighted(body, c)), round_detail::exact(c)};
+  }
+
+  const PlacedRound& a_;
+  const PlacedRound& b_;
+};
+
+}  // namespace
+
+std::array<Dyadic, 3> direction_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  const Vector3<Dyadic> d = separating(a, b, evidence).exact();
+  return {d.x, d.y, d.z};
+}
+
+Point3 near_direction(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  if (const auto* undecided = std::get_if<NearlyTouching>(&evidence)) return undecided->direction;
+  if (const auto* exact = std::get_if<ExactSeparatingDirection>(&evidence)) return exact->near;
+  const WorldDirection direction = separating(a, b, evidence);
+  if (direction.is_doubles()) return direction.doubles();
+  const Vector3<Interval> about = direction.enclosure();
+  return {about.x.low, about.y.low, about.z.low};
 }
 
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
-  SUNDER_REQUIRE(evidence.verdict == Verdict::meet);
-  const auto of_core = [](const PlacedRound& body, const RoundCombination& c) {
-    return PointOf{exact_point(weighted(body, c)), round_detail::exact(c)};
-  };
-  switch (evidence.source) {
-    case Source::exact: return *evidence.exact;
-    case Source::between: return point_between(of_core(a, evidence.a), a.radius(), of_core(b, evidence.b), b.radius());
-    case Source::cores: {
-      CommonPoint point = common_point(evidence.of_cores, a.core, b.core);
-      point.of_a = in_points(a, std::move(point.of_a));
-      point.of_b = in_points(b, std::move(point.of_b));
-      return point;
-    }
-    case Source::point:
-    case Source::of_a:
-    case Source::of_b: break;
-  }
-  const ExactPoint3 x = evidence.source == Source::point  ? exact_point(weighted(evidence.point))
-                        : evidence.source == Source::of_a ? exact_point(weighted(a, evidence.a))
-                                                          : exact_point(weighted(b, evidence.b));
-  const auto of = [&](const PlacedRound& body, const RoundCombination& c) {
-    return body.body.is_curved() ? combination_of(body, x) : of_core(body, c).of_body;
-  };
-  return {x, of(a, evidence.a), of(b, evidence.b)};
+  return std::visit(CommonPointOf(a, b), evidence);
 }
 
 }  // namespace sunder::solid

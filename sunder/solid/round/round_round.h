@@ -15,6 +15,8 @@
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/certificate/common_point.h>
+#include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/certificate/rounded_evidence.h>
@@ -23,8 +25,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string_view>
+#include <variant>
 
 namespace sunder::solid {
 
@@ -35,40 +36,69 @@ struct RoundCombination {
   std::array<double, 4> weights;
 };
 
-// Plain data; exact numbers are made when asked for.
-struct RoundEvidence {
-  Verdict verdict = Verdict::undecided;
-
-  // apart: from A to B. Where doubles cannot hold it, `exact_direction` is set, and this one is near it. Of undecided
-  // ones: across which they touch, or nearly.
+// Apart, as along a direction from A to B.
+struct SeparatingDirection {
+  static constexpr Verdict verdict = Verdict::apart;
   Point3 direction{};
-  std::shared_ptr<const std::array<Dyadic, 3>> exact_direction{};
-
-  // meet: where a common point comes from.
-  enum class Source : std::uint8_t {
-    cores,    // of the cores, by `of_cores`
-    between,  // on the way between points of both cores, `a` and `b`, divided as the radii are
-    point,    // `point`, which is doubles; of hulls, near the point of the core that `a` or `b` makes
-    of_a,     // the point of A's core that `a` makes
-    of_b,
-    exact,  // *exact
-  };
-  Source source = Source::cores;
-  Point3 point{};
-  RoundCombination a, b;
-  PairCertificate of_cores{};
-  std::shared_ptr<const CommonPoint> exact{};
 };
 
-struct [[nodiscard]] RoundAnswer {
-  RoundEvidence evidence;
-  DecidedBy decided_by = DecidedBy::filter;  // of undecided ones: what was tried last
-  Cost cost;
-
-  Verdict verdict() const { return evidence.verdict; }
-  bool meet() const { return evidence.verdict == Verdict::meet; }
-  bool undecided() const { return evidence.verdict == Verdict::undecided; }
+// The same along one that doubles cannot hold; `near` is near it.
+struct ExactSeparatingDirection {
+  static constexpr Verdict verdict = Verdict::apart;
+  Point3 near{};
+  std::shared_ptr<const std::array<Dyadic, 3>> exact;  // not null
 };
+
+// They meet in a point that divides the way between a point of each core as the radii are.
+struct PointBetweenCores {
+  static constexpr Verdict verdict = Verdict::meet;
+  RoundCombination of_a, of_b;
+};
+
+// They meet in a point of doubles. Of hulls it is near the point of the core that the combination makes; the
+// combination of another body is of no point.
+struct PointInDoubles {
+  static constexpr Verdict verdict = Verdict::meet;
+  Point3 at{};
+  RoundCombination of_a{}, of_b{};
+};
+
+// They meet in a point of the core of one of them, which is a hull; the other one is curved.
+struct PointOfCore {
+  static constexpr Verdict verdict = Verdict::meet;
+  bool is_of_a = true;
+  RoundCombination made;
+};
+
+// They meet because their cores do.
+struct CoresMeet {
+  static constexpr Verdict verdict = Verdict::meet;
+  CommonVertices of_cores;
+};
+
+struct ExactCommonPoint {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const CommonPoint> point;  // not null
+};
+
+// It is not known whether they meet: they touch, or nearly, across this direction; zero where not even that is known.
+struct NearlyTouching {
+  static constexpr Verdict verdict = Verdict::undecided;
+  Point3 direction{};
+};
+
+// What is known of two bodies: the evidence of polyhedra where both are polyhedra, else one of the others. It names no
+// body, and exact numbers are made when asked for.
+using RoundEvidence =
+    std::variant<NearlyTouching, Separation, CommonVertices, SeparatingDirection, ExactSeparatingDirection,
+                 PointBetweenCores, PointInDoubles, PointOfCore, CoresMeet, ExactCommonPoint>;
+using RoundAnswer = Answer<RoundEvidence>;
+
+// That they are apart, as along this direction.
+RoundEvidence separation_along(const WorldDirection& direction);
+
+// The same answer, as one of bodies with a radius.
+RoundAnswer round_answer(PairAnswer&& of_polyhedra);
 
 // The front door. Searches for a direction or a point in floating point, in doubles and then in double-doubles, and
 // accepts it only by exact signs (predicate/disc/round_shape.h). Where none holds: of two hulls the exact distance of their
@@ -79,15 +109,19 @@ struct [[nodiscard]] RoundAnswer {
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b);
 RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b);
 
-// The direction, and the common point with how each body makes it: for certificate files. Requires the verdict.
-std::array<Dyadic, 3> direction_of(const RoundEvidence& evidence);
+// The direction, and the common point with how each body makes it: for certificate files. Require the verdict, and the
+// bodies that the evidence is of.
+std::array<Dyadic, 3> direction_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 CommonPoint common_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+
+// In doubles: a direction along which searches may begin, of any length.
+Point3 near_direction(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 
 // For people: where the common point is, rounded; the direction, of length one up to rounding, of bodies that do not
 // meet; with it, how wide the empty slab across it is, about. Require the verdict: meet; apart or undecided; apart.
 Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
-Point3 rounded_direction(const RoundEvidence& evidence);
-RoundedGap rounded_gap(const RoundEvidence& evidence, const PlacedRound& a, const PlacedRound& b);
+Point3 rounded_direction(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
+RoundedGap rounded_gap(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence);
 
 // The point that divides the way from p to q as the radii are; of two radii of 0: p.
 CommonPoint point_between(const PointOf& p, double radius_p, const PointOf& q, double radius_q);

@@ -82,7 +82,7 @@ class RoundSweep {
         way_b_(way_of(b_, to_b_)),
         path_(way_a_ - way_b_) {}
 
-  RoundSweepAnswer decide() {
+  SweepAnswer decide() {
     if (ends_decide() || cuts_decide()) {
       conclude(answer_, tally_.exact);
     } else {
@@ -111,7 +111,7 @@ class RoundSweep {
     }
     for (double ahead = std::max(low * 0x1p-50, 0x1p-60); low + ahead < found.about().low; ahead *= 4) {
       if (!meets_about(low + ahead) && !hulls_meet_at(low + ahead)) continue;
-      return {{low, low + ahead}, *answer_.contact};
+      return {{low, low + ahead}, *std::get<ContactOnTheWay>(answer_.evidence).contact};
     }
     SweepContact contact = found;
     contact.direction = {};
@@ -121,9 +121,8 @@ class RoundSweep {
 
  private:
   void meet(const Time& time, CommonPoint point) {
-    answer_.verdict = Verdict::meet;
-    answer_.contact =
-        std::make_shared<const SweepContact>(SweepContact{time.numerator, time.denominator, std::move(point), {}});
+    answer_.evidence = ContactOnTheWay{
+        std::make_shared<const SweepContact>(SweepContact{time.numerator, time.denominator, std::move(point), {}})};
   }
 
   bool parts(const WorldDirection& d) {
@@ -132,8 +131,7 @@ class RoundSweep {
       const RoundGap gap(*a, *b, d, 0, 0, answer_.cost, tally_);
       if (gap.against(0) != Sign::positive) return false;
     }
-    answer_.verdict = Verdict::apart;
-    answer_.direction = numbers(d.exact());
+    answer_.evidence = PartedOnTheWay{numbers(d.exact())};
     return true;
   }
   bool parts(Point3 direction) { return make_tame(direction) && parts(WorldDirection(direction)); }
@@ -158,8 +156,10 @@ class RoundSweep {
         meet({Dyadic(at_end ? 1.0 : 0.0)}, std::move(point));
         return true;
       }
-      if (!here.undecided() && parts(WorldDirection(vector(direction_of(here.evidence))))) return true;
-      if (!here.undecided()) directions_[at_end] = here.evidence.direction;
+      if (!here.undecided()) {
+        if (parts(WorldDirection(vector(direction_of(a, b, here.evidence))))) return true;
+        directions_[at_end] = near_direction(a, b, here.evidence);
+      }
     }
     return at_rest;
   }
@@ -219,8 +219,9 @@ class RoundSweep {
       const PlacedRound a(of_a, at_a), b(of_b, at_b);
       const RoundAnswer here = round_round(a, b);
       count(here);
-      if (!here.undecided()) found_ = here.evidence.direction;
       is_undecided_ = here.undecided();
+      if (here.meet()) found_.reset();
+      if (here.verdict() == Verdict::apart) found_ = near_direction(a, b, here.evidence);
       if (!here.meet()) return false;
       if (meets_at({Dyadic(time)}, common_point_of(a, b, here.evidence))) return true;
     }
@@ -327,8 +328,7 @@ class RoundSweep {
     const auto nearest = nearest_on_the_way(a_.core, b_.core, Exact{}, path_, answer_.cost, tally_);
     if (!nearest) return cores_meet();
     if (!are_within_reach(*nearest)) {
-      answer_.verdict = Verdict::apart;
-      answer_.direction = numbers(times(Dyadic(-1.0), nearest->way));
+      answer_.evidence = PartedOnTheWay{numbers(times(Dyadic(-1.0), nearest->way))};
       return;
     }
     Time time{Dyadic(0.0), nearest->weight};
@@ -366,14 +366,13 @@ class RoundSweep {
 
   void cores_meet() {
     const SweepAnswer cores = polyhedron_polyhedron_sweep(a_.body.core(), of_a_, b_.body.core(), of_b_);
-    answer_.verdict = Verdict::meet;
-    if (cores.contact) {
-      answer_.contact = cores.contact;
+    if (const auto* contact = std::get_if<ContactOnTheWay>(&cores.evidence)) {
+      answer_.evidence = *contact;
       return;
     }
     const auto first = polyhedron_polyhedron_first_contact(a_.body.core(), of_a_, b_.body.core(), of_b_);
     SUNDER_REQUIRE(first.has_value());
-    answer_.contact = std::make_shared<const SweepContact>(*first);
+    answer_.evidence = ContactOnTheWay{std::make_shared<const SweepContact>(*first)};
   }
 
   const Translation &of_a_, &of_b_;
@@ -382,54 +381,51 @@ class RoundSweep {
   std::array<std::optional<Point3>, 2> directions_;  // that part them at the beginning and at the end
   std::optional<Point3> found_;                      // of the last question at a time between
   bool is_undecided_ = false;
-  RoundSweepAnswer answer_;
+  SweepAnswer answer_;
   StageTally tally_;
 };
 
 }  // namespace
 
-RoundSweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
-                                   const RoundBody& b, const Translation& of_b) {
+SweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
+                              const RoundBody& b, const Translation& of_b) {
   if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).decide();
-  const ConvexPolyhedron &of_hull_a = a.core(), &of_hull_b = b.core();
-  const SweepAnswer found = polyhedron_polyhedron_sweep(of_hull_a, of_a, of_hull_b, of_b);
-  RoundSweepAnswer answer;
-  answer.decided_by = found.decided_by;
-  answer.cost = found.cost;
-  answer.verdict = found.meet() ? Verdict::meet : Verdict::apart;
-  if (!found.meet()) {
-    answer.direction = parting_direction(found, of_hull_a, of_a, of_hull_b, of_b);
-  } else if (found.contact) {
-    answer.contact = found.contact;
-  } else {
-    const bool at_end = found.found == SweepAnswer::Found::at_end;
-    const PlacedRound in_a(a, at_end ? of_a.end() : of_a.begin()), in_b(b, at_end ? of_b.end() : of_b.begin());
-    RoundEvidence evidence;
-    evidence.verdict = Verdict::meet;
-    evidence.of_cores = found.evidence;
-    answer.contact = std::make_shared<const SweepContact>(
-        SweepContact{Dyadic(at_end ? 1.0 : 0.0), Dyadic(1.0), common_point_of(in_a, in_b, evidence), {}});
-  }
-  return answer;
+  return polyhedron_polyhedron_sweep(a.core(), of_a, b.core(), of_b);
+}
+
+std::array<Dyadic, 3> direction_of(const RoundBody& a, const Translation& of_a,  //
+                                   const RoundBody& b, const Translation& of_b, const SweepAnswer& answer) {
+  if (const auto* parted = std::get_if<PartedOnTheWay>(&answer.evidence)) return parted->direction;
+  return parting_direction(answer, a.core(), of_a, b.core(), of_b);
+}
+
+SweepContact contact_of(const RoundBody& a, const Translation& of_a,  //
+                        const RoundBody& b, const Translation& of_b, const SweepAnswer& answer) {
+  if (const auto* on_the_way = std::get_if<ContactOnTheWay>(&answer.evidence)) return *on_the_way->contact;
+  const auto& [common, is_at_end] = std::get<CommonVerticesAtAnEnd>(answer.evidence);
+  const PlacedRound in_a(a, is_at_end ? of_a.end() : of_a.begin()), in_b(b, is_at_end ? of_b.end() : of_b.begin());
+  return {Dyadic(is_at_end ? 1.0 : 0.0), Dyadic(1.0), common_point(common, in_a.core, in_b.core), {}};
 }
 
 RoundFirstContact round_round_first_contact(const RoundBody& a, const Translation& of_a,  //
                                             const RoundBody& b, const Translation& of_b,  //
-                                            const RoundSweepAnswer& answer) {
-  SUNDER_REQUIRE(answer.meet());
-  if (answer.contact->time.sign() == Sign::zero) return {{0, 0}, *answer.contact};
-  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).first(*answer.contact);
+                                            const SweepAnswer& answer) {
+  const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
+  if (contact.time.sign() == Sign::zero) return {{0, 0}, contact};
+  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).first(contact);
   SweepContact first = *polyhedron_polyhedron_first_contact(a.core(), of_a, b.core(), of_b);
   const Interval time = first.about();
   return {time, std::move(first)};
 }
 
-void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundSweepAnswer& answer) {
+void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundBody& a, const Translation& of_a,
+                const RoundBody& b, const Translation& of_b, const SweepAnswer& answer) {
   SUNDER_REQUIRE(!answer.undecided());
-  const auto [a, b, to_a, to_b] = bodies;
-  if (!answer.meet()) return pairs.add_motion_apart(a, b, to_a, to_b, answer.direction);
-  const SweepContact& contact = *answer.contact;
-  pairs.add_motion_meet(a, b, to_a, to_b, contact.time, contact.denominator, contact.point);
+  if (!answer.meet()) {
+    return pairs.add_motion_apart(bodies.a, bodies.b, bodies.to_a, bodies.to_b, direction_of(a, of_a, b, of_b, answer));
+  }
+  const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
+  pairs.add_motion_meet(bodies.a, bodies.b, bodies.to_a, bodies.to_b, contact.time, contact.denominator, contact.point);
 }
 
 void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundFirstContact& first) {

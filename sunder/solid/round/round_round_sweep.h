@@ -28,23 +28,20 @@
 
 namespace sunder::solid {
 
-struct [[nodiscard]] RoundSweepAnswer {
-  Verdict verdict = Verdict::undecided;
-  std::array<Dyadic, 3> direction{};              // apart: from A to B. Else zero
-  std::shared_ptr<const SweepContact> contact{};  // meet: its own direction is zero. Else null
-  DecidedBy decided_by = DecidedBy::filter;       // of undecided ones: what was tried last
-  Cost cost;
-
-  bool meet() const { return verdict == Verdict::meet; }
-  bool undecided() const { return verdict == Verdict::undecided; }
-};
-
 // Asks round_round at both ends, then at times between: a direction that parts them then also parts them at the times
 // on one side of it, and of two that leave no time between a mixture parts them all along. Where nothing holds, of two
 // hulls the exact nearest points of the cores on their ways. Throws Error: bad_pose (round_body.h). Cost: some two to
-// sixty questions of round_round, and of two hulls an exact search of a few steps. Allocates.
-RoundSweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
-                                   const RoundBody& b, const Translation& of_b);
+// sixty questions of round_round, and of two hulls an exact search of a few steps; of two polyhedra that of
+// polyhedron_polyhedron_sweep. Allocates.
+SweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
+                              const RoundBody& b, const Translation& of_b);
+
+// In exact numbers, for certificate files: the direction along which they are apart; the time at which they meet, and
+// the point. Require an answer of that verdict about these.
+std::array<Dyadic, 3> direction_of(const RoundBody& a, const Translation& of_a,  //
+                                   const RoundBody& b, const Translation& of_b, const SweepAnswer& answer);
+SweepContact contact_of(const RoundBody& a, const Translation& of_a,  //
+                        const RoundBody& b, const Translation& of_b, const SweepAnswer& answer);
 
 // When they first meet: not before time.low, and at `contact`, whose time is time.high or, of a fraction, the nearest
 // double below that. Both ends are proved; of polyhedra they are neighbours, of others the first time is a root of a
@@ -57,14 +54,15 @@ struct RoundFirstContact {
 // Requires an answer `meet` about these. Throws Error as round_round_sweep. Cost: likewise.
 RoundFirstContact round_round_first_contact(const RoundBody& a, const Translation& of_a,  //
                                             const RoundBody& b, const Translation& of_b,  //
-                                            const RoundSweepAnswer& answer);
+                                            const SweepAnswer& answer);
 
 // States it of two bodies of a certificate file, which are where they begin, and the same where they end (one that
 // rests is there already). Requires that it is decided.
 struct ClaimedMotion {
   std::uint32_t a, b, to_a, to_b;
 };
-void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundSweepAnswer& answer);
+void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundBody& a, const Translation& of_a,
+                const RoundBody& b, const Translation& of_b, const SweepAnswer& answer);
 void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundFirstContact& first);
 
 }  // namespace sunder::solid

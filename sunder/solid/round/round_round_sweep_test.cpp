@@ -24,15 +24,16 @@ RoundBody box(double half) {
 }
 
 Verdict past(const RoundBody& a, const RoundBody& b, double aside) {
-  return round_round_sweep(a, Translation(Pose()), b, {shift(-5, aside, 0), shift(5, aside, 0)}).verdict;
+  return round_round_sweep(a, Translation(Pose()), b, {shift(-5, aside, 0), shift(5, aside, 0)}).verdict();
 }
 
 TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
   const Translation rests{Pose()}, goes(shift(-5, 2, 0), shift(5, 2, 0));
-  const RoundSweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
+  const SweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
   ASSERT_TRUE(answer.meet());
-  EXPECT_EQ(nearest_ratio(answer.contact->time, answer.contact->denominator), 0.5);
-  EXPECT_EQ(nearest(answer.contact->point.at).y, 1);
+  const SweepContact& contact = *std::get<ContactOnTheWay>(answer.evidence).contact;
+  EXPECT_EQ(nearest_ratio(contact.time, contact.denominator), 0.5);
+  EXPECT_EQ(nearest(contact.point.at).y, 1);
   const RoundFirstContact first = round_round_first_contact(unit_ball, rests, unit_ball, goes, answer);
   EXPECT_LE(first.time.low, 0.5);
   EXPECT_EQ(first.time.high, 0.5);
@@ -41,7 +42,7 @@ TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
   const Translation slanted(shift(3 - 40, 4 + 30, 0), shift(3 + 20, 4 - 15, 0));
   const RoundBody large = RoundBody::ball({0, 0, 0}, 4), larger = RoundBody::ball({0, 0, 0}, std::nextafter(4.0, 3.0));
   EXPECT_TRUE(round_round_sweep(large, rests, unit_ball, slanted).meet());
-  EXPECT_EQ(round_round_sweep(larger, rests, unit_ball, slanted).verdict, Verdict::apart);
+  EXPECT_EQ(round_round_sweep(larger, rests, unit_ball, slanted).verdict(), Verdict::apart);
 }
 
 TEST(RoundRoundSweep, EdgesThatTouchRoundedCorners) {
@@ -69,16 +70,16 @@ TEST(RoundRoundSweep, CurvedBodiesInNumbersThatPeopleGive) {
 
 TEST(RoundRoundSweep, WhatMeetsAtAnEnd) {
   const Translation leaves(shift(2, 0, 0), shift(7, 0, 0)), comes(shift(7, 0, 0), shift(2, 0, 0)), rests{Pose()};
-  const RoundSweepAnswer first = round_round_sweep(unit_ball, rests, unit_ball, leaves);
+  const SweepAnswer first = round_round_sweep(unit_ball, rests, unit_ball, leaves);
   ASSERT_TRUE(first.meet());
   EXPECT_EQ(round_round_first_contact(unit_ball, rests, unit_ball, leaves, first).time.high, 0);
-  const RoundSweepAnswer last = round_round_sweep(unit_ball, rests, unit_ball, comes);
+  const SweepAnswer last = round_round_sweep(unit_ball, rests, unit_ball, comes);
   ASSERT_TRUE(last.meet());
   const RoundFirstContact contact = round_round_first_contact(unit_ball, rests, unit_ball, comes, last);
   EXPECT_EQ(contact.time.high, 1);
   EXPECT_GE(contact.time.low, 1 - 0x1p-40);
   EXPECT_TRUE(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2, 0, 0))).meet());
-  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2.5, 0, 0))).verdict, Verdict::apart);
+  EXPECT_EQ(round_round_sweep(unit_ball, rests, unit_ball, Translation(shift(2.5, 0, 0))).verdict(), Verdict::apart);
 }
 
 // The first time is that of two quadratic roots: enclosed, and narrowly.
@@ -86,7 +87,7 @@ TEST(RoundRoundSweep, FirstTimesAreEnclosed) {
   const Translation rests{Pose()};
   for (const double aside : {0.0, 0.3, 1.0, 1.9, 1.999, 1.9999999}) {
     const Translation goes(shift(-5, aside, 0), shift(5, aside, 0));
-    const RoundSweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
+    const SweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
     ASSERT_TRUE(answer.meet());
     const Interval time = round_round_first_contact(unit_ball, rests, unit_ball, goes, answer).time;
     const double expected = (5 - std::sqrt((2 - aside) * (2 + aside))) / 10;
@@ -102,7 +103,7 @@ TEST(RoundRoundSweep, NeedlesThatCross) {
   const RoundBody b = RoundBody::capsule({0, -1, 0}, {0, 1, 0}, 0);
   const double third = 1.0 / 3;
   EXPECT_TRUE(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 0.1)}).meet());
-  EXPECT_EQ(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 8)}).verdict,
+  EXPECT_EQ(round_round_sweep(a, Translation(Pose()), b, {shift(-third, 0, third), shift(1, 0, 8)}).verdict(),
             Verdict::apart);
 }
 

@@ -18,8 +18,8 @@ Pose shifted(double x, double y, double z) { return Pose::from_matrix({1, 0, 0, 
 Verdict verdict(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
   return round_round(a, Pose(), b, pose_b).verdict();
 }
-std::optional<Contact> contact(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
-  return round_round_contact(a, Pose(), b, pose_b).contact;
+Relation contact(const RoundBody& a, const RoundBody& b, const Pose& pose_b = Pose()) {
+  return relation_of(round_round_contact(a, Pose(), b, pose_b));
 }
 
 ConvexPolyhedron cube(double half) {
@@ -64,13 +64,13 @@ TEST(RoundRound, HullsToTheLastBit) {
   const RoundBody a = RoundBody::ball({0, 0, 0}, 2);
   EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, 3)), Verdict::meet);
   EXPECT_EQ(verdict(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 0))), Verdict::apart);
-  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 3)), Contact::touching);
-  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 4))), Contact::overlapping);
-  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 2)), Contact::none);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 3)), Relation::touching);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, std::nextafter(3, 4))), Relation::overlapping);
+  EXPECT_EQ(contact(a, RoundBody::ball({3, 4, 0}, 2)), Relation::none);
   // The sum of the radii is no double: 1 + 2^-60.
   EXPECT_EQ(verdict(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Verdict::meet);
-  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Contact::overlapping);
-  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0)), Contact::touching);
+  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0x1p-60)), Relation::overlapping);
+  EXPECT_EQ(contact(RoundBody::ball({0, 0, 0}, 1), RoundBody::ball({1, 0, 0}, 0)), Relation::touching);
 }
 
 TEST(RoundRound, EachKindOnABox) {
@@ -81,8 +81,8 @@ TEST(RoundRound, EachKindOnABox) {
                                 RoundBody::cylinder({0, 0, 0}, {0, 0, 3}, 2), RoundBody::cone({0, 0, 3}, {0, 0, 0}, 2),
                                 RoundBody::cone({0, 0, 0}, {0, 0, 2}, 3), RoundBody::ellipsoid({0, 0, 2}, {1, 3, 2})}) {
     const double off = body.kind() == RoundKind::hull && body.core().dimension() == 3 ? 2 : 0;
-    EXPECT_EQ(contact(box, body, shifted(0, 0, 1 + off)), Contact::touching);
-    EXPECT_EQ(contact(box, body, shifted(0, 0, 0.5 + off)), Contact::overlapping);
+    EXPECT_EQ(contact(box, body, shifted(0, 0, 1 + off)), Relation::touching);
+    EXPECT_EQ(contact(box, body, shifted(0, 0, 0.5 + off)), Relation::overlapping);
     EXPECT_EQ(verdict(box, body, shifted(0, 0, off + (off > 0 ? std::nextafter(1, 2) : up) + 0x1p-50)), Verdict::apart);
   }
 }

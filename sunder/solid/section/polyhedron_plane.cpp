@@ -84,8 +84,8 @@ PolyhedronPlane polyhedron_plane_by_scan(const ConvexPolyhedron& body, const Pos
   return answer;
 }
 
-Contact polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane) {
-  if (!polyhedron_plane(body, pose, plane).meet()) return Contact::none;
+Relation polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane) {
+  if (!polyhedron_plane(body, pose, plane).meet()) return Relation::none;
   const Placed placed(body, pose);
   const WorldDirection direction = direction_of(plane.normal);
   const Point3 normal = pulled_normal<double>(placed, plane);
@@ -97,7 +97,7 @@ Contact polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose,
     return side_of(plane, placed[extreme_vertex_from(placed, along, end, near, cost, tally)]);
   };
   const Sign low = furthest(End::least), high = furthest(End::greatest);
-  return (low == Sign::zero) == (high == Sign::zero) ? Contact::overlapping : Contact::touching;
+  return (low == Sign::zero) == (high == Sign::zero) ? Relation::overlapping : Relation::touching;
 }
 
 }  // namespace sunder::solid

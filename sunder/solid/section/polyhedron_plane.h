@@ -52,6 +52,6 @@ PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Dr
 PolyhedronPlane polyhedron_plane_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
 
 // Touching (the plane supports the body) or overlapping (it goes through the inside, or holds all of a flat body)?
-Contact polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
+Relation polyhedron_plane_contact(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);
 
 }  // namespace sunder::solid

@@ -104,18 +104,18 @@ ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const P
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
-                const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact) {
+                const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Relation contact) {
   const Exactly exact{body, pose, plane};
   if (!answer.meet()) {
     const bool is_above = answer.side == Sign::positive;
     pairs.add_apart(a, b, exact.normal(is_above));
     return pairs.add_nearest(a, b, answer.nearest, exact.normal(!is_above));
   }
-  if (contact == Contact::overlapping) {
+  if (contact == Relation::overlapping) {
     return pairs.add_overlapping(a, b, common(plane, in_file, exact.inside(answer), true));
   }
   CommonPoint point = common(plane, in_file, exact.between(answer.below, answer.above), false);
-  if (contact == Contact::none) return pairs.add_meet(a, b, point);
+  if (contact == Relation::none) return pairs.add_meet(a, b, point);
   pairs.add_touching(a, b, point, exact.normal(!exact.is_below(answer)));
 }
 

@@ -23,6 +23,6 @@ ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const P
 // plane's body. Throws nothing, but for want of memory. Cost: exact arithmetic on a few vertices; where `below` or
 // `above` is on the plane, until one is found that is not.
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
-                const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact);
+                const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Relation contact);
 
 }  // namespace sunder::solid

@@ -52,7 +52,7 @@ TEST(FlatBody, ExactPointOfAnyPlane) {
 }
 
 std::string plane_certificate(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
-                              const FlatBody& in_file, const PolyhedronPlane& answer, Contact contact) {
+                              const FlatBody& in_file, const PolyhedronPlane& answer, Relation contact) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   PairClaims pairs(file);
@@ -139,7 +139,7 @@ TEST(PolyhedronPlaneClaims, Random) {
     const PolyhedronPlane answer =
         random.below(2) == 0 ? polyhedron_plane(body, pose, plane) : polyhedron_plane_by_scan(body, pose, plane);
     const bool tells = random.below(2) == 0;
-    const Contact contact = tells ? polyhedron_plane_contact(body, pose, plane) : Contact::none;
+    const Relation contact = tells ? polyhedron_plane_contact(body, pose, plane) : Relation::none;
     const std::string text = plane_certificate(body, pose, plane, *in_file, answer, contact);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
     ASSERT_TRUE(verified.accepted()) << text;

@@ -37,13 +37,13 @@ TEST(PolyhedronPlane, SidesOfACube) {
 TEST(PolyhedronPlane, Contacts) {
   const ConvexPolyhedron body = unit_cube();
   const auto contact = [&](const Plane& plane) { return polyhedron_plane_contact(body, Pose(), plane); };
-  EXPECT_EQ(contact(Plane::at({0, 0, 1}, -1)), Contact::none);
-  EXPECT_EQ(contact(Plane::at({0, 0, 1}, 0)), Contact::touching);
-  EXPECT_EQ(contact(Plane::at({1, 1, 0}, 2)), Contact::touching);
-  EXPECT_EQ(contact(Plane::at({1, 1, 0}, 1)), Contact::overlapping);
+  EXPECT_EQ(contact(Plane::at({0, 0, 1}, -1)), Relation::none);
+  EXPECT_EQ(contact(Plane::at({0, 0, 1}, 0)), Relation::touching);
+  EXPECT_EQ(contact(Plane::at({1, 1, 0}, 2)), Relation::touching);
+  EXPECT_EQ(contact(Plane::at({1, 1, 0}, 1)), Relation::overlapping);
   const ConvexPolyhedron flat(std::array{Point3{0, 0, 0}, Point3{1, 0, 0}, Point3{0, 1, 0}});
-  EXPECT_EQ(polyhedron_plane_contact(flat, Pose(), Plane::at({0, 0, 1}, 0)), Contact::overlapping);
-  EXPECT_EQ(polyhedron_plane_contact(flat, Pose(), Plane::at({1, 0, 0}, 0)), Contact::touching);
+  EXPECT_EQ(polyhedron_plane_contact(flat, Pose(), Plane::at({0, 0, 1}, 0)), Relation::overlapping);
+  EXPECT_EQ(polyhedron_plane_contact(flat, Pose(), Plane::at({1, 0, 0}, 0)), Relation::touching);
 }
 
 TEST(Plane, Refused) {

@@ -46,7 +46,7 @@ std::array<Real, 3> weights_around(const RoundedPoint<Real>& p, const std::array
 
 // A common point of two such polygons as means of their bodies' vertices.
 template <class Real, class A, class B>
-void mix_common_point(const A& a, const B& b, const PairCertificate& found, Mixture<Real>& of_a, Mixture<Real>& of_b) {
+void mix_common_point(const A& a, const B& b, const CommonVertices& found, Mixture<Real>& of_a, Mixture<Real>& of_b) {
   std::array<RoundedPoint<Real>, 3> in_a{}, in_b{};
   const std::size_t count_a = found.count_a, count_b = found.count_b;
   for (std::size_t k = 0; k < count_a; ++k) in_a[k] = a[found.vertices[k]];
@@ -82,7 +82,7 @@ Mixture<Real> heaviest_of(const Mixture<Real>& mixture) {
 
 // Proposes that a common point of two such polygons is one of a and b. True where it holds.
 template <class Real, class A, class B, class Holds>
-bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const PairCertificate& found,
+bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const CommonVertices& found,
                           const Holds& holds) {
   Mixture<Real> in_a, in_b;
   mix_common_point(of_a, of_b, found, in_a, in_b);
@@ -122,7 +122,7 @@ struct NextToSegment {
 // Two such polygons that a line parts by no more than rounding: calls take(certificate) with what they may touch in, a
 // vertex of one and a vertex or a side of the other, until it returns true. Returns whether it did.
 template <class Real, class A, class B, class Take>
-bool find_touch(const A& a, const B& b, const PairCertificate& parted, double distance, const Take& take) {
+bool find_touch(const A& a, const B& b, const Separation& parted, double distance, const Take& take) {
   const auto after = [](std::uint32_t k, std::uint32_t n) { return k + 1 < n ? k + 1 : 0; };
   const auto before = [](std::uint32_t k, std::uint32_t n) { return k > 0 ? k - 1 : n - 1; };
   // The side that parts them, if it is one's own, else the two sides at the vertex that is nearest.
@@ -139,8 +139,7 @@ bool find_touch(const A& a, const B& b, const PairCertificate& parted, double di
     const NextToSegment<Real> next(p[v], q[side], q[end], distance);
     if (!next.is_next) return false;
     const std::uint8_t ends = static_cast<std::uint8_t>(next.has[0] && next.has[1] ? 2 : 1);
-    PairCertificate found;
-    found.verdict = Verdict::meet;
+    CommonVertices found;
     found.count_a = p_is_a ? 1 : ends;
     found.count_b = p_is_a ? ends : 1;
     std::size_t count = 0;
@@ -165,10 +164,10 @@ bool find_touch(const A& a, const B& b, const PairCertificate& parted, double di
 
 // Proposes what two such polygons may touch in, where the line that parts them is a matter of rounding.
 template <class Real, class A, class B, class Holds>
-bool propose_touch(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const PairCertificate& parted,
+bool propose_touch(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const Separation& parted,
                    const Holds& holds) {
   constexpr double distance = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-90;  // bodies are about 1 long here
-  return find_touch<Real>(of_a, of_b, parted, distance, [&](const PairCertificate& found) {
+  return find_touch<Real>(of_a, of_b, parted, distance, [&](const CommonVertices& found) {
     return propose_common_point<Real>(a, of_a, b, of_b, found, holds);
   });
 }
@@ -238,9 +237,10 @@ class SectionAgainst {
     if (!section.meets_slices()) return in_pockets(section, 0, 1, r, found);
     const CornerSequence<Real> w(section, coordinates_);
     const PairCertificate of_w = meet_or_part(w, r);
-    if (of_w.verdict == Verdict::meet) return found.meet(w, of_w);
-    const bool by_side = of_w.direction.kind == Direction::Kind::side_of_a;
-    const auto pockets = by_side ? w.behind(of_w.direction.index[0]) : w.beside(of_w.extreme_a);
+    if (const auto* common = std::get_if<CommonVertices>(&of_w)) return found.meet(w, *common);
+    const auto& [direction, extreme_a, extreme_b] = std::get<Separation>(of_w);
+    const bool by_side = direction.kind == Direction::Kind::side_of_a;
+    const auto pockets = by_side ? w.behind(direction.index[0]) : w.beside(extreme_a);
     return in_pockets(section, pockets.begin, pockets.count, r, found);
   }
 
@@ -250,7 +250,8 @@ class SectionAgainst {
                   const Found& found) const {
     const PocketSequence<Real> q(section, coordinates_, begin, count);
     const PairCertificate certificate = meet_or_part(q, r);
-    return certificate.verdict == Verdict::meet ? found.meet(q, certificate) : found.parted(q, certificate);
+    const auto* common = std::get_if<CommonVertices>(&certificate);
+    return common != nullptr ? found.meet(q, *common) : found.parted(q, std::get<Separation>(certificate));
   }
 
   template <class A, class B>
