@@ -2,7 +2,7 @@
 """Looks for certificate files of 1 MB that take long to check: cost_search.py SECONDS [SEED].
 
 Files are those of cases/certificates in which a list, or two, is filled up with its own entries until the file is full:
-each statement, each claim and each table in turn, with references repeated as often as they fit; those of test_limits.py;
+each statement, each claim and each table in turn, with references repeated as often as they fit; those of hostile.py;
 and changes of the slowest ones so far. Prints the ten slowest of each checker, with seconds of the processor and peak
 memory. SUNDER_PROGRAM is the program whose `verify` is the twin.
 """
@@ -15,8 +15,9 @@ import tempfile
 import time
 
 from files import PROGRAM
+from hostile import HOSTILE
 from test_costs import FAMILIES
-from test_limits import CASES, HOSTILE, PYTHON
+from test_limits import CASES, PYTHON
 
 MOST = 10 ** 6  # bytes of a file
 MOST_SECONDS = {"python": 30, "c++": 3}
