@@ -32,7 +32,7 @@ int main(int, char** arguments) {
     std::cout << bodies[pair[0]].name << ' ' << bodies[pair[1]].name << ' ' << n << '\n';
 
   robot::RowBodies placed(rows, bodies);
-  const Answer answer = meeting_pairs(placed.at(0), question);
+  const auto answer = meeting_pairs(placed.at(0), question);
   io::OutputFile proof(arguments[3]);
   write_certificate(std::array{Placement{"first", placed.at(0), answer}}, question, {},
                     [&](std::string_view text) { proof.write(text); });
