@@ -249,18 +249,20 @@ namespace sunder {
 
 void prove(const TextSink& sink, const AskedPair<planar::ConvexPolygon, planar::Pose>& asked,
            const PairAnswer& answer) {
-  const auto& [a, at_a, b, at_b, name_a, name_b, tells_relation, origin] = asked;
   const auto in_space = [](const planar::ConvexPolygon& polygon) {
     std::vector<Point3> vertices;
     for (const Point2& p : polygon.vertices()) vertices.push_back({p.x, p.y, 0});
     return vertices;
   };
-  const std::vector<Point3> of_a = in_space(a), of_b = in_space(b);
-  prove_pair(sink, asked, PairClaims::Space::planar, of_a, planar::in_space(at_a.affine()), of_b,
-             planar::in_space(at_b.affine()), [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
-               const Relation relation =
-                   tells_relation ? planar::polygon_polygon_contact(a, at_a, b, at_b) : Relation::none;
-               planar::add_claims(pairs, {index_a, index_b, a, at_a, b, at_b}, answer.evidence, relation);
+  const std::vector<Point3> of_a = in_space(asked.a), of_b = in_space(asked.b);
+  prove_pair(sink, asked, PairClaims::Space::planar, of_a, planar::in_space(asked.at_a.affine()), of_b,
+             planar::in_space(asked.at_b.affine()),
+             [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
+               const Relation relation = asked.tells_relation
+                                             ? planar::polygon_polygon_contact(asked.a, asked.at_a, asked.b, asked.at_b)
+                                             : Relation::none;
+               planar::add_claims(pairs, {index_a, index_b, asked.a, asked.at_a, asked.b, asked.at_b}, answer.evidence,
+                                  relation);
              });
 }
 

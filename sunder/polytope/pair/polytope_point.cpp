@@ -110,7 +110,7 @@ class ManyPoints {
     const auto* points = std::get_if<CommonPoints>(&answer.evidence);
     if (points == nullptr || points->count_a != d + 1) return;
     KnownSimplex known{.points = *points};
-    if (invert(known)) simplices_.add(std::move(known));
+    if (invert(known)) simplices_.add(known);
   }
 
   // Of the matrix of edges, by elimination in floating point; false where it finds none.

@@ -56,12 +56,13 @@ namespace sunder {
 
 void prove(const TextSink& sink, const AskedPair<solid::ConvexPolyhedron, solid::Pose>& asked,
            const PairAnswer& answer) {
-  const auto& [a, at_a, b, at_b, name_a, name_b, tells_relation, origin] = asked;
-  prove_pair(sink, asked, PairClaims::Space::solid, a.vertices(), at_a.affine(), b.vertices(), at_b.affine(),
-             [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
-               const Relation relation =
-                   tells_relation ? polyhedron_polyhedron_contact(a, at_a, b, at_b) : Relation::none;
-               solid::add_claims(pairs, {index_a, index_b, a, at_a, b, at_b}, answer.evidence, relation);
+  prove_pair(sink, asked, PairClaims::Space::solid, asked.a.vertices(), asked.at_a.affine(), asked.b.vertices(),
+             asked.at_b.affine(), [&](PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b) {
+               const Relation relation = asked.tells_relation
+                                             ? polyhedron_polyhedron_contact(asked.a, asked.at_a, asked.b, asked.at_b)
+                                             : Relation::none;
+               solid::add_claims(pairs, {index_a, index_b, asked.a, asked.at_a, asked.b, asked.at_b}, answer.evidence,
+                                 relation);
              });
 }
 

@@ -110,10 +110,10 @@ def bounds_hull(steps, beneath, body, polygons, proved):
         o, a, b = (body.rows[k] for k in faces[facet][:3])
         normal, corners = cross(minus(a, o), minus(b, o)), [body.rows[k] for k in polygon]
         is_on = all(dot(normal, minus(q, o)) == 0 for q in corners)
-        require(is_on, "bounds_hull", "polygon %d is not in the plane of face %d" % (p, facet))
+        require(is_on, "bounds_hull", "face %d is not in the plane of the one beneath it" % p)
         for edge in around(corners):
             odd ^= {frozenset(edge)} if edge[0] != edge[1] else set()
             if facet == 0 and u in edge and edge[0] != edge[1]:
                 beside ^= not any(cross(minus(v, u), minus(edge[edge[0] == u], u)))
-    require(not odd, "bounds_hull", "an edge is in an odd number of polygons")
-    require(beside, "bounds_hull", "the polygons cover the hull an even number of times")
+    require(not odd, "bounds_hull", "an edge is one of an odd number of faces")
+    require(beside, "bounds_hull", "the faces cover the hull an even number of times")

@@ -84,7 +84,7 @@ def kinds_count(steps, events, polygons, groups, allowed, overlapping, touching)
     """So many have common points that count: so many of them inside of both, the others none."""
     number = collections.Counter(kind for *_, kind in kinds_of_polygons(steps, events, polygons, groups, allowed))
     is_so = (number["overlapping"], number["touching"]) == (overlapping, touching)
-    require(is_so, "kinds_count", "%d overlap and %d touch" % (number["overlapping"], number["touching"]))
+    require(is_so, "kinds_count", "%d of %d contacts are inside of both" % (number["overlapping"], sum(number.values())))
 
 
 def how_two_meet(steps, events, pair, verdict):

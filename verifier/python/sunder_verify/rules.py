@@ -102,7 +102,7 @@ def no_further(steps, before, after, a, b, first, last):
     way, sides = max(ways, key=any), []
     axis = next((c for c, x in enumerate(way) if x), 0)
     is_line = any(way) and all(way[axis] * x == other[axis] * y for other in ways for x, y in zip(other, way))
-    require(is_line, "no_further", "%s is not on one line, or a point" % b.name)
+    require(is_line, "no_further", "%s is " % b.name + ("not on one line" if any(way) else "a point"))
     for direction, point in (before, first), (after, last):
         d, place = common(direction)[0], projective(point)
         is_end = is_behind(steps, a, d, place) or is_behind(steps, b, d, place)

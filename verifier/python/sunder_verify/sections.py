@@ -108,4 +108,4 @@ def area(steps, of, plane, corners, area_from, area_to):
     for limit, sign, much in (area_from, 1, 0), (area_to, -1, 1):
         found = sum((n + much) << (s - e) for n, s in parts)
         this, that = aligned(found ** 2, unit, 4 * square * limit[0] ** 2, 2 * limit[2])
-        require(sign * (this - that) >= 0, "area", "the area is not between these numbers")
+        require(sign * (this - that) >= 0, "area", "the area is not between these")
