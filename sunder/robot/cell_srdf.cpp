@@ -108,7 +108,9 @@ std::map<std::array<std::size_t, 2>, std::vector<std::string>> Cell::by_robot(
     const std::function<bool(const io::Srdf& srdf, const std::string& text)>& has) const {
   std::map<std::array<std::size_t, 2>, std::vector<std::string>> all;
   for (const std::string& text : texts) {
-    const auto [robot, rest] = robot_and_rest(text);
+    const std::pair<std::optional<std::size_t>, std::string> about = robot_and_rest(text);
+    const std::optional<std::size_t>& robot = about.first;
+    const std::string& rest = about.second;
     const auto add = [&](bool asks) {
       bool is_some = false;
       for (std::size_t g = 0; g < srdfs_.size(); ++g) {

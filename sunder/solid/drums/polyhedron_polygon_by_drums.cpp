@@ -1,6 +1,7 @@
 // What parts the section of the body from the polygon (section_against.h) is a side of the section, which is in a facet
 // of the body, and then the facet's plane does; or a side of the polygon at a vertex of the section, which is on an
 // edge of the body: then the plane along both does (Lemma 12, its first case).
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/represent/drums.h>

@@ -12,6 +12,7 @@
 //       the upper one. A corner of the lower slice that is e's own gives no plane: its upper corner does in its place,
 //       in the same order.
 #include <sunder/base/contract.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/solid/drums/drum_polygons.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
