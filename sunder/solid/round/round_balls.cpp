@@ -25,7 +25,7 @@ class BallAndBox {
     ++answer_.cost.proposals;
     const Nearest found = in_box(other_, ball_.from);
     if (nearness_guess(ball_.from, found.at, reach, size()) != Guess::positive) return false;
-    const RoundCombination centre{1, {0}, {1}};
+    const RoundCombination centre{{0}, {1}};
     answer_.evidence = is_a_ ? PointBetweenCores{centre, found.made} : PointBetweenCores{found.made, centre};
     return true;
   }

@@ -97,8 +97,9 @@ struct Nearest {
 
 inline void put(RoundCombination& made, std::uint32_t vertex, double weight) {
   if (!(weight > 0)) return;
-  made.vertices[made.count] = vertex;
-  made.weights[made.count++] = weight;
+  const std::size_t last = made.count();
+  made.vertices[last] = vertex;
+  made.weights[last] = weight;
 }
 
 // The point of a segment, from 0 to 1.
@@ -159,12 +160,13 @@ inline Nearest in_box(const Side& side, const V& x) {
   // Of these vertices as they are.
   Nearest found{};
   V total{0, 0, 0};
+  std::size_t count = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const Corner corner = along_axes != nullptr ? corner_of(*along_axes, place[k]) : corner_of(side.body, place[k]);
     total = sum(total, weight[k], corner.at);
-    found.made.vertices[found.made.count] = corner.vertex;
-    found.made.weights[found.made.count] = weight[k];
-    found.made.count = static_cast<std::uint8_t>(found.made.count + (weight[k] > 0 ? 1 : 0));
+    found.made.vertices[count] = corner.vertex;
+    found.made.weights[count] = weight[k];
+    if (weight[k] > 0) ++count;
   }
   const double all = (weight[0] + weight[1]) + (weight[2] + weight[3]);
   found.at = sum(side.translation(), 1, side.turned({total.x / all, total.y / all, total.z / all}));

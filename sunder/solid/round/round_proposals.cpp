@@ -24,7 +24,7 @@ RoundShape shape(const Side& side) {
 void Proposals::add(const Side& side, Nearest& made, const Far& far, double weight) {
   made.at = sum(made.at, weight, far.at);
   if (side.is_curved()) return;
-  for (std::size_t k = 0; k < made.made.count; ++k) {
+  for (std::size_t k = 0; k < made.made.count(); ++k) {
     if (made.made.vertices[k] != far.piece) continue;
     made.made.weights[k] += weight;
     return;
@@ -113,7 +113,7 @@ bool Proposals::is_inside(const Side& side, const V& x) {
 }
 
 bool Proposals::holds(const Side& hull, const Nearest& p, const Side& curved, const Nearest& q) {
-  if (p.made.count == 0) return false;
+  if (p.made.count() == 0) return false;
   if (holds_core(hull, p, curved)) return true;
   const V way = q.at - p.at;
   const double far2 = dot(way, way);
@@ -131,7 +131,7 @@ bool Proposals::holds_core(const Side& hull, const Nearest& p, const Side& curve
   ++answer_.cost.proposals;
   const auto surely = [&] {
     WeightedPoint x;
-    x.count = p.made.count;
+    x.count = p.made.count();
     for (std::size_t k = 0; k < x.count; ++k) {
       x.points[k] = {hull.body.core().search_graph().vertices[p.made.vertices[k]], &hull.pose, false};
       x.weights[k] = p.made.weights[k];

@@ -65,7 +65,7 @@ class Proposals {
 
 inline bool Proposals::is_whole(const Nearest& p) {
   double total = 0;
-  for (std::size_t k = 0; k < p.made.count; ++k) total += p.made.weights[k];
+  for (std::size_t k = 0; k < p.made.count(); ++k) total += p.made.weights[k];
   return std::fabs(total - 1) <= 0x1p-50;
 }
 
@@ -74,8 +74,8 @@ inline bool Proposals::settles(const Side& own, const Nearest& p, const Side& ot
   const double far2 = dot(way, way), reach = own.radius() + other.radius();
   if (far2 > reach * reach) {
     // Within the axis of a capsule the way is perpendicular to it.
-    if (own.is_capsule() && p.made.count == 2) way = across(way, own.image.axis);
-    if (other.is_capsule() && q.made.count == 2) way = across(way, other.image.axis);
+    if (own.is_capsule() && p.made.count() == 2) way = across(way, own.image.axis);
+    if (other.is_capsule() && q.made.count() == 2) way = across(way, other.image.axis);
     return parts(&own == &a ? way : V{-way.x, -way.y, -way.z});
   }
   ++answer_.cost.proposals;

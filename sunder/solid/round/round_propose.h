@@ -19,7 +19,7 @@ namespace round_detail {
 inline Combination exact(const RoundCombination& c) {
   Combination made;
   made.denominator = Dyadic(0.0);
-  for (std::size_t k = 0; k < c.count; ++k) {
+  for (std::size_t k = 0; k < c.count(); ++k) {
     made.parts.push_back({c.vertices[k], Dyadic(c.weights[k])});
     made.denominator = made.denominator + Dyadic(c.weights[k]);
   }
@@ -93,11 +93,11 @@ class RoundDisposal {
   }
   bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {
     if (body.body.is_curved()) return side_of(body.shape, x, &tally_) >= least_;
-    return c.count > 0 && nearness(round_detail::weighted(body, c), body.radius(), x, 0, &tally_) >= least_;
+    return c.count() > 0 && nearness(round_detail::weighted(body, c), body.radius(), x, 0, &tally_) >= least_;
   }
   bool holds(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) const {
     if (body.body.is_curved()) return side_of(body.shape, x) >= least_;
-    return c.count > 0 && nearness(exact_point(round_detail::weighted(body, c)), body.radius(), x, 0) >= least_;
+    return c.count() > 0 && nearness(exact_point(round_detail::weighted(body, c)), body.radius(), x, 0) >= least_;
   }
   static Combination combination(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) {
     return body.body.is_curved() ? combination_of(body, x) : round_detail::exact(c);

@@ -156,7 +156,7 @@ class RoundFinish {
         continue;
       }
       const RoundCombination& of = made[body == &a_ ? 0 : 1];
-      if (of.count == 0 || nearness(exact_point(weighted(*body, of)), body->radius(), at, 0) == Sign::negative) {
+      if (of.count() == 0 || nearness(exact_point(weighted(*body, of)), body->radius(), at, 0) == Sign::negative) {
         return false;
       }
       (body == &a_ ? common.of_a : common.of_b) = round_detail::exact(of);

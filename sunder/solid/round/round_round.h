@@ -31,9 +31,14 @@ namespace sunder::solid {
 
 // A point as a combination of points of a body: weight over the sum of the weights, all positive.
 struct RoundCombination {
-  std::uint8_t count = 0;
-  std::array<std::uint32_t, 4> vertices;  // `count` of them are set
-  std::array<double, 4> weights;
+  std::array<std::uint32_t, 4> vertices;  // the first count() are set
+  std::array<double, 4> weights{};
+
+  std::uint8_t count() const {
+    std::uint8_t n = 0;
+    while (n < weights.size() && weights[n] > 0) ++n;
+    return n;
+  }
 };
 
 // Apart, as along a direction from A to B.

@@ -268,13 +268,14 @@ struct Made {
 };
 
 inline void add_weight(RoundCombination& c, std::uint32_t v, double weight) {
-  for (std::size_t k = 0; k < c.count; ++k) {
+  const std::size_t count = c.count();
+  for (std::size_t k = 0; k < count; ++k) {
     if (c.vertices[k] != v) continue;
     c.weights[k] += weight;
     return;
   }
-  c.vertices[c.count] = v;
-  c.weights[c.count++] = weight;
+  c.vertices[count] = v;
+  c.weights[count] = weight;
 }
 
 template <class Real>
@@ -292,7 +293,7 @@ std::optional<Made<Real>> made_of(const RoundSearch<Real>& search) {
     add_weight(made.a, slot.vertex_a, w);
     add_weight(made.b, slot.vertex_b, w);
   }
-  if (made.a.count == 0) return std::nullopt;
+  if (made.a.count() == 0) return std::nullopt;
   return made;
 }
 
@@ -301,8 +302,8 @@ namespace round_detail {
 // The point of a hull's core that the combination makes.
 inline WeightedPoint weighted(const PlacedRound& body, const RoundCombination& c) {
   WeightedPoint point;
-  point.count = c.count;
-  for (std::size_t k = 0; k < c.count; ++k) {
+  point.count = c.count();
+  for (std::size_t k = 0; k < point.count; ++k) {
     point.points[k] = body.core[c.vertices[k]];
     point.weights[k] = c.weights[k];
   }
