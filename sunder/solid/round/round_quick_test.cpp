@@ -246,8 +246,8 @@ TEST(RoundQuick, ABallOnTheAxisOrDeepInACylinder) {
       if (!of.meet) continue;
       // Of the ball its centre, of the cylinder the common point.
       const PointInDoubles& found = std::get<PointInDoubles>(answer.evidence);
-      EXPECT_EQ((is_a ? found.of_a : found.of_b).count, 1U);
-      EXPECT_EQ((is_a ? found.of_b : found.of_a).count, 0U);
+      EXPECT_EQ((is_a ? found.of_a : found.of_b).count(), 1U);
+      EXPECT_EQ((is_a ? found.of_b : found.of_a).count(), 0U);
     }
   }
 }
