@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace sunder {
@@ -18,7 +18,7 @@ TEST(JsonLine, WritesAsValuesDo) {
       .member("text", "a \"quoted\" one")
       .member("true", true)
       .member("number", 0.1)
-      .member("none", double{NAN});
+      .member("none", std::numeric_limits<double>::quiet_NaN());
   json.key("list").open('[').value(std::uint32_t{7}).open('{').close('}').written("null").close(']');
   json.member("numbers", std::array{std::array{1.0, -0.0}, std::array{1e20, 2.5}}).member("last", std::size_t{12});
   json.close('}');
