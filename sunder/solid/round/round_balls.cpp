@@ -84,7 +84,7 @@ bool ball_and_cylinder(const RoundImage& ball, bool is_a, const RoundImage& of, 
     return false;
   }
   PointInDoubles& found = answer.evidence.emplace<PointInDoubles>(PointInDoubles{point(x)});
-  (is_a ? found.of_a : found.of_b) = {1, {0}, {1}};
+  (is_a ? found.of_a : found.of_b) = {{0}, {1}};
   return true;
 }
 
@@ -107,7 +107,8 @@ bool balls(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pos
   answer.cost.proposals = 1;
   switch (nearness_guess(p.from, q.from, a.radius() + b.radius(), p.size + q.size)) {
     case Guess::positive:
-      answer.evidence.emplace<PointBetweenCores>(PointBetweenCores{{1, {0}, {1}}, {1, {0}, {1}}});
+      answer.evidence.emplace<PointBetweenCores>(
+          PointBetweenCores{RoundCombination{{0}, {1}}, RoundCombination{{0}, {1}}});
       return true;
     case Guess::negative:
       if (!make_tame(way)) return false;

@@ -224,7 +224,7 @@ inline Nearest nearest_in(const Side& side, const V& x) {
   const RoundImage& image = side.image;
   if (image.kind == RoundKind::cylinder) return in_cylinder(image, x);
   if (image.kind == RoundKind::cone) return in_cone(image, x);
-  if (side.is_ball()) return {image.from, {1, {0}, {1}}};
+  if (side.is_ball()) return {image.from, {{0}, {1}}};
   if (!side.is_capsule()) return in_box(side, x);
   return on_segment(image, std::clamp(dot(x - image.from, image.axis) / dot(image.axis, image.axis), 0.0, 1.0));
 }

@@ -62,7 +62,7 @@ class Quick {
 
  private:
   bool ball(const Side& own, const Side& other) {
-    const Nearest centre{own.image.from, {1, {0}, {1}}};
+    const Nearest centre{own.image.from, {{0}, {1}}};
     return pair_.settles(own, centre, other, nearest_in(other, centre.at));
   }
 
