@@ -6,7 +6,8 @@
 
 namespace sunder::cli {
 
-// What is told the part that is done, 0 to 1; its line is wiped when it is gone. Empty where nobody would see it.
+// Returns a function that shows on the terminal which part of the work is done, 0 to 1. The line is erased when the
+// function is destroyed. Returns an empty function if standard error is not a terminal.
 std::function<void(double)> progress_on_terminal(std::string_view what);
 
 }  // namespace sunder::cli

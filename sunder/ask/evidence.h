@@ -15,7 +15,8 @@ namespace sunder::ask {
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
 Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, const PlacedVertices& b);
 
-// Of polyhedra the same; of others apart {"direction_about", "gap_about"}, meet {"point"}, undecided {"direction_about"}.
+// The same for two polyhedra. For other bodies, apart: {"direction_about", "gap_about"}; meet: {"point"}; undecided:
+// {"direction_about"}.
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
 
 // "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid".

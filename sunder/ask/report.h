@@ -80,7 +80,7 @@ using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const s
 PairMethod pair_method(const std::string& name, std::string_view more = "");
 std::string pair_method_names();
 
-// What is told of an answer: to people in whole lines, in a report under a key. One of the two may be missing.
+// One statement about an answer: lines of text for people, and a JSON value under a key. Either may be empty.
 struct Fact {
   std::string key;
   Json json;
@@ -112,7 +112,7 @@ struct Report {
 std::string text_of(const Report& report);
 Json json_of(const Report& report);
 
-// Of an answer that is told already.
+// The report of an answer that has been printed already: it holds the exit code alone.
 Report told(int code);
 
 // The keys that every verb's report begins with. What does not apply is null; `notes` are those so far.

@@ -22,7 +22,8 @@ struct Sinks {
   // done, 0 to 1, and dies with the work. It may be empty, too.
   std::function<std::function<void(double)>(std::string_view what)> progress{};
 
-  // Of the name of an output: what takes its text; empty: it is a file of that name.
+  // Returns the sink that takes the text of the output of this name. If it is empty, the text goes to a file of that
+  // name.
   std::function<TextSink(const std::filesystem::path&)> file{};
 
   bool has_colours = false;     // may the text for people have colours of terminals?
@@ -55,7 +56,7 @@ class Talk {
   void write_file(const std::string& name, std::string_view text) const;
   TextSink instead(const std::filesystem::path& name) const;
 
-  // From now on nothing is told but the answer's code and errors (--quiet).
+  // From now on only errors are reported, and the exit code is the answer (--quiet).
   void be_quiet();
   bool is_quiet() const { return is_quiet_; }
 

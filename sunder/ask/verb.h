@@ -30,7 +30,7 @@ struct Option {
   std::vector<std::string> of = {};        // the kinds of input that it is for, in words; empty: all
 };
 
-// Of the table of a call, and of the same table of a new one: is the option given, with another value than it has anyway?
+// Does the call set this option to a value that differs from its default? unless_given: the same option with its default.
 bool is_given(const Option& option, const Option& unless_given);
 
 // Throws Error bad_call for the first option that is given and is for none of these kinds, of which the input is one.

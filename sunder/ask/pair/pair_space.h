@@ -78,11 +78,11 @@ SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFile
 // Throws Error where a frame is given, and no polygon was projected on it.
 void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInput& b);
 
-// Where one of them is not bounded: answers. Throws Error for --distance and --clearance.
+// Answers a pair of which at least one object is unbounded. Throws Error for --distance and --clearance.
 Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// Where one of them has a radius. Throws Error where the other is not bounded, and for a certificate of what is
-// undecided.
+// Answers a pair of which at least one object has a radius. Throws Error if the other one is unbounded, and if a
+// certificate is asked for and the pair is undecided.
 Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // Where one of them moves, or both: --to-a, --to-b. Throws Error for what turns, and for options of bodies at rest.

@@ -49,7 +49,7 @@ void add_to(std::string& text, fmt::format_string<Arguments...> form, Arguments&
 
 }  // namespace
 
-// Of a pair of parts: "A and B", and " as hulls" where one of them is.
+// The names of a pair of parts ("A and B"), and whether a hull replaces one of them (" as hulls").
 struct RowLines::Names {
   const PartName &a, &b;
 

@@ -31,7 +31,7 @@ struct LineKinds {
 // Any number of threads may use one at once.
 class RowLines {
  public:
-  // Keeps a reference to what is asked. bodies: their names are what is told.
+  // Keeps a reference to the question. bodies: gives the names of bodies and parts.
   RowLines(const robot::Cell& cell, std::span<const scene::Body> bodies, const scene::Question& question,
            scene::NearnessQuestion near, LineKinds wanted);
 

@@ -45,7 +45,7 @@ struct RowsAsked {
   std::span<const AllowedPair> allowed;  // the pairs of question.allowed, with their reasons
 };
 
-// Where lines go: printed, or to the files that the call names.
+// Writes lines to the files that the call names, or prints them if it names none.
 class LineFiles {
  public:
   LineFiles(const PlacementsCall& call, Talk& talk);

@@ -31,7 +31,7 @@ std::optional<scene::ClearanceQuestion> clearance_question(Talk& talk, const Cle
 struct Placed;
 struct SceneReport;
 
-// Of all placements: "clearance" and "nearest" of the report, and lines for people.
+// Adds the clearances and nearest parts of all placements: "clearance" and "nearest" in JSON, and lines of text.
 void add_nearness(const SceneReport& scene, Report& report);
 
 }  // namespace sunder::ask

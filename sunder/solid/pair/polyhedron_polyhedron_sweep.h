@@ -36,7 +36,7 @@ struct SeparationOnTheWay {
   bool is_at_end = false;
 };
 
-// Others are, as along the direction, which is from A to B.
+// Two other bodies are apart at all times: the direction, from A to B, separates them.
 struct PartedOnTheWay {
   static constexpr Verdict verdict = Verdict::apart;
   std::array<Dyadic, 3> direction;

@@ -32,7 +32,7 @@ namespace sunder::solid {
 // A point as a combination of points of a body: weight over the sum of the weights, all positive.
 struct RoundCombination {
   std::array<std::uint32_t, 4> vertices;  // the first count() are set
-  std::array<double, 4> weights{};
+  std::array<double, 4> weights{};        // 0 behind these
 
   std::uint8_t count() const {
     std::uint8_t n = 0;
