@@ -9,19 +9,20 @@ def keeps(steps, weights, at, body, point):
     d = body.dimension
     if body.is_of_points:
         up = min(body.exponent, 0)  # rows and a one, in one unit
-        v, w, _ = mean_of(steps, "keeps", weights, body, lambda k: (
+        v, w, e = mean_of(steps, "keeps", weights, body, lambda k: (
             *(x << (body.exponent - up) for x in body.rows[k]), 1 << -up, up))
     else:
         *v, w = projective(at)
+        e = 0
         steps.take(len(body), length(at), body.bits)
         for k, row in enumerate(body.rows):
             require(dot(row, v) <= row[d] * w, "keeps", "half-space %d of %s does not hold its point" % (k, body.name))
     *p, q = projective(point)
-    image, e = v, 0
+    image = v
     if body.linear:
         steps.take(d * d, length(point), bits(body.linear))
-        e = min(body.turned, body.moved)
-        image = [(dot(body.linear[r * d:r * d + d], v) << (body.turned - e)) + (t * w << (body.moved - e))
+        turned, e = body.turned + e, min(body.turned + e, body.moved)
+        image = [(dot(body.linear[r * d:r * d + d], v) << (turned - e)) + (t * w << (body.moved - e))
                  for r, t in enumerate(body.translation)]
     for axis, (m, n) in enumerate(zip(image, p)):
         m, wanted = aligned(m * q, e, n * w, 0)

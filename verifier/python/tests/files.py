@@ -33,7 +33,8 @@ def lacking(kind, question):
 
 
 def hexadecimal(n):
-    return "%s0x%xp+0" % ("-" if n < 0 else "", abs(n))
+    """Of an integer, or of a fraction whose denominator is a power of two."""
+    return "%s0x%xp%+d" % ("-" if n < 0 else "", abs(n.numerator), 1 - n.denominator.bit_length())
 
 
 def fraction(x):

@@ -9,18 +9,21 @@ from test_pairs import product, solution_or_proof, value_of
 
 
 class Body:
-    """Points, or half-spaces a1, .., ad, b, of small integers; and where it is: a matrix and a shift."""
+    """Points, or half-spaces a1, .., ad, b, of small integers in one unit; and where it is: a matrix and a shift, of
+    small integers in units of their own."""
 
     def __init__(self, dice, d, of_points, is_image):
         self.d, self.of_points, self.is_image = d, of_points, is_image
         size = dice.choice([1, 2])
         count = dice.randint(1, d + 2) if of_points else dice.randint(0, d + 3)
-        self.rows = [[dice.randint(-size, size) for _ in range(d + (not of_points))] for _ in range(count)]
+        unit, turned, moved = dice.choice([(1, 1, 1), (1, 1, 1), (Fraction(1, 4), 4, 1),
+                                           (8, Fraction(1, 8), Fraction(1, 2))])
+        self.rows = [[dice.randint(-size, size) * unit for _ in range(d + (not of_points))] for _ in range(count)]
         self.linear = [[int(r == c) for c in range(d)] for r in range(d)]
         self.shift = [0] * d
         if is_image:  # also one that is flattened
-            self.linear = [[dice.randint(-2, 2) for _ in range(d)] for _ in range(d)]
-            self.shift = [dice.randint(-2, 2) for _ in range(d)]
+            self.linear = [[dice.randint(-2, 2) * turned for _ in range(d)] for _ in range(d)]
+            self.shift = [dice.randint(-2, 2) * moved for _ in range(d)]
 
     def entries(self, name, at):
         rows = [[hexadecimal(x) for x in row] for row in self.rows]
@@ -189,6 +192,8 @@ class Polytopes(unittest.TestCase):
                 elif change == 1 and multiplied:  # another multiplier: of another direction, or of normals that are zero
                     row = dice.choice([row for row in claim["by_" + dice.choice(multiplied)] if Fraction(row[1])])
                     row[1] = fraction(-Fraction(row[1]))
+                elif not multiplied:  # the direction alone parts them
+                    continue
                 else:
                     for key in ("by_a", "by_b"):
                         claim[key] = [[k, "0"] for k, _ in claim[key]]
