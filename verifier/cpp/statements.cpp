@@ -2,10 +2,12 @@
 #include <verifier/cpp/sentences.h>
 #include <verifier/cpp/shapes.h>
 #include <verifier/cpp/statements.h>
+#include <verifier/cpp/verify.h>
 
 #include <algorithm>
 #include <initializer_list>
 #include <stdexcept>
+#include <string_view>
 
 namespace sunder_verifier {
 namespace {
@@ -429,6 +431,12 @@ Scope scope_of_file(const Tables& tables, const Proved& proved) {
   scope.set("touch", AllowedContacts{true, true});
   scope.set("simple", ValidRule::simple);
   return scope;
+}
+
+bool is_verdict_of(std::string_view question, std::string_view verdict) {
+  return std::ranges::any_of(question_rows, [&](const QuestionRow& row) {
+    return row.name == question && std::ranges::find(row.verdicts, verdict, &VerdictRow::name) != row.verdicts.end();
+  });
 }
 
 Statement read_statement(const Json& item, const Tables& tables, const Scope& file, const std::string& where) {

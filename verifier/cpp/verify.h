@@ -22,6 +22,9 @@ struct StatementResult {
   std::string reason;        // what failed, in words; empty if accepted
 };
 
+// Does the format have a statement of this question with this verdict?
+bool is_verdict_of(std::string_view question, std::string_view verdict);
+
 // What a file says that its tables were made of.
 struct FileInput {
   std::string name;    // any UTF-8 text
