@@ -371,15 +371,35 @@ Numbers place_of(const SurfaceEnd& end, const HullBody& body) {
   return place;
 }
 
-// x, y, z, w of a point of A less one of B.
+// x, y, z, w, or x, y, w, of a point of A less one of B.
 Integers difference_of(const SurfaceCorner& corner, const HullBody& a, const HullBody& b) {
   const Numbers p = place_of(corner.of_a, a), q = place_of(corner.of_b, b);
   take_steps(16, a.size() + b.size() + length(p) + length(q), a.size() + b.size() + length(p) + length(q));
   Numbers way;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (std::size_t axis = 0; axis < a.dimension(); ++axis) {
     way.push_back(sum({p[axis], {-q[axis].n, q[axis].d, q[axis].e}}));
   }
   return projective(way);
+}
+
+// A normal, and how far along it the corners are; both times the product of the corners' w.
+struct SurfacePiece {
+  Integers normal;
+  Integer height;
+};
+
+// In the plane: from p to q, which is counterclockwise around the origin.
+SurfacePiece side_of(const Integers& p, const Integers& q) {
+  return {{q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]}, p[0] * q[1] - p[1] * q[0]};
+}
+
+SurfacePiece face_of(const Integers& p, const Integers& q, const Integers& r) {
+  const Integers pq = cross(p, q), qr = cross(q, r), rp = cross(r, p);
+  SurfacePiece face{{}, p[0] * qr[0] + p[1] * qr[1] + p[2] * qr[2]};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    face.normal.push_back(r[3] * pq[axis] + p[3] * qr[axis] + q[3] * rp[axis]);
+  }
+  return face;
 }
 
 Number radius_of(const HullBody& body) { return body.around == Around::hull ? body.radius : Number{}; }
@@ -404,31 +424,27 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
     require(at.size() == 1, "surrounds", "there is no surface, and more than one point");
     const Integers& p = at[0];
     take_steps(8, size, size);
-    const bool is_near = rest <= 0 && compared(p[0] * p[0] + p[1] * p[1] + p[2] * p[2], p[3] * p[3]) <= 0;
+    const Integers offset(p.begin(), p.end() - 1);
+    const bool is_near = rest <= 0 && compared(dot(offset, offset), p.back() * p.back()) <= 0;
     require(is_near, "surrounds", "the point is too far from the origin");
     return;
   }
   Ridges<bool> edges;
   for (const Indices& triangle : triangles) {
-    const std::size_t i = triangle[0], j = triangle[1], k = triangle[2];
     take_steps(24, size, size);
-    const Integers ij = cross(at[i], at[j]), jk = cross(at[j], at[k]), ki = cross(at[k], at[i]);
-    const Integer volume = at[i][0] * jk[0] + at[i][1] * jk[1] + at[i][2] * jk[2];
+    const auto [normal, volume] = a.dimension() == 2 ? side_of(at[triangle[0]], at[triangle[1]])
+                                                     : face_of(at[triangle[0]], at[triangle[1]], at[triangle[2]]);
     require(volume > 0, "surrounds", "a triangle is not counterclockwise from outside");
-    Integers normal;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      normal.push_back(at[k][3] * ij[axis] + at[i][3] * jk[axis] + at[j][3] * ki[axis]);
-    }
     if (rest > 0) {
       require(compared(volume * volume, dot(normal, normal)) >= 0, "surrounds", "a triangle is too near to the origin");
     }
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
       const bool is_new = edges.take(ridge_of(triangle, corner), true);
       require(is_new, "surrounds", "an edge occurs twice in the same direction");
     }
   }
   for (const Indices& triangle : triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
       require(edges.beyond(ridge_of(triangle, corner)) != nullptr, "surrounds", "the surface is not closed");
     }
   }

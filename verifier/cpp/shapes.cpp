@@ -142,7 +142,7 @@ Value body_that(const Told& t, bool (*is_so)(const HullBody&), const char* other
 }
 bool is_plain(const HullBody& body) { return !body.is_round(); }
 bool is_bounded(const HullBody& body) { return is_plain(body) && body.count == body.rows().size(); }
-bool is_solid(const HullBody& body) { return body.dimension() == 3 && body.count == body.rows().size(); }
+bool is_without_ways(const HullBody& body) { return body.dimension() <= 3 && body.count == body.rows().size(); }
 
 // Is it the same body, placed by the same matrix?
 bool is_moved(const HullBody& begin, const HullBody& end) {
@@ -435,7 +435,8 @@ Shape shape_named(const std::string& shape) {
       {"body", read_body},
       {"plain body", [](const Told& t) { return body_that(t, is_plain, " has a radius"); }},
       {"bounded body", [](const Told& t) { return body_that(t, is_bounded, " is not bounded"); }},
-      {"solid body", [](const Told& t) { return body_that(t, is_solid, " is not bounded, in space"); }},
+      {"body without ways",
+       [](const Told& t) { return body_that(t, is_without_ways, " is not bounded, in the plane or in space"); }},
       {"end",
        [](const Told& t) -> Value {
          const HullBody& end = body(t);
@@ -565,7 +566,10 @@ Shape shape_named(const std::string& shape) {
       {"triangles",
        [](const Told& t) -> Value {
          return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
-           if (!entry.is_array() || entry.size() != 3) refuse_form(where + " is not a list of 3");
+           const std::size_t corners = as<HullBody>(t.scope["a"]).dimension();
+           if (!entry.is_array() || entry.size() != corners) {
+             refuse_form(where + " is not a list of " + std::to_string(corners));
+           }
            return indices(entry, count_in(t), where);
          });
        }},

@@ -112,7 +112,7 @@ const std::vector<QuestionRow> question_rows{
        "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"}}},
     {"depth",
      "bodies",
-     "a, b: solid body",
+     "a, b: body without ways",
      {{"at_most", "most: not negative", "leaves a b most", "{a} moved by {most}, in a direction, does not overlap {b}"},
       {"at_least", "least: above zero", "surrounds a b least", "{a} moved by {least}, in any direction, meets {b}"}}},
     {"motion",

@@ -2,7 +2,7 @@
 from .linear import Surface, mean_of
 from .reader import bits, common, length, projective, require
 from .rules import holds
-from .tables import cross, dot
+from .tables import cross, dot, turn
 
 
 def place_of(steps, end, body):
@@ -16,7 +16,7 @@ def place_of(steps, end, body):
 
 
 def difference_of(steps, corner, a, b):
-    """x, y, z, w of a point of A less one of B."""
+    """x, y, z, w, or x, y, w, of a point of A less one of B."""
     p, q = (place_of(steps, end, body) for end, body in zip(corner, (a, b)))
     size, way = a.size + b.size + length(p) + length(q), []
     steps.take(16, size, size)
@@ -24,6 +24,17 @@ def difference_of(steps, corner, a, b):
         (m, n), d, e = common([x, y])
         way.append((m - n, d, e))
     return projective(way)
+
+
+def facet_of(corners):
+    """The normal, outward, of a triangle that is counterclockwise from outside, or in the plane of an edge; and how far
+    along it the corners are. Both are to be divided by the product of the w."""
+    if len(corners) == 2:
+        p, q = corners
+        return (q[1] * p[2] - p[1] * q[2], p[0] * q[2] - q[0] * p[2]), turn(p, q)
+    p, q, r = corners
+    products = cross(p, q), cross(q, r), cross(r, p)
+    return [dot((r[3], p[3], q[3]), axis) for axis in zip(*products)], dot(p[:3], products[1])
 
 
 def surrounds(steps, corners, triangles, a, b, least):
@@ -44,16 +55,13 @@ def surrounds(steps, corners, triangles, a, b, least):
     surface = Surface("surrounds")
     for triangle in triangles:
         steps.take(24, size, size)
-        p, q, r = (at[k] for k in triangle)
-        products = cross(p, q), cross(q, r), cross(r, p)
-        volume = dot(p[:3], products[1])
+        normal, volume = facet_of([at[k] for k in triangle])
         require(volume > 0, "surrounds", "a triangle is not counterclockwise from outside")
         if rest > 0:
-            normal = [dot((r[3], p[3], q[3]), axis) for axis in zip(*products)]
             (far, wanted), _, _ = common([(volume ** 2, 1, 0), (rest ** 2 * dot(normal, normal), whole * whole, 2 * e)])
             require(far >= wanted, "surrounds", "a triangle is too near to the origin")
-        for i in range(3):
+        for i in range(len(triangle)):
             surface.take(triangle, i, None, "an edge occurs twice in the same direction")
     for triangle in triangles:
-        for i in range(3):
+        for i in range(len(triangle)):
             surface.beyond(triangle, i, "the surface is not closed")

@@ -46,8 +46,10 @@ def body_asked(value, where, read):
     body = entry(read["about"])(value, where, read)
     form(read["question"] not in ("distance", "common_part", "nearest") or not body.kind, where + " has a radius")
     form(read["question"] != "nearest" or "a" in read or body.count == len(body), where + " is not bounded")
-    form(read["question"] != "depth" or (body.dimension == 3 and body.count == len(body)),
-         where + " is not bounded, in space")
+    form(read["question"] != "depth" or (body.dimension <= 3 and body.count == len(body)),
+         where + " is not bounded, in the plane or in space")
+    form("a" not in read or read["a"].dimension == body.dimension,
+         where.rpartition(".")[0] + " is of bodies of different dimensions")
     return body
 
 
@@ -372,7 +374,8 @@ SAID = {  # what verdicts and claims say
     "kinds": kinds, "overlapping": whole(0), "touching": whole(0),
     "beneath": list_of(whole(0), lambda those, read: len(those) == len(read["mesh_faces"]), " is not as long as the faces"),
     "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
-    "triangles": list_of(row_of(*3 * [index_of("differences")])),
+    "triangles": lambda value, where, read: list_of(row_of(*read["a"].dimension * [index_of("differences")]))(
+        value, where, read),
     "time": part_of_time, "direction": vector, "before": vector, "after": vector, "first": vector, "last": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Tests of statements about how deep bodies are in each other: python3 verifier/python/tests/test_depths.py."""
+import functools
 import itertools
+import math
 import unittest
 from fractions import Fraction
 
@@ -100,6 +102,35 @@ def height(p, q, r):
     return along * abs(along) / sum(x * x for x in n)
 
 
+def polygon(dice):
+    """A convex polygon around its middle, counter-clockwise, as an image of a whole polygon by a unit of its own."""
+    corners = [(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3)]
+    chosen = sorted(dice.sample(range(8), dice.randint(3, 8)))
+    unit, at = dice.choice((Fraction(1, 4), 1, 8)), [dice.randint(-6, 6) for _ in "xy"]
+    points = [[x + dx for x, dx in zip(corners[k], at)] for k in chosen]
+    return unit, points
+
+
+def edges_of_difference(a, b):
+    """Pairs of corners of two polygons, counter-clockwise around A - B, by the directions of edges."""
+    def edges(points, sign):
+        return [((sign * (q[0] - p[0]), sign * (q[1] - p[1])), k)
+                for k, (p, q) in enumerate(zip(points, points[1:] + points[:1]))]
+
+    def before(d, e):  # by angle from (1, 0)
+        upper = lambda v: (v[1], v[0]) > (0, 0)
+        return upper(d) > upper(e) or (upper(d) == upper(e) and d[0] * e[1] > d[1] * e[0])
+
+    every = [(d, True, k) for d, k in edges(a, 1)] + [(d, False, k) for d, k in edges(b, -1)]
+    every.sort(key=functools.cmp_to_key(lambda x, y: before(y[0], x[0]) - before(x[0], y[0])))
+    low = lambda points, sign: min(range(len(points)), key=lambda k: (sign * points[k][1], sign * points[k][0]))
+    i, j, result = low(a, 1), low(b, -1), []
+    for _, of_a, k in every:
+        result.append([i, j])
+        i, j = ((k + 1) % len(a), j) if of_a else (i, (k + 1) % len(b))
+    return result
+
+
 class DepthsTest(unittest.TestCase):
     def look(self, twins, bodies, statement):
         return twins.force(file_of({"bodies": bodies}, statement))
@@ -140,6 +171,42 @@ class DepthsTest(unittest.TestCase):
                 for bad in ([none, none], [point_of(*ends[0], at), of_b]):
                     said = self.look(twins, bodies, changed(least, differences=[bad]))
                     self.assertEqual(said, "surrounds" if min(beyond) < 0 or bad[0] == none else "accepted", twins.last)
+        twins.compare()
+
+    def test_in_the_plane(self):
+        dice, twins, met = dice_of(4), Twins(self), 0
+        while met < some(200):
+            (unit, a), (other, b) = polygon(dice), polygon(dice)
+            b = [[other / Fraction(unit) * x for x in p] for p in b]
+            corners = edges_of_difference(a, b)
+            at = [[x - y for x, y in zip(a[i], b[j])] for i, j in corners]
+            sides = list(zip(at, at[1:] + at[:1]))
+            turns = [p[0] * q[1] - p[1] * q[0] for p, q in sides]
+            if min(turns) <= 0:
+                continue
+            met += 1
+            squares = [Fraction(t) ** 2 / sum((y - x) ** 2 for x, y in zip(p, q)) for t, (p, q) in zip(turns, sides)]
+            k = squares.index(min(squares))
+            root = Fraction(math.isqrt(int(min(squares) * 4 ** 20)), 2 ** 20)  # at most 2^-20 below it
+            (px, py), (qx, qy) = sides[k]
+            bodies = [{"name": name, "points": [[hexadecimal(unit * x) for x in p] for p in points]}
+                      for name, points in zip("ab", (a, b))]
+            edges = [[k, (k + 1) % len(at)] for k in range(len(at))]
+            way = [str(Fraction(qy - py)), str(Fraction(px - qx))]
+            step = Fraction(1, 2 ** 20)
+            most, least = at_most(unit * (root + step), way), at_least(
+                unit * root, {"differences": corners, "triangles": edges})
+            for one, rule in ((most, "accepted"), (least, "accepted"),
+                              ({**most, "most": hexadecimal(unit * (root - step))}, "leaves"),
+                              ({**least, "least": hexadecimal(unit * (root + step))}, "surrounds"),
+                              (changed(least, triangles=edges[1:]), "surrounds"),
+                              (changed(least, triangles=[e[::-1] for e in edges]), "surrounds"),
+                              (changed(least, triangles=2 * edges), "surrounds"),
+                              (changed(least, triangles=[e + e[:1] for e in edges]), "F"),
+                              (changed(least, triangles=[[k] for k in range(len(corners))]), "F")):
+                self.assertEqual(self.look(twins, bodies, one), rule, twins.last)
+            solid = box([0, 0, 0], [1, 1, 1], 0)
+            self.assertEqual(self.look(twins, [bodies[0], solid], least), "F", twins.last)
         twins.compare()
 
     def test_curved_ones(self):
@@ -183,11 +250,11 @@ class DepthsTest(unittest.TestCase):
                     self.assertEqual(said, "leaves", twins.last)
         twins.compare()
 
-    def test_bodies_that_are_not_bounded_or_not_in_space(self):
+    def test_bodies_that_are_not_bounded_or_of_more_than_three_dimensions(self):
         """Seen without their last coordinates, or without ways, some of these would be proved by false claims."""
         twins, corners = Twins(self), [(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)]
         around = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]]
-        for d, ways in ((3, []), (3, [[1, 0, 0]]), (4, []), (5, []), (6, []), (2, [])):
+        for d, ways in ((3, []), (3, [[1, 0, 0]]), (4, []), (5, []), (6, []), (2, [[1, 0]])):
             bodies = [{"name": "a", "points": [list(map(hexadecimal, (*c, 0, 0, 0)[:d])) for c in corners]},
                       {"name": "b", "points": [[hexadecimal(0)] * d]}]
             said = set()
