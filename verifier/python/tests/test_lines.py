@@ -74,7 +74,9 @@ def candidates(points, a, b):
 
 
 def some_case(dice):
-    points = [(dice.randint(-2, 2), dice.randint(-2, 2)) for _ in range(dice.randint(1, 5))]
+    """Points and a line, in units of their own."""
+    unit = dice.choice([1, 1, Fraction(1, 4), 2])
+    points = [(dice.randint(-2, 2) * unit, dice.randint(-2, 2) * unit) for _ in range(dice.randint(1, 5))]
     a = b = (0, 0)
     while a == b:
         a, b = (tuple(dice.randint(-2, 2) for _ in range(2)) for _ in range(2))
