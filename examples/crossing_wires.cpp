@@ -17,7 +17,6 @@ int main() {
   });
   sunder::SetOptions options;
   options.groups = nets;
-  options.transcript = true;
   const auto answer = sunder::planar::segments_all(wires, options);
   for (const auto& [i, j, kind] : answer.contacts) {
     const auto at = sunder::planar::common_point_rounded(wires[i], wires[j]);

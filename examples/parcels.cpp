@@ -21,9 +21,9 @@ int main() {
   sunder::SetOptions options;
   options.allowed = sunder::Allowed::touch;
   const auto overlaps = sunder::planar::polygons_count(parcels, options);
-  std::cout << "pairs that overlap: " << overlaps.overlapping << '\n';
+  std::cout << "pairs that overlap: " << overlaps.count.overlapping << '\n';
 
   const auto defects = sunder::planar::polygon_defects(Polygon(hourglass)).defects;
   for (const auto& defect : defects) std::cout << "the hourglass is not valid: " << name_of(defect.kind) << '\n';
-  return overlaps.overlapping == 1 && !defects.empty() ? 0 : 1;
+  return overlaps.count.overlapping == 1 && !defects.empty() ? 0 : 1;
 }

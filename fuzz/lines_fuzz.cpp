@@ -70,7 +70,8 @@ void check(std::string_view text, std::string_view place, const sunder::io::Line
   const sunder::planar::Segments segments(file.segments);  // throws where a coordinate is not finite
   if (segments.size() > 60) return;
   for (const auto allowed : {sunder::Allowed::nothing, sunder::Allowed::shared_endpoint, sunder::Allowed::touch}) {
-    const auto sweep = sunder::planar::segments_any(segments, {allowed, {}, nullptr, true});
+    sunder::planar::SweepEvents events;
+    const auto sweep = sunder::planar::segments_any_with_transcript(segments, {allowed}, events);
     require(sweep.meet() == sunder::planar::segments_any_by_scan(segments, {allowed}).meet());
   }
 }

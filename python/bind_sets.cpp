@@ -38,7 +38,7 @@ struct Asked {
   Allowed allowed;
   std::vector<std::uint32_t> groups;
 
-  SetOptions options(bool transcript) const { return {allowed, groups, nullptr, transcript}; }
+  SetOptions options() const { return {allowed, groups, nullptr}; }
 };
 
 const Segments& members_of(const Segments& set) { return set; }
@@ -66,7 +66,7 @@ std::string proof_of(const Asked<Polygons>& asked, const planar::PolygonsAllAnsw
 }
 std::string proof_of(const Asked<Polygons>& asked, const planar::PolygonsCountAnswer& answer) {
   return proof_of_polygons(asked, [&](ClaimsWriter& file, const auto& of, const auto& events) {
-    write_count(file, of, events, answer.overlapping, answer.touching);
+    write_count(file, of, events, answer.count.overlapping, answer.count.touching);
   });
 }
 
@@ -76,11 +76,14 @@ std::string_view kind_of(const Contact& c) {
 }
 std::string_view kind_of(const planar::PolygonsContact& c) { return name_of(c.contact); }
 
-// Asks by the method; the certificate is of the contact that was found, or of the same answer with its transcript.
+std::uint64_t sum_of(std::uint64_t count) { return count; }
+std::uint64_t sum_of(const planar::PolygonsCount& count) { return count.touching + count.overlapping; }
+
+// Asks by the method; the certificate is of the contact that was found, or of the same answer, asked for again.
 template <auto Method, class Set>
 auto answer_of(const std::shared_ptr<const Asked<Set>>& asked) {
-  auto answer = Method(members_of(*asked->set), asked->options(false));
-  const auto text = [asked] { return proof_of(*asked, Method(members_of(*asked->set), asked->options(true))); };
+  auto answer = Method(members_of(*asked->set), asked->options());
+  const auto text = [asked] { return proof_of(*asked, Method(members_of(*asked->set), asked->options())); };
   if constexpr (requires { answer.found; }) {
     Any result{{{answer.cost, text}, answer.meet()}, {}};
     if (answer.found) {
@@ -97,10 +100,8 @@ auto answer_of(const std::shared_ptr<const Asked<Set>>& asked) {
       result.kinds.push_back(kind_of(c));
     }
     return result;
-  } else if constexpr (requires { answer.count; }) {
-    return Count{{answer.cost, text}, answer.count};
   } else {
-    return Count{{answer.cost, text}, answer.touching + answer.overlapping};
+    return Count{{answer.cost, text}, sum_of(answer.count)};
   }
 }
 

@@ -14,25 +14,21 @@ namespace bench {
 namespace {
 
 using sunder::Allowed;
-using sunder::SetOptions;
 using sunder::planar::Segments;
 
-SetOptions options_of(Allowed allowed, bool transcript) {
-  SetOptions options;
-  options.allowed = allowed;
-  options.transcript = transcript;
-  return options;
-}
-
 std::uint64_t any(const Segments& segments, Allowed allowed, bool transcript) {
-  return sunder::planar::segments_any(segments, options_of(allowed, transcript)).meet() ? 1 : 0;
+  sunder::planar::SweepEvents events;
+  const sunder::planar::SegmentsAnswer answer =
+      transcript ? sunder::planar::segments_any_with_transcript(segments, {allowed}, events)
+                 : sunder::planar::segments_any(segments, {allowed});
+  return answer.meet() ? 1 : 0;
 }
 
 std::uint64_t all(const Segments& segments, Allowed allowed) {
-  return sunder::planar::segments_all(segments, options_of(allowed, false)).contacts.size();
+  return sunder::planar::segments_all(segments, {allowed}).contacts.size();
 }
 std::uint64_t count(const Segments& segments, Allowed allowed) {
-  return sunder::planar::segments_count(segments, options_of(allowed, false)).count;
+  return sunder::planar::segments_count(segments, {allowed}).count;
 }
 
 }  // namespace
@@ -50,7 +46,7 @@ Asked ask_sunder(const SegmentInput& input, Question question) {
     std::vector<sunder::Point2> ring;
     for (const Xy& p : input.ring) ring.push_back({p.x, p.y});
     const auto polygon = std::make_shared<sunder::planar::Polygon>(std::vector<std::vector<sunder::Point2>>{ring});
-    return [polygon]() -> std::uint64_t { return sunder::planar::polygon_simple(*polygon).simple() ? 1 : 0; };
+    return [polygon]() -> std::uint64_t { return sunder::planar::polygon_simple(*polygon).meet() ? 0 : 1; };
   }
   const auto segments = std::make_shared<Segments>(*given);
   const Allowed allowed = input.shared_ends ? Allowed::shared_endpoint : Allowed::nothing;

@@ -82,7 +82,7 @@ void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, All
 }
 
 template <class Set>
-void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const CountAnswer& answer) {
+void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, const CountAnswer<>& answer) {
   write_count_statement(file, question, answer.count);
 }
 

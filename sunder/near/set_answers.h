@@ -47,7 +47,7 @@ AllAnswer<ContactIn<Set>> contacts_all(const Set& set, const SetOptions& options
 }
 
 template <class Set>
-CountAnswer contacts_count(const Set& set, const SetOptions& options = {}) {
+CountAnswer<> contacts_count(const Set& set, const SetOptions& options = {}) {
   return count_of<ContactIn<Set>>([&](const auto& visit) { return contacts_visit<Set>(set, options, visit); });
 }
 

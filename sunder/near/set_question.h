@@ -49,7 +49,6 @@ struct SetOptions {
   Allowed allowed = Allowed::nothing;
   Groups groups{};                                 // members of one group may meet
   std::function<void(double)> progress = nullptr;  // called now and then, or never, with the part that is done, below 1
-  bool transcript = false;                         // of segments: the answer comes with what proves it
 };
 
 // To be called at step k of so many; tells of the progress once in `every` steps, a power of two.
@@ -88,8 +87,10 @@ struct [[nodiscard]] AllAnswer {
   Cost cost;
 };
 
+// Count: a number, or one of each kind.
+template <class Count = std::uint64_t>
 struct [[nodiscard]] CountAnswer {
-  std::uint64_t count = 0;
+  Count count{};
   Cost cost;
 };
 
@@ -115,8 +116,8 @@ AllAnswer<Found> all_of(const Visit& visit) {
 }
 
 template <class Found, class Visit>
-CountAnswer count_of(const Visit& visit) {
-  CountAnswer answer;
+CountAnswer<> count_of(const Visit& visit) {
+  CountAnswer<> answer;
   answer.cost = visit([&answer](const Found&) {
     ++answer.count;
     return true;

@@ -133,8 +133,8 @@ TEST(DiscsDifferential, ListsAgreeWithTheScan) {
     planar::DiscsAllAnswer all{truth, {}};
     std::reverse(all.contacts.begin(), all.contacts.end());
     ASSERT_TRUE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
-    ASSERT_TRUE(is_accepted(certificate_text(circles, o.allowed, CountAnswer{truth.size(), {}}, o.groups)));
-    ASSERT_FALSE(is_accepted(certificate_text(circles, o.allowed, CountAnswer{truth.size() + 1, {}}, o.groups)));
+    ASSERT_TRUE(is_accepted(certificate_text(circles, o.allowed, CountAnswer<>{truth.size(), {}}, o.groups)));
+    ASSERT_FALSE(is_accepted(certificate_text(circles, o.allowed, CountAnswer<>{truth.size() + 1, {}}, o.groups)));
     if (truth.empty()) continue;
     all.contacts.erase(all.contacts.begin() + static_cast<std::ptrdiff_t>(sets.random().below(truth.size())));
     ASSERT_FALSE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;

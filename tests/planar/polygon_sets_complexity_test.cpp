@@ -236,7 +236,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
           const bool lists_touching = allowed == Allowed::nothing && grouping != Grouping::one;
           if (lists_touching && n > family.most_listed) continue;
           const planar::PolygonsCountAnswer pairs = planar::polygons_count(polygons, options);
-          const double found = static_cast<double>(pairs.touching + pairs.overlapping);
+          const double found = static_cast<double>(pairs.count.touching + pairs.count.overlapping);
           EXPECT_EQ(found > 0, some.meet()) << what;
           count.note(n, static_cast<double>(pairs.cost.probes) / bound(edges, hidden + found), what);
           const planar::PolygonsAllAnswer list = planar::polygons_all(polygons, options);

@@ -209,7 +209,7 @@ TEST(PolygonValidDifferential, SimpleIsAsPolygonSimple) {
         return ring.size() > 3 || (ring.size() == 3 && ring.front() != ring.back());
       });
       if (!is_long) continue;
-      const bool is_simple = polygon_simple_by_scan(planar::Polygon(rings)).simple();
+      const bool is_simple = !polygon_simple_by_scan(planar::Polygon(rings)).meet();
       const bool only_placed = !answer.valid() && answer.defects.front().kind >= Kind::hole_outside;
       ASSERT_EQ(answer.valid() || only_placed, is_simple) << text_of_defects(parts);
       simple += is_simple;

@@ -133,8 +133,8 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
     const planar::PolygonsCountAnswer counted = planar::polygons_count(polygons, options);
     const auto overlapping = std::count_if(count_here.begin(), count_here.end(),
                                            [](const PolygonsContact& c) { return c.contact == Relation::overlapping; });
-    ASSERT_EQ(counted.overlapping, static_cast<std::uint64_t>(overlapping));
-    ASSERT_EQ(counted.touching + counted.overlapping, count_here.size());
+    ASSERT_EQ(counted.count.overlapping, static_cast<std::uint64_t>(overlapping));
+    ASSERT_EQ(counted.count.touching + counted.count.overlapping, count_here.size());
     for (auto* method : {planar::polygons_all_by_boxes, planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
       const PolygonsAllAnswer all = method(polygons, options);
       ASSERT_EQ(all.contacts.size(), count_here.size()) << "allowed " << name_of(allowed_rules[r]);

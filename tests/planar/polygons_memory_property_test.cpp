@@ -43,16 +43,16 @@ PolygonsCountAnswer counted(const std::vector<Polygon>& polygons, const SetOptio
 TEST(PolygonsMemory, CountingKeepsNoPairs) {
   for (const std::uint32_t n : {1000u, 4000u}) {
     const PolygonsCountAnswer slices = counted(pie(n, 1));
-    EXPECT_EQ(slices.touching, std::uint64_t{n} * (n - 1) / 2);
-    EXPECT_EQ(slices.overlapping, 0u);
+    EXPECT_EQ(slices.count.touching, std::uint64_t{n} * (n - 1) / 2);
+    EXPECT_EQ(slices.count.overlapping, 0u);
     const PolygonsCountAnswer wide = counted(pie(n, 3));  // each overlaps two after it, and two before
-    EXPECT_EQ(wide.overlapping, std::uint64_t{n} * 2);
-    EXPECT_EQ(wide.touching, std::uint64_t{n} * (n - 1) / 2 - std::uint64_t{n} * 2);
+    EXPECT_EQ(wide.count.overlapping, std::uint64_t{n} * 2);
+    EXPECT_EQ(wide.count.touching, std::uint64_t{n} * (n - 1) / 2 - std::uint64_t{n} * 2);
     std::vector<std::uint32_t> groups;
     for (std::uint32_t i = 0; i < n; ++i) groups.push_back(i % 4);
     const PolygonsCountAnswer across = counted(pie(n, 3), {Allowed::nothing, groups, nullptr});
-    EXPECT_EQ(across.overlapping, std::uint64_t{n} * 2);
-    EXPECT_EQ(across.touching, std::uint64_t{n} * n * 3 / 8 - std::uint64_t{n} * 2);
+    EXPECT_EQ(across.count.overlapping, std::uint64_t{n} * 2);
+    EXPECT_EQ(across.count.touching, std::uint64_t{n} * n * 3 / 8 - std::uint64_t{n} * 2);
   }
 }
 

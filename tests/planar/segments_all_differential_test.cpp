@@ -67,14 +67,15 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
       ASSERT_EQ(planar::segments_all(segments, options).contacts.size(), truth.size());
       ASSERT_EQ(planar::segments_count(segments, options).count, truth.size());
       if (i % 4 == 0) {  // proved: the list, and its length
-        options.transcript = true;
-        const planar::SegmentsAllAnswer proved = planar::segments_all(segments, options);
-        ASSERT_EQ(proved.contacts, truth) << i;
-        ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, proved, options.groups))) << i;
-        const planar::SegmentsCountAnswer counted = planar::segments_count(segments, options);
-        ASSERT_EQ(counted.count, truth.size()) << i;
+        planar::SweepEvents events;
+        const planar::SegmentsAllAnswer told = all_of<SegmentsContact>([&](const planar::SegmentsVisitor& visit) {
+          return planar::segments_visit_with_transcript(segments, options, visit, events);
+        });
+        ASSERT_EQ(told.contacts.size(), truth.size()) << i;
+        ASSERT_EQ(events, planar::sweep_events(segments)) << i;
+        ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, told, options.groups))) << i;
+        const CountAnswer<> counted = planar::segments_count(segments, options);
         ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, counted, options.groups))) << i;
-        options.transcript = false;
       }
       for (const auto& answer :
            {planar::segments_any(segments, options), planar::segments_any_by_bentley_ottmann(segments, options),

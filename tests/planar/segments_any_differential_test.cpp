@@ -3,6 +3,7 @@
 #include <tests/support/scale.h>
 #include <tests/support/segment_sets.h>
 
+#include <sunder/planar/segments/segments_all.h>
 #include <sunder/planar/segments/segments_any.h>
 
 #include <gtest/gtest.h>
@@ -44,15 +45,18 @@ TEST(SegmentsAnyDifferential, MethodsAgreeWithTheScan) {
     ++cases[set.family];
     for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
       const SegmentsAnswer scan = planar::segments_any_by_scan(segments, {allowed_rules[r]});
-      for (const bool transcript : {false, true}) {
-        const SegmentsAnswer sweep =
-            planar::segments_any_by_sweep(segments, {allowed_rules[r], {}, nullptr, transcript});
-        ASSERT_NO_FATAL_FAILURE(expect_true_segments(sweep, scan, segments, allowed_rules[r]))
+      planar::SweepEvents events;
+      const SegmentsAnswer sweep = planar::segments_any_by_sweep(segments, {allowed_rules[r]}),
+                           told = planar::segments_any_with_transcript(segments, {allowed_rules[r]}, events);
+      for (const SegmentsAnswer& answer : {sweep, told}) {
+        ASSERT_NO_FATAL_FAILURE(expect_true_segments(answer, scan, segments, allowed_rules[r]))
             << i << " " << name_of(set.family) << " allowed " << name_of(allowed_rules[r]);
-        if (!transcript) continue;
-        ASSERT_EQ(sweep.transcript.empty(), sweep.meet());
-        ++kinds[sweep.found.value_or(planar::SegmentsContact{}).kind];
       }
+      ASSERT_EQ(events.empty(), told.meet());
+      if (!told.meet()) {
+        ASSERT_EQ(events, planar::sweep_events(segments)) << i;
+      }
+      ++kinds[told.found.value_or(planar::SegmentsContact{}).kind];
       const SegmentsAnswer grid = planar::segments_any_by_grid(segments, {allowed_rules[r]});
       ASSERT_NO_FATAL_FAILURE(expect_true_segments(grid, scan, segments, allowed_rules[r]))
           << i << " " << name_of(set.family);

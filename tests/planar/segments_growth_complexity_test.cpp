@@ -232,7 +232,7 @@ TEST(SegmentsGrowth, OfEachFrontDoor) {
           const double n = segments.size();
           (groups.empty() ? any : any_in_groups)
               .add("any: " + what, n, set.k, segments_any(segments, options).cost.probes);
-          const planar::SegmentsCountAnswer counted = segments_count(segments, options);
+          const CountAnswer<> counted = segments_count(segments, options);
           given = number(counted.count);
           count.add("count: " + what, n, set.k + given, counted.cost.probes);
           if (power > 10) continue;

@@ -72,7 +72,7 @@ class SetCertificates : public testing::Test {
         const double dx = whole(2), dy = whole(2);
         points.push_back({x + dx, y + dy});
       }
-      if (points.front() != points.back() && polygon_simple_by_scan(Polygon(Rings{points})).simple()) {
+      if (points.front() != points.back() && !polygon_simple_by_scan(Polygon(Rings{points})).meet()) {
         return points;
       }
     }
@@ -85,7 +85,7 @@ class SetCertificates : public testing::Test {
       rings.insert(rings.begin(), {{x - 4, y - 3}, {x + 4, y - 5}, {x + 5, y + 4}, {x - 3, y + 4}});
     }
     const Polygon all(rings);
-    return polygon_simple_by_scan(all).simple() ? all : Polygon(Rings{rings.front()});
+    return !polygon_simple_by_scan(all).meet() ? all : Polygon(Rings{rings.front()});
   }
 
   // With some vertex moved: it need not be simple any longer. But no two of its edges overlap, so that it has an

@@ -54,8 +54,7 @@ std::vector<GatheredPolygons::Rings> GatheredPolygons::pie() {
       default: set.push_back({turned(box_ring(-12, -12, 12, 12)), turned(box_ring(-9, -9, 9, 9))});
     }
   }
-  std::erase_if(set,
-                [](const Rings& rings) { return !planar::polygon_simple_by_scan(planar::Polygon(rings)).simple(); });
+  std::erase_if(set, [](const Rings& rings) { return planar::polygon_simple_by_scan(planar::Polygon(rings)).meet(); });
   return set;
 }
 

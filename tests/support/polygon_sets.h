@@ -76,7 +76,7 @@ class PolygonSets {
   static bool is_simple(const Rings& rings) {
     const auto closed = [](const Ring& ring) { return ring.front() == ring.back(); };
     return std::none_of(rings.begin(), rings.end(), closed) &&
-           planar::polygon_simple_by_scan(planar::Polygon(rings)).simple();
+           !planar::polygon_simple_by_scan(planar::Polygon(rings)).meet();
   }
 
   static Ring moved(Ring ring, double x, double y) {

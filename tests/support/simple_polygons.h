@@ -43,7 +43,7 @@ class SimplePolygons {
     family_ = static_cast<SimplePolygonFamily>(turn_++ % simple_polygon_family_count);
     for (;;) {
       const planar::Polygon polygon = candidate();
-      if (planar::polygon_simple_by_scan(polygon).simple()) return polygon;
+      if (!planar::polygon_simple_by_scan(polygon).meet()) return polygon;
     }
   }
 
@@ -75,7 +75,7 @@ class SimplePolygons {
     for (int n = 0; n < 40 && ring.size() >= 3; ++n) {
       const planar::PolygonSimpleAnswer answer =
           planar::polygon_simple_by_scan(planar::Polygon(std::vector<std::vector<Point2>>{ring}));
-      if (answer.simple()) return;
+      if (!answer.meet()) return;
       std::reverse(ring.begin() + answer.found->i + 1, ring.begin() + answer.found->j + 1);
     }
   }

@@ -34,10 +34,11 @@ int main(int argc, char** argv) {
     for (std::uint32_t k = 0; i % 2 == 1 && k < segments.size(); ++k) {
       groups.push_back(static_cast<std::uint32_t>(sets.random().below(group_count)));
     }
-    const SetOptions options{allowed, groups, nullptr, true};
+    const SetOptions options{allowed, groups, nullptr};
     std::ofstream file(folder / ("segments_" + std::to_string(i) + ".json"), std::ios::binary);
     const auto write = [&](const auto& answer) {
-      crossings += static_cast<std::size_t>(std::ranges::count(answer.transcript.at, planar::at_crossing));
+      crossings +=
+          static_cast<std::size_t>(std::ranges::count(planar::sweep_events(segments)->at, planar::at_crossing));
       file << planar::certificate_text(segments, allowed, answer, groups);
     };
     if (i / 6 % 3 == 0) {

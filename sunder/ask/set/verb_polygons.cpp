@@ -138,7 +138,7 @@ class PolygonsSet {
     }
     if (!call_.lists() && call_.method == "automatic") {
       const planar::PolygonsCountAnswer answer = planar::polygons_count(input_.polygons, options);
-      result.count = {answer.overlapping, answer.touching};
+      result.count = {answer.count.overlapping, answer.count.touching};
       result.cost = answer.cost;
       return;
     }

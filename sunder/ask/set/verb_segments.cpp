@@ -173,8 +173,7 @@ Block in_sheet(const Sheet& sheet, const Block& block) {
 }
 
 // A proof of a list has the list, and an event for each place where some meet.
-void require_provable(const Sheet& sheet, SetOptions options) {
-  options.transcript = false;
+void require_provable(const Sheet& sheet, const SetOptions& options) {
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
   if (count <= most_proved_contacts) return;
   const std::size_t digits = std::to_string(sheet.segments.size()).size();
@@ -253,7 +252,6 @@ class SegmentsSet {
     sheets_ = sheets_of(call, file_);
     require_apart(call, talk, sheets_);
     options_.allowed = allowed_by(call.allow);
-    options_.transcript = call.proves();
     if (is_board(file_)) {
       origin_.left_out = {
           fmt::format("copper, but for the centre lines of tracks: {}", fmt::join(file_.remarks, "; "))};
@@ -417,32 +415,35 @@ class SegmentsSet {
     return sum;
   }
 
-  // Keeps the answer until it is written.
+  // Keeps the answer, and the events that prove it, until they are written.
   template <class Answer>
-  void hold_proof(const Sheet& sheet, Answer answer) {
-    proofs_.push_back({certificate_of(call_, sheet).string(), sheet,
-                       [this, &sheet, kept = std::make_shared<const Answer>(std::move(answer))](ClaimsWriter& claims) {
-                         planar::write_statement(claims, sheet.segments, options_.allowed, *kept, sheet.groups);
+  void hold_proof(const Sheet& sheet, Answer answer, planar::SweepEvents events) {
+    const auto kept =
+        std::make_shared<const std::pair<Answer, planar::SweepEvents>>(std::move(answer), std::move(events));
+    proofs_.push_back({certificate_of(call_, sheet).string(), sheet, [this, &sheet, kept](ClaimsWriter& claims) {
+                         planar::write_statement(claims, sheet.segments, options_.allowed, kept->first, kept->second,
+                                                 sheet.groups);
                        }});
   }
 
   // Does any pair meet? Sheet by sheet, until one does.
   void find_any(Result& result) {
     for (const Sheet& sheet : sheets_) {
-      SegmentsAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
-        return method_by(call_.method, segments_any_methods)(sheet.segments, options);
+      planar::SweepEvents events;
+      const SegmentsAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
+        return call_.proves() ? planar::segments_any_with_transcript(sheet.segments, options, events)
+                              : method_by(call_.method, segments_any_methods)(sheet.segments, options);
       });
       result.cost.probes += answer.cost.probes;
       const bool some = answer.meet();
       if (some) result.found(in_file(sheet, *answer.found));
-      if (call_.proves()) hold_proof(sheet, std::move(answer));
+      if (call_.proves()) hold_proof(sheet, answer, std::move(events));
       if (some) return;
     }
   }
 
   // With --count and a proof: contacts are counted, and not kept.
   void count_and_prove(Result& result) {
-    options_.transcript = false;
     std::uint64_t before = 0;
     for (const Sheet& sheet : sheets_) {
       planar::SweepEvents events = events_of(sheet);
@@ -453,7 +454,7 @@ class SegmentsSet {
         });
       });
       result.cost.probes += cost.probes;
-      hold_proof(sheet, planar::SegmentsCountAnswer{{result.pairs() - before, cost}, std::move(events)});
+      hold_proof(sheet, CountAnswer<>{result.pairs() - before, cost}, std::move(events));
       before = result.pairs();
     }
   }
@@ -462,16 +463,20 @@ class SegmentsSet {
   void list_and_prove(Result& result) {
     std::vector<SegmentsContact> all;
     for (const Sheet& sheet : sheets_) {
+      planar::SweepEvents events;
       planar::SegmentsAllAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
         require_provable(sheet, options);
-        return planar::segments_all(sheet.segments, options);
+        return all_of<SegmentsContact>([&](const planar::SegmentsVisitor& visit) {
+          return planar::segments_visit_with_transcript(sheet.segments, options, visit, events);
+        });
       });
+      std::sort(answer.contacts.begin(), answer.contacts.end());
       result.cost.probes += answer.cost.probes;
       for (const SegmentsContact& c : answer.contacts) {
         result.add(c);
         all.push_back(in_file(sheet, c));
       }
-      hold_proof(sheet, std::move(answer));
+      hold_proof(sheet, std::move(answer), std::move(events));
     }
     std::sort(all.begin(), all.end());
     result.hold(std::move(all));

@@ -18,7 +18,7 @@ DiscsAllAnswer discs_all(const Discs& circles, const SetOptions& options) {
   return all_of<DiscsContact>([&](const DiscsVisitor& visit) { return discs_visit(circles, options, visit); });
 }
 
-CountAnswer discs_count(const Discs& circles, const SetOptions& options) {
+CountAnswer<> discs_count(const Discs& circles, const SetOptions& options) {
   return count_of<DiscsContact>([&](const DiscsVisitor& visit) { return discs_visit(circles, options, visit); });
 }
 

@@ -28,7 +28,7 @@ using DiscsAllAnswer = AllAnswer<DiscsContact>;
 
 // The front doors: the fastest method measured, by grid. Cost: O((N + k) log N) at most; counting holds no contacts.
 DiscsAllAnswer discs_all(const Discs& circles, const SetOptions& options = {});
-CountAnswer discs_count(const Discs& circles, const SetOptions& options = {});
+CountAnswer<> discs_count(const Discs& circles, const SetOptions& options = {});
 
 // Calls for each contact, in the order of the method, until the visitor returns false.
 using DiscsVisitor = std::function<bool(const DiscsContact&)>;

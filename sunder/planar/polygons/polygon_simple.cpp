@@ -84,7 +84,7 @@ PolygonSimpleAnswer polygon_simple(const Polygon& polygon, const Segments& edges
     ++answer.cost.probes;
     const ContactKind kind = counted_contact(polygon, i, j);
     if (kind != ContactKind::none) answer.found = contact_of(i, j, kind);
-    return answer.simple();
+    return !answer.meet();
   };
   for_each_near_pair<crowd_for_any>(edges.all(), *grid, of_pair);
   return answer;

@@ -4,7 +4,7 @@
 // Edges that follow each other in a ring share an end, which does not count; any other contact does: a crossing, a
 // touch, an overlap (also of edges that follow each other: a spike), an end shared by edges that do not follow each
 // other (a vertex that two rings, or one ring twice, pass through, and a vertex that is repeated).
-//   P1. simple() is true iff no two edges have a contact that counts.
+//   P1. meet() is true iff some two edges have a contact that counts: then the polygon is not simple.
 //   P2. The contact named counts; which one it is may differ from method to method.
 // Not asked here: whether holes lie inside of the outer ring, and which way rings are turned. What files hold is mostly
 // less than simple, and valid: polygon_valid.h.
@@ -20,10 +20,8 @@
 
 namespace sunder::planar {
 
-// Probes: pairs of edges, and of vertices next to each other once sorted.
-struct [[nodiscard]] PolygonSimpleAnswer : AnyAnswer<ContactOfTwo<ContactKind>> {  // of two edges
-  bool simple() const noexcept { return !meet(); }
-};
+// Of two edges. Probes: pairs of edges, and of vertices next to each other once sorted.
+using PolygonSimpleAnswer = AnyAnswer<ContactOfTwo<ContactKind>>;
 
 // The front door: the fastest method measured, by grid. Cost: O(N log N) comparisons at most, O(N) memory.
 PolygonSimpleAnswer polygon_simple(const Polygon& polygon);

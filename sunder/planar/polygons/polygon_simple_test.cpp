@@ -23,8 +23,8 @@ PolygonSimpleAnswer ask(const std::vector<Ring>& rings) {
   const Polygon polygon(rings);
   const PolygonSimpleAnswer scan = polygon_simple_by_scan(polygon), sweep = polygon_simple_by_sweep(polygon);
   for (const PolygonSimpleAnswer& answer : {sweep, polygon_simple_by_grid(polygon), polygon_simple(polygon)}) {
-    EXPECT_EQ(scan.simple(), answer.simple());
-    if (answer.simple()) continue;
+    EXPECT_EQ(scan.meet(), answer.meet());
+    if (!answer.meet()) continue;
     EXPECT_LT(answer.found->i, answer.found->j);
     EXPECT_LT(answer.found->j, polygon.size());
     EXPECT_EQ(counted_contact(polygon, answer.found->i, answer.found->j), answer.found->kind);
@@ -33,17 +33,17 @@ PolygonSimpleAnswer ask(const std::vector<Ring>& rings) {
 }
 
 ContactKind kind_of(const PolygonSimpleAnswer& answer) {
-  return answer.simple() ? ContactKind::none : answer.found->kind;
+  return answer.meet() ? answer.found->kind : ContactKind::none;
 }
 
 const Ring small_square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
 TEST(PolygonSimpleTest, SimpleOnes) {
-  EXPECT_TRUE(ask({small_square}).simple());
-  EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {0, 4}}}).simple());
-  EXPECT_TRUE(ask({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}).simple());  // a vertex in the middle of a side
-  EXPECT_TRUE(ask({small_square, {{1, 1}, {2, 1}, {1, 2}}}).simple());
-  EXPECT_TRUE(ask({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}).simple());  // closed, as in files
+  EXPECT_FALSE(ask({small_square}).meet());
+  EXPECT_FALSE(ask({{{0, 0}, {4, 0}, {0, 4}}}).meet());
+  EXPECT_FALSE(ask({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}}).meet());  // a vertex in the middle of a side
+  EXPECT_FALSE(ask({small_square, {{1, 1}, {2, 1}, {1, 2}}}).meet());
+  EXPECT_FALSE(ask({{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}}}).meet());  // closed, as in files
 }
 
 TEST(PolygonSimpleTest, OthersAndWhy) {
@@ -140,7 +140,7 @@ TEST(PolygonSimpleTest, EveryRingOnFewPlaces) {
       for (std::size_t k = 0; k < length; ++k) ring.push_back(place[code >> (2 * k) & 3]);
       if (length == 3 && ring.front() == ring.back()) continue;
       ++rings;
-      simple += ask({ring}).simple();
+      simple += !ask({ring}).meet();
       if (HasFailure()) FAIL() << length << " " << code;
     }
   }
@@ -156,7 +156,7 @@ TEST(PolygonSimpleTest, EveryPairOfTrianglesOnFewPlaces) {
     Ring ring;
     for (std::size_t k = 0; k < 6; ++k) ring.push_back(place[code >> (2 * k) & 3]);
     if (ring[0] == ring[2] || ring[3] == ring[5]) continue;
-    EXPECT_FALSE(ask({{ring[0], ring[1], ring[2]}, {ring[3], ring[4], ring[5]}}).simple());  // of four places, six
+    EXPECT_TRUE(ask({{ring[0], ring[1], ring[2]}, {ring[3], ring[4], ring[5]}}).meet());  // of four places, six
     if (HasFailure()) FAIL() << code;
   }
 }
@@ -166,7 +166,7 @@ TEST(PolygonSimpleTest, AtTheEndsOfTheRange) {
   const double most = std::numeric_limits<double>::max(), little = std::numeric_limits<double>::denorm_min();
   for (const double x : {most, little}) {
     for (const double y : {most, little}) {
-      EXPECT_TRUE(ask({{{-x, -y}, {x, -y}, {x, y}, {-x, y}}}).simple());
+      EXPECT_FALSE(ask({{{-x, -y}, {x, -y}, {x, y}, {-x, y}}}).meet());
       EXPECT_EQ(ask({{{-x, -y}, {x, y}, {x, -y}, {-x, y}}}).found->kind, ContactKind::crossing);
       EXPECT_EQ(ask({{{-x, -y}, {x, -y}, {x, y}, {0, -y}, {-x, y}}}).found->kind, ContactKind::touch);
     }
@@ -186,7 +186,7 @@ TEST(PolygonSimpleTest, ManyEdges) {
     for (std::size_t k = 0; k < in_bay; ++k) {
       circle.push_back({0.9 + 1e-6 * static_cast<double>(in_bay - k), k % 2 == 0 ? -2e-3 : -1e-3});  // to and fro
     }
-    EXPECT_TRUE(ask({circle}).simple()) << in_bay;
+    EXPECT_FALSE(ask({circle}).meet()) << in_bay;
     const std::uint64_t by_grid = polygon_simple_by_grid(Polygon(std::vector<Ring>{circle})).cost.probes;
     const std::uint64_t by_sweep = polygon_simple_by_sweep(Polygon(std::vector<Ring>{circle})).cost.probes;
     EXPECT_EQ(by_grid == by_sweep, in_bay == 600) << in_bay;  // too many in the bay: the grid leaves it to the sweep
@@ -199,7 +199,7 @@ TEST(PolygonSimpleTest, ManyEdges) {
         case 1: worse[k] = worse[l]; break;
         default: worse.insert(worse.begin() + static_cast<std::ptrdiff_t>(k), worse[k]); break;
       }
-      EXPECT_FALSE(ask({worse}).simple()) << in_bay << " " << i << " " << k;
+      EXPECT_TRUE(ask({worse}).meet()) << in_bay << " " << i << " " << k;
     }
   }
 }

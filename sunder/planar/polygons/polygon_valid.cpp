@@ -132,7 +132,7 @@ class Check {
     const Polygon polygon(PolygonRings{{ring.begin(), ring.end()}});
     const PolygonSimpleAnswer answer = polygon_simple(polygon, edges_, ends_);
     answer_.cost.probes += answer.cost.probes;
-    return answer.simple();
+    return !answer.meet();
   }
 
   void look_at_several() {

@@ -58,14 +58,14 @@ class PairCount {
     if (keys_.size() >= full_) compress();
   }
 
-  void count_to(PolygonsCountAnswer& answer) {
+  void count_to(PolygonsCount& sum) {
     compress();
-    for (const std::uint64_t key : keys_) ++(key % 2 == 1 ? answer.touching : answer.overlapping);
+    for (const std::uint64_t key : keys_) ++(key % 2 == 1 ? sum.touching : sum.overlapping);
     const auto number = [](const std::vector<bool>& bits) {
       return static_cast<std::uint64_t>(std::count(bits.begin(), bits.end(), true));
     };
-    answer.overlapping += number(overlaps_);
-    answer.touching += number(is_there_) - number(overlaps_);
+    sum.overlapping += number(overlaps_);
+    sum.touching += number(is_there_) - number(overlaps_);
   }
 
   // Of so many i, all pairs of `count` polygons fit into the bits.
@@ -112,7 +112,7 @@ PolygonsCountAnswer count_by_sweeps(std::span<const Polygon> polygons, const Set
     };
     PolygonSweep sweep(edges, options, add, &pairs.end());
     sweep.run();
-    pairs.count_to(answer);
+    pairs.count_to(answer.count);
     answer.cost.probes += sweep.cost.probes;
     polygons = polygons.subspan(pairs.end());
     if (!options.groups.empty()) options.groups = options.groups.subspan(pairs.end());
@@ -144,7 +144,7 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
   Cost cost;
   const bool is_counted = for_each_meeting_pair(polygons, options, cost, [&](const PolygonsContact& c) {
                             if (counts(c, options.allowed)) {
-                              ++(c.contact == Relation::touching ? answer.touching : answer.overlapping);
+                              ++(c.contact == Relation::touching ? answer.count.touching : answer.count.overlapping);
                             }
                             return true;
                           }).has_value();

@@ -16,10 +16,13 @@ namespace sunder::planar {
 
 using PolygonsAllAnswer = AllAnswer<PolygonsContact>;
 
-struct [[nodiscard]] PolygonsCountAnswer {
-  std::uint64_t touching = 0, overlapping = 0;  // pairs that count
-  Cost cost;
+// Pairs that count.
+struct PolygonsCount {
+  std::uint64_t touching = 0, overlapping = 0;
+  friend bool operator==(const PolygonsCount&, const PolygonsCount&) = default;
 };
+
+using PolygonsCountAnswer = CountAnswer<PolygonsCount>;
 
 // The front doors: the fastest method measured, by boxes. Cost: as polygons_all_by_boxes. Counting keeps no
 // contacts: where boxes give up, at most 32 MB, or 32 bytes for each polygon, beside what the sweep takes; where pairs

@@ -105,7 +105,7 @@ TEST(PolygonsContact, NotchesWhereEdgesCross) {
   const PolygonsContact touching = contact(c, d);
   EXPECT_EQ(touching.contact, Relation::touching);
   EXPECT_EQ(touching.kind, ContactKind::crossing);
-  EXPECT_EQ(polygons_count(std::vector{Polygon(c), Polygon(d)}).touching, 1u);
+  EXPECT_EQ(polygons_count(std::vector{Polygon(c), Polygon(d)}).count.touching, 1u);
   // One of the holes is too small.
   EXPECT_EQ(contact(c, {d[0], {{0, 0}, {5, -1}, {5, 5}, {2, 4}, {0.5, 2}}}).contact, Relation::overlapping);
 }
@@ -120,8 +120,8 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
     EXPECT_FALSE(method(tracts, {Allowed::touch, {}, nullptr}).meet());
     EXPECT_TRUE(method(tracts, {Allowed::shared_endpoint, {}, nullptr}).meet());
   }
-  EXPECT_EQ(polygons_count(tracts).touching, 72u);
-  EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, {}, nullptr}).touching, 40u);
+  EXPECT_EQ(polygons_count(tracts).count.touching, 72u);
+  EXPECT_EQ(polygons_count(tracts, {Allowed::shared_endpoint, {}, nullptr}).count.touching, 40u);
   tracts[12] = Polygon(Rings{box_ring(2, 2, std::nextafter(3.0, 4.0), 3)});
   for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep, polygons_any_by_scan}) {
     const PolygonsAnswer answer = method(tracts, {Allowed::touch, {}, nullptr});
@@ -129,7 +129,7 @@ TEST(PolygonsAny, TractsMayTouchAndNotOverlap) {
     EXPECT_EQ(answer.found->i, 12u);
     EXPECT_EQ(answer.found->j, 17u);
   }
-  EXPECT_EQ(polygons_count(tracts).overlapping, 1u);
+  EXPECT_EQ(polygons_count(tracts).count.overlapping, 1u);
 }
 
 TEST(RingTests, DirectionAndInside) {

@@ -1,7 +1,7 @@
 // Is a straight-line drawing of a graph plane: do its edges meet at common vertices only?
 // Also called: plane straight-line graph (PSLG) test.
 //
-//   P1. plane() is true iff no two vertices have one place, no vertex lies on an edge that it is not an end of, and no
+//   P1. meet() is false iff no two vertices have one place, no vertex lies on an edge that it is not an end of, and no
 //       two edges meet but in a common vertex.
 //   P2. What is named is such a contact; which one it is may differ from method to method.
 // An edge that is given twice overlaps itself, so the drawing is not plane.
@@ -30,9 +30,7 @@ struct DrawingContact {
   ContactKind kind = ContactKind::none;  // of the two edges, or of the edge and the vertex; of vertices none
 };
 
-struct [[nodiscard]] DrawingAnswer : AnyAnswer<DrawingContact> {  // probes: comparisons
-  bool plane() const noexcept { return !meet(); }
-};
+using DrawingAnswer = AnyAnswer<DrawingContact>;  // plane where none is found; probes: comparisons
 
 using DrawingEdge = std::array<std::uint32_t, 2>;  // two vertices
 

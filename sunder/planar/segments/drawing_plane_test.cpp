@@ -18,7 +18,7 @@ using Of = DrawingContact::Of;
 TEST(DrawingPlaneTest, KnownDrawings) {
   // The complete graph of four vertices: with one inside of the triangle of the others, and as a square.
   const std::vector<DrawingEdge> all{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-  EXPECT_TRUE(drawing_plane(std::array<Point2, 4>{{{0, 0}, {4, 0}, {0, 4}, {1, 1}}}, all).plane());
+  EXPECT_FALSE(drawing_plane(std::array<Point2, 4>{{{0, 0}, {4, 0}, {0, 4}, {1, 1}}}, all).meet());
   const DrawingAnswer square = drawing_plane(std::array<Point2, 4>{{{0, 0}, {4, 0}, {0, 4}, {4, 4}}}, all);
   EXPECT_EQ(square.found->of, Of::edges);
   EXPECT_EQ(square.found->kind, ContactKind::crossing);
@@ -29,14 +29,14 @@ TEST(DrawingPlaneTest, KnownDrawings) {
   EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).found->of, Of::vertex_and_edge);
   EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 1>{{{0, 1}}}).found->i, 2u);
   EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 1}, {0, 2}}}).found->kind, ContactKind::overlap);
-  EXPECT_TRUE(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 1}}}).plane());
+  EXPECT_FALSE(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 1}}}).meet());
   EXPECT_EQ(drawing_plane(three, std::array<DrawingEdge, 2>{{{0, 2}, {2, 0}}}).found->kind, ContactKind::overlap);
   EXPECT_EQ(drawing_plane(std::array<Point2, 2>{{{0.0, 1}, {-0.0, 1}}}, {}).found->of, Of::vertices);
-  EXPECT_TRUE(drawing_plane({}, {}).plane());
+  EXPECT_FALSE(drawing_plane({}, {}).meet());
 }
 
 std::optional<Of> what_meets(const DrawingAnswer& answer) {
-  return answer.plane() ? std::nullopt : std::optional(answer.found->of);
+  return answer.meet() ? std::optional(answer.found->of) : std::nullopt;
 }
 
 TEST(DrawingPlaneTest, AgreesWithTheScan) {
@@ -55,7 +55,7 @@ TEST(DrawingPlaneTest, AgreesWithTheScan) {
       if (u != v) edges.push_back({u, v});
     }
     const DrawingAnswer answer = drawing_plane(vertices, edges), scan = drawing_plane_by_scan(vertices, edges);
-    ASSERT_EQ(answer.plane(), scan.plane()) << k;
+    ASSERT_EQ(answer.meet(), scan.meet()) << k;
     const std::optional<Of> of = what_meets(answer);
     ASSERT_EQ(of == Of::vertices, what_meets(scan) == Of::vertices) << k;
     ++seen[of];

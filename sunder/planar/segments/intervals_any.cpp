@@ -37,27 +37,37 @@ bool report(IntervalsAnswer& answer, ContactKind kind, std::uint32_t i, std::uin
   return true;
 }
 
+std::vector<std::uint32_t> in_order(std::span<const LineInterval> intervals, Cost& cost) {
+  std::vector<std::uint32_t> order(intervals.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    ++cost.probes;
+    const LineInterval &a = intervals[i], &b = intervals[j];
+    if (a.low != b.low) return a.low < b.low;
+    return a.high != b.high ? a.high < b.high : i < j;
+  });
+  return order;
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> intervals_in_order(std::span<const LineInterval> intervals) {
+  check(intervals);
+  Cost cost;
+  return in_order(intervals, cost);
+}
 
 // By low end, then by high end. Whatever of those before meets the next one in a way that counts, the one that reaches
 // furthest does too: it holds the next one's low end as well, as an inner point where the other does.
 IntervalsAnswer intervals_any(std::span<const LineInterval> intervals, Allowed allowed) {
   check(intervals);
   IntervalsAnswer answer;
-  std::vector<std::uint32_t> order(intervals.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-    ++answer.cost.probes;
-    const LineInterval &a = intervals[i], &b = intervals[j];
-    if (a.low != b.low) return a.low < b.low;
-    return a.high != b.high ? a.high < b.high : i < j;
-  });
+  const std::vector<std::uint32_t> order = in_order(intervals, answer.cost);
   for (std::size_t k = 1, furthest = 0; k < order.size(); ++k) {
     const LineInterval &a = intervals[order[furthest]], &b = intervals[order[k]];
     if (report(answer, kind_of(a, b), order[furthest], order[k], allowed)) return answer;
     if (b.high > a.high) furthest = k;
   }
-  answer.order = std::move(order);
   return answer;
 }
 

@@ -40,9 +40,10 @@ TEST(IntervalsAnyTest, AgreesWithTheScanAndWithSegments) {
         ASSERT_EQ(answer.found->kind, segment_segment(segments[answer.found->i], segments[answer.found->j]));
         continue;
       }
-      ASSERT_EQ(std::set<std::uint32_t>(answer.order.begin(), answer.order.end()).size(), n);
+      const std::vector<std::uint32_t> order = intervals_in_order(intervals);
+      ASSERT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), n);
       std::vector<LineInterval> in_turn;
-      for (const std::uint32_t i : answer.order) {
+      for (const std::uint32_t i : order) {
         const bool is_point = intervals[i].low == intervals[i].high;
         if (allowed != Allowed::touch || !is_point) in_turn.push_back(intervals[i]);
       }

@@ -3,7 +3,6 @@
 #include <sunder/planar/segments/segment_boxes.h>
 #include <sunder/planar/segments/segments_all.h>
 
-#include <algorithm>
 #include <functional>
 
 namespace sunder::planar {
@@ -17,29 +16,14 @@ Cost segments_visit_block(const Segments& segments, const SetOptions& options, c
   return visit_of_block(segments, std::mem_fn(&Segments::all), options, block, by, visit);
 }
 
-namespace {
-
-Cost visit_all(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
-               SweepEvents& transcript) {
-  return options.transcript ? segments_visit_with_transcript(segments, options, visit, transcript)
-                            : segments_visit(segments, options, visit);
-}
-
-}  // namespace
-
 SegmentsAllAnswer segments_all(const Segments& segments, const SetOptions& options) {
-  SegmentsAllAnswer answer;
-  static_cast<AllAnswer<SegmentsContact>&>(answer) = all_of<SegmentsContact>(
-      [&](const SegmentsVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
-  if (options.transcript) std::sort(answer.contacts.begin(), answer.contacts.end());
-  return answer;
+  return all_of<SegmentsContact>(
+      [&](const SegmentsVisitor& visit) { return segments_visit(segments, options, visit); });
 }
 
-SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& options) {
-  SegmentsCountAnswer answer;
-  static_cast<CountAnswer&>(answer) = count_of<SegmentsContact>(
-      [&](const SegmentsVisitor& visit) { return visit_all(segments, options, visit, answer.transcript); });
-  return answer;
+CountAnswer<> segments_count(const Segments& segments, const SetOptions& options) {
+  return count_of<SegmentsContact>(
+      [&](const SegmentsVisitor& visit) { return segments_visit(segments, options, visit); });
 }
 
 Cost segments_all_by_grid(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit) {

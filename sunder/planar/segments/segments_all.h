@@ -18,26 +18,19 @@
 #include <sunder/planar/segments/segments_any.h>
 
 #include <functional>
+#include <limits>
 #include <optional>
 
 namespace sunder::planar {
 
-// Probes: pairs that were compared, also those of boxes in a cell. With a transcript contacts are by i, then j.
-struct [[nodiscard]] SegmentsAllAnswer : AllAnswer<SegmentsContact> {
-  SweepEvents transcript;  // empty unless asked for
-};
+using SegmentsAllAnswer = AllAnswer<SegmentsContact>;  // probes: pairs that were compared, also boxes in a cell
 
-struct [[nodiscard]] SegmentsCountAnswer : CountAnswer {
-  SweepEvents transcript;  // empty unless asked for
-};
-
-// The front doors: the fastest method measured, by grid; with a transcript, which proves the answer, Bentley and
-// Ottmann's. Cost: that of the sweep at most, but for a constant. Counting holds no contacts.
+// The front doors: the fastest method measured, by grid. Cost: that of the sweep at most, but for a constant. Counting
+// holds no contacts. sweep_events, below, proves the answer.
 SegmentsAllAnswer segments_all(const Segments& segments, const SetOptions& options = {});
-SegmentsCountAnswer segments_count(const Segments& segments, const SetOptions& options = {});
+CountAnswer<> segments_count(const Segments& segments, const SetOptions& options = {});
 
-// Calls for each contact, in the order of the method, until the visitor returns false. `transcript` of the options is
-// not looked at.
+// Calls for each contact, in the order of the method, until the visitor returns false.
 using SegmentsVisitor = std::function<bool(const SegmentsContact&)>;
 using SegmentsMethod = Cost(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit);
 
@@ -63,9 +56,10 @@ SegmentsMethod segments_all_by_bentley_ottmann;
 Cost segments_visit_with_transcript(const Segments& segments, const SetOptions& options, const SegmentsVisitor& visit,
                                     SweepEvents& transcript);
 
-// The events alone: they tell all contacts. nullopt where they would have more than `most` entries. Cost: as above, k
-// all pairs of neighbours that cross.
-std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t most);
+// The events alone: they tell all contacts, and are the same whatever counts. nullopt where they would have more than
+// `most` entries. Cost: as above, k all pairs of neighbours that cross.
+std::optional<SweepEvents> sweep_events(const Segments& segments,
+                                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // Balaban's staircases: contacts in no particular order. O(N log N + k) comparisons; O(N) memory.
 SegmentsMethod segments_all_by_balaban;

@@ -272,16 +272,16 @@ std::optional<SweepEvents> sweep_events(const Segments& segments, std::size_t mo
 }
 
 SegmentsAnswer segments_any_by_bentley_ottmann(const Segments& segments, const SetOptions& options) {
-  check_groups(options.groups, segments.size());
-  SegmentsAnswer answer;
-  const auto stop = [&](const SegmentsContact& contact) {
-    answer.found = contact;
-    return false;
-  };
-  const SegmentsVisitor visit = stop;
-  SweepEvents* record = options.transcript ? &answer.transcript : nullptr;
-  answer.cost = BentleyOttmann(segments, options, visit, record).run();
-  if (answer.meet()) answer.transcript = {};
+  return first_of<SegmentsContact>(
+      [&](const SegmentsVisitor& visit) { return segments_all_by_bentley_ottmann(segments, options, visit); });
+}
+
+SegmentsAnswer segments_any_with_transcript(const Segments& segments, const SetOptions& options,
+                                            SweepEvents& transcript) {
+  const SegmentsAnswer answer = first_of<SegmentsContact>([&](const SegmentsVisitor& visit) {
+    return segments_visit_with_transcript(segments, options, visit, transcript);
+  });
+  if (answer.meet()) transcript = {};
   return answer;
 }
 

@@ -313,7 +313,7 @@ TEST(SegmentsAllTest, ComparisonsByGridGrowAsN) {
     EXPECT_FALSE(answer.meet());
     EXPECT_GE(answer.cost.probes, edges.size());  // those that share an end
     EXPECT_LE(answer.cost.probes, 8 * std::uint64_t{edges.size()}) << n;
-    const SegmentsCountAnswer all = segments_count(edges, {Allowed::nothing});
+    const CountAnswer<> all = segments_count(edges, {Allowed::nothing});
     EXPECT_LE(all.cost.probes, 8 * std::uint64_t{edges.size()}) << n;
   }
 }

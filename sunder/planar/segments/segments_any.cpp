@@ -10,14 +10,12 @@ SegmentsAnswer segments_any(const Segments& segments, const SetOptions& options)
 }
 
 SegmentsAnswer segments_any_by_grid(const Segments& segments, const SetOptions& options) {
-  if (options.transcript) return segments_any_by_sweep(segments, options);
-  return {any_by_grid(segments, segments.all(), grid_over(segments), options, segments_any_by_sweep), {}};
+  return any_by_grid(segments, segments.all(), grid_over(segments), options, segments_any_by_sweep);
 }
 
 SegmentsAnswer segments_any_by_scan(const Segments& segments, const SetOptions& options) {
-  return {first_of<SegmentsContact>(
-              [&](const SegmentsVisitor& visit) { return segments_all_by_scan(segments, options, visit); }),
-          {}};
+  return first_of<SegmentsContact>(
+      [&](const SegmentsVisitor& visit) { return segments_all_by_scan(segments, options, visit); });
 }
 
 }  // namespace sunder::planar

@@ -54,7 +54,7 @@ class Sweep {
       const std::uint32_t next = k + 1 < ends.size() ? ends[k + 1] : none;
       ends[k] % 2 == 0 ? enter(i, next) : leave(i, next);
     }
-    return std::move(answer_);
+    return answer_;
   }
 
  private:
@@ -144,11 +144,9 @@ class Sweep {
 
 SegmentsAnswer segments_any_by_sweep(const Segments& segments, const SetOptions& options) {
   check_groups(options.groups, segments.size());
-  if (options.transcript) return segments_any_by_bentley_ottmann(segments, options);
   if (!options.groups.empty()) {  // members of one may cross, many times: up to the first contact that counts
-    return {first_of<SegmentsContact>(
-                [&](const SegmentsVisitor& visit) { return segments_all_by_sweep(segments, options, visit); }),
-            {}};
+    return first_of<SegmentsContact>(
+        [&](const SegmentsVisitor& visit) { return segments_all_by_sweep(segments, options, visit); });
   }
   return segments_any_by_sweep_over(segments, ends_in_order(segments.all()), options);
 }

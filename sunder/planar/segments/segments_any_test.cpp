@@ -15,7 +15,9 @@ namespace {
 
 bool segments_meet(const std::vector<Segment>& given, Allowed allowed) {
   const Segments segments(given);
-  const SegmentsAnswer sweep = segments_any_by_sweep(segments, {allowed, {}, nullptr, true});
+  const SegmentsAnswer sweep = segments_any_by_sweep(segments, {allowed});
+  SweepEvents events;
+  EXPECT_EQ(sweep.meet(), segments_any_with_transcript(segments, {allowed}, events).meet());
   EXPECT_EQ(sweep.meet(), segments_any_by_scan(segments, {allowed}).meet());
   EXPECT_EQ(sweep.meet(), segments_any(segments, {allowed}).meet());
   return sweep.meet();
@@ -97,9 +99,8 @@ Numbers goes_on(const SweepEvents& events, std::size_t k) {
 // The transcript has an event at each point where one begins or ends, in the order of the plane.
 TEST(SegmentsAnyTest, TheTranscript) {
   const Segments segments(std::vector<Segment>{{{0, 0}, {4, 0}}, {{1, 2}, {3, 1}}, {{2, 1}, {2, 1}}, {{2, 4}, {5, 5}}});
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, {}, nullptr, true});
-  ASSERT_FALSE(answer.meet());
-  const SweepEvents& events = answer.transcript;
+  SweepEvents events;
+  ASSERT_FALSE(segments_any_with_transcript(segments, {}, events).meet());
   EXPECT_EQ(events.at, (Numbers{0, 2, 4, 6, 3, 1, 7}));
   EXPECT_EQ(events.below, (Numbers{no_segment, 0, 0, 1, 0, no_segment, no_segment}));
   EXPECT_EQ(goes_on(events, 0), Numbers{0});
@@ -111,20 +112,19 @@ TEST(SegmentsAnyTest, TheTranscript) {
 TEST(SegmentsAnyTest, TheTranscriptAtOnePoint) {
   const Segments segments(
       std::vector<Segment>{{{1, 1}, {2, 2}}, {{1, 1}, {1, 1}}, {{0, 0}, {1, 1}}, {{1, 1}, {3, 0}}, {{0, 3}, {1, 1}}});
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::shared_endpoint, {}, nullptr, true});
-  ASSERT_FALSE(answer.meet());
-  ASSERT_EQ(answer.transcript.size(), 5u);
-  EXPECT_EQ(goes_on(answer.transcript, 2), (Numbers{1, 3, 0}));
-  EXPECT_EQ(answer.transcript.below[2], no_segment);
+  SweepEvents events;
+  ASSERT_FALSE(segments_any_with_transcript(segments, {Allowed::shared_endpoint}, events).meet());
+  ASSERT_EQ(events.size(), 5u);
+  EXPECT_EQ(goes_on(events, 2), (Numbers{1, 3, 0}));
+  EXPECT_EQ(events.below[2], no_segment);
 }
 
 // Members of a group that cross and overlap, three of them in one point.
 TEST(SegmentsAnyTest, TheTranscriptOfAGroup) {
   const Segments segments(std::vector<Segment>{{{0, 0}, {4, 4}}, {{0, 4}, {4, 0}}, {{0, 2}, {4, 2}}, {{1, 2}, {3, 2}}});
   const Numbers groups{7, 7, 7, 7};
-  const SegmentsAnswer answer = segments_any(segments, {Allowed::nothing, groups, nullptr, true});
-  ASSERT_FALSE(answer.meet());
-  const SweepEvents& events = answer.transcript;
+  SweepEvents events;
+  ASSERT_FALSE(segments_any_with_transcript(segments, {Allowed::nothing, groups}, events).meet());
   EXPECT_EQ(std::count(events.at.begin(), events.at.end(), at_crossing), 1);
   const std::size_t k =
       static_cast<std::size_t>(std::find(events.at.begin(), events.at.end(), at_crossing) - events.at.begin());

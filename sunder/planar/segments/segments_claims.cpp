@@ -16,27 +16,27 @@ void write_point(ClaimsWriter& file, const Segment& s, const Segment& t) {
 }
 
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAnswer& answer,
-                     Groups groups) {
+                     const SweepEvents& events, Groups groups) {
   begin_set_statement(file, "segments", segments, allowed, groups, answer.meet() ? "some" : "none");
   if (answer.meet()) return end_some_statement(file, segments, *answer.found);
-  write_sweep(file, "none_counts", answer.transcript);
+  write_sweep(file, "none_counts", events);
   file.end_statement();
 }
 
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsAllAnswer& answer,
-                     Groups groups) {
+                     const SweepEvents& events, Groups groups) {
   begin_set_statement(file, "segments", segments, allowed, groups, "these");
   write_contacts<SegmentsContact>(
       file, [&](const auto& take) { std::for_each(answer.contacts.begin(), answer.contacts.end(), take); });
-  write_sweep(file, "these_count", answer.transcript);
+  write_sweep(file, "these_count", events);
   file.end_statement();
 }
 
-void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const SegmentsCountAnswer& answer,
-                     Groups groups) {
+void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const CountAnswer<>& answer,
+                     const SweepEvents& events, Groups groups) {
   begin_set_statement(file, "segments", segments, allowed, groups, "count");
   file.number("number", answer.count);
-  write_sweep(file, "number_counts", answer.transcript);
+  write_sweep(file, "number_counts", events);
   file.end_statement();
 }
 

@@ -19,6 +19,7 @@ struct SweepEvents {
   std::vector<std::uint32_t> row;
 
   std::size_t size() const { return at.size(); }
+  friend bool operator==(const SweepEvents&, const SweepEvents&) = default;
   bool empty() const { return at.empty(); }
   std::size_t entries() const { return 2 * at.size() + row.size(); }  // numbers in a file
   std::span<const std::uint32_t> goes_on(std::size_t k) const {
