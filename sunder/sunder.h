@@ -32,6 +32,7 @@
 #include <sunder/planar/pair/polygon_point.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/planar/pair/polygon_polygon_boundary.h>
+#include <sunder/planar/pair/polygon_polygon_depth.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
 #include <sunder/planar/pair/polygon_ray.h>

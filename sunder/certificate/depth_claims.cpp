@@ -2,6 +2,7 @@
 #include <sunder/certificate/depth_claims.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace sunder {
 
@@ -42,11 +43,12 @@ void add_end(ClaimsWriter& file, std::uint32_t number, const std::vector<PointOf
   add_end(file, points[number], true);
 }
 
-// Closes the list of differences, and all else.
-void end_surrounds(ClaimsWriter& file, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+// Closes the list of differences, and all else. Pieces are triangles, or in the plane edges.
+template <std::size_t Corners>
+void end_surrounds(ClaimsWriter& file, std::span<const std::array<std::uint32_t, Corners>> pieces) {
   file.end_list();
   file.begin_list("triangles");
-  for (const auto& triangle : triangles) file.add_list(triangle);
+  for (const auto& piece : pieces) file.add_list(piece);
   file.end_list();
   file.end_claim();
   file.end_statement();
@@ -55,7 +57,7 @@ void end_surrounds(ClaimsWriter& file, const std::vector<std::array<std::uint32_
 }  // namespace
 
 void add_depth_at_most(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double most,
-                       const std::array<Dyadic, 3>& direction) {
+                       std::span<const Dyadic> direction) {
   SUNDER_REQUIRE(most >= 0 && std::isfinite(most));
   begin_statement(file, a, b, "at_most", "most", most);
   file.begin_claim("leaves");
@@ -73,7 +75,15 @@ void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, do
     add_end(file, of_b, surface.of_b);
     file.end_list();
   }
-  end_surrounds(file, surface.triangles);
+  end_surrounds<3>(file, surface.triangles);
+}
+
+void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least,
+                        std::span<const std::array<std::uint32_t, 2>> corners,
+                        std::span<const std::array<std::uint32_t, 2>> edges) {
+  begin_surrounds(file, a, b, least);
+  for (const auto& corner : corners) file.add_list(corner);
+  end_surrounds(file, edges);
 }
 
 void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least, const DepthPoints& points) {
@@ -82,7 +92,7 @@ void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, do
   add_end(file, points.of_a, points.a_is_curved);
   add_end(file, points.of_b, points.b_is_curved);
   file.end_list();
-  end_surrounds(file, {});
+  end_surrounds<3>(file, {});
 }
 
 }  // namespace sunder

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace sunder {
@@ -28,15 +29,21 @@ struct DepthPoints {
   bool a_is_curved = false, b_is_curved = false;  // a cylinder, cone or ellipsoid
 };
 
-// That A, moved back by `most` along the direction, which is from A to B, does not overlap B. Requires a finite
-// most >= 0.
+// That A, moved back by `most` along the direction, which is from A to B and has as many numbers as there are
+// dimensions, does not overlap B. Requires a finite most >= 0.
 void add_depth_at_most(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double most,
-                       const std::array<Dyadic, 3>& direction);
+                       std::span<const Dyadic> direction);
 
 // That A, moved anyhow by `least` or less, meets B: as the surface shows; as the points do, which are no further apart
 // than the radii of the hulls exceed `least`. Requires a finite least > 0.
 void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least,
                         const DepthSurface& surface);
 void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least, const DepthPoints& points);
+
+// The same in the plane, of hulls: corners are as those of a DepthSurface, edges of corners counterclockwise around the
+// origin, and each corner is the start of one and the end of one.
+void add_depth_at_least(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double least,
+                        std::span<const std::array<std::uint32_t, 2>> corners,
+                        std::span<const std::array<std::uint32_t, 2>> edges);
 
 }  // namespace sunder

@@ -39,6 +39,8 @@ class PairClaims {
   // Keeps a reference to the file.
   explicit PairClaims(ClaimsWriter& file, Space space = Space::solid) : file_(file), space_(space) {}
 
+  ClaimsWriter& file() const { return file_; }  // for statements that are written elsewhere
+
   // Adds a body to the table; returns its index. Keeps the span of its vertices, which must stay as they are.
   std::uint32_t add_body(const std::string& name, std::span<const Point3> vertices, std::span<const Way3> ways = {});
 

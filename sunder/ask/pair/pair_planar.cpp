@@ -5,13 +5,16 @@
 #include <sunder/picture/pair.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/planar/pair/polygon_polygon_depth.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace sunder::ask {
@@ -49,6 +52,12 @@ class BoundedPair : public PairQuestion {
     if (call.distance || least_ > 0) distance_ = planar::polygon_polygon_distance(a, pose_a, b, pose_b);
     facts_.push_back(evidence(answer_.evidence, 2));
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text()});
+    if (call.depth && meet_) {
+      const planar::PolygonDepthAnswer deep = planar::polygon_polygon_depth(a, pose_a, b, pose_b);
+      depth_ = std::get<planar::PolygonDepth>(deep.evidence);
+      facts_.push_back(depth());
+      if (is_edge_known()) not_proved_.emplace_back("which features touch then");
+    }
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
     is_yes_ = !is_kept_;
@@ -62,6 +71,8 @@ class BoundedPair : public PairQuestion {
                             const planar::ClaimedPair pair{a, b, of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose};
                             add_claims(pairs, pair, answer_.evidence, contact_);
                             if (call.distance) add_distance(pairs, pair, distance_);
+                            if (depth_)
+                              add_depth(pairs.file(), a, b, pair.a, pair.pose_a, pair.b, pair.pose_b, *depth_);
                             if (least_ > 0) add_clearance(pairs, pair, answer_.evidence, distance_, least_);
                           });
   }
@@ -91,11 +102,28 @@ class BoundedPair : public PairQuestion {
     }
     return json;
   }
+
+  bool is_edge_known() const { return depth_->edge_of_a || depth_->edge_of_b; }  // not of two points
+  Fact depth() const {
+    const auto& [edge_of_a, edge_of_b, a, b, direction, squared, bounds] = *depth_;
+    const Point3 out = way_out(WorldDirection({direction[0], direction[1], 0.0}));
+    const Point2 way{out.x, out.y};
+    Fact fact{"depth", depth_report(bounds, Json::array({way.x, way.y})), depth_told(bounds, about(way))};
+    fact.json["square"] = fraction_text(squared[0], squared[1]);
+    if (!is_edge_known()) return fact;
+    fact.json["a"] = of_a_.feature_json(a, edge_of_a);
+    fact.json["b"] = of_b_.feature_json(b, edge_of_b);
+    fact.text +=
+        fmt::format(", {} against {}", of_a_.feature_text("A", a, edge_of_a), of_b_.feature_text("B", b, edge_of_b));
+    return fact;
+  }
+
   PolygonMethod* method_;
   const PlanarBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   PairAnswer answer_;
   planar::PolygonDistance distance_;
+  std::optional<planar::PolygonDepth> depth_;
   bool is_kept_ = false;
 };
 

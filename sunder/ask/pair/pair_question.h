@@ -34,7 +34,7 @@ struct PairCall : QuestionCall {
   PairSide a{"a", {}, {}, {}, {}}, b{"b", {}, {}, {}, {}};
   bool classify = false;
   bool distance = false;
-  bool depth = false;               // of bodies of space that are bounded
+  bool depth = false;               // of bounded objects
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
   bool drop_z = false, mixed_crs = false;
@@ -141,5 +141,12 @@ double least_clearance(const PairCall& call);
 std::string decided_text(DecidedBy decided_by);
 
 std::string about(const Point2& p);  // "(x, y)", four digits
+
+// The way that A is moved out of B, back along the direction; of length 1, about.
+Point3 way_out(const WorldDirection& from_a_to_b);
+
+// A depth between these ends, and that way, to people and in a report.
+std::string depth_told(const Interval& depth, const std::string& way);
+Json depth_report(const Interval& depth, Json way);
 
 }  // namespace sunder::ask

@@ -68,8 +68,8 @@ class RoundPair : public PairQuestion {
     if (call.distance) facts_.push_back(distance(of_hulls));
     if (call.depth && meet_) {
       depth_ = round_depth(placed_a_, placed_b_);
-      facts_.push_back(
-          {"depth", depth_report(depth_.depth, *depth_.direction), depth_told(depth_.depth, *depth_.direction)});
+      const Point3 way = way_out(*depth_.direction);
+      facts_.push_back({"depth", depth_report(depth_.depth, to_json(way)), depth_told(depth_.depth, about(way))});
     }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance));

@@ -97,10 +97,6 @@ solid::Translation motion_of(const solid::Pose& begin, const PairSide& side);
 void tell_motion(const solid::Translation& motion, PairObject& object);
 void require_no_frame(const PlacedBody& body, const PairSide& side);
 
-// A depth between these ends, and the direction that A is moved along, to people and in a report.
-std::string depth_told(const Interval& depth, const WorldDirection& from_a_to_b);
-Json depth_report(const Interval& depth, const WorldDirection& from_a_to_b);
-
 // A body and a plane, a body and a line or ray.
 Report run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
                       const PairFiles& files);

@@ -141,11 +141,11 @@ class SolidPair : public PairQuestion {
   }
   std::string depth_text() const {
     const auto parts = deepest();
-    return depth_told(depth_.depth, *depth_.direction) +
+    return depth_told(depth_.depth, about(way_out(*depth_.direction))) +
            (parts ? fmt::format(", {} against {}", (*parts)[0].text("A"), (*parts)[1].text("B")) : "");
   }
   Json depth_json() const {
-    Json json = depth_report(depth_.depth, *depth_.direction);
+    Json json = depth_report(depth_.depth, to_json(way_out(*depth_.direction)));
     if (depth_.is_exact) json["square"] = fraction_text(depth_.squared[0], depth_.squared[1]);
     if (const auto parts = deepest()) {
       json["a"] = (*parts)[0].json();
@@ -261,8 +261,8 @@ std::vector<Option> pair_options(PairCall& call) {
       {"--distance", &call.distance,
        "if both are bounded: also compute their exact distance and their closest features"},
       {"--depth", &call.depth,
-       "if bounded objects in space meet: also compute how far A must move, and in which direction, until they no "
-       "longer overlap"},
+       "if bounded objects meet: also compute how far A must move, and in which direction, until they no longer "
+       "overlap"},
       {"--clearance", &call.clearance,
        "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
       {"--feature-a", &call.a.feature, "planar: use this object of file A, given by its name or its number in the file",
@@ -294,7 +294,6 @@ std::vector<Option> pair_options(PairCall& call) {
   using Kinds = std::vector<std::string>;
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
-      deep{kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes};
   Kinds any_at_rest = resting;
   any_at_rest.push_back(kind::polytopes);
@@ -305,7 +304,7 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--classify", resting},
                                                     {"--require-convex", space},
                                                     {"--distance", bounded},
-                                                    {"--depth", deep},
+                                                    {"--depth", bounded},
                                                     {"--clearance", bounded},
                                                     {"--feature-a", plane},
                                                     {"--feature-b", plane},

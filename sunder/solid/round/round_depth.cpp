@@ -106,7 +106,7 @@ void add_depth(ClaimsWriter& file, std::uint32_t index_a, std::uint32_t index_b,
   const auto [low, high] = depth.depth;
   if (std::isfinite(high)) {
     const Vector3<Dyadic> d = depth.direction->exact();
-    add_depth_at_most(file, index_a, index_b, high, {d.x, d.y, d.z});
+    add_depth_at_most(file, index_a, index_b, high, std::array{d.x, d.y, d.z});
   }
   if (!(low > 0)) return;
   if (depth.surface) return add_depth_at_least(file, index_a, index_b, low, *depth.surface);
