@@ -14,7 +14,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,23 +42,25 @@ Report run(const HullCall& call, Talk& talk) {
   note_remarks(talk, {&object});
   const solid::ConvexPolyhedron& hull = object.hull;
   if (!call.out.empty()) talk.write_file(call.out, io::to_text(format, hull));
-  const bool is_convex = object.shape == io::BodyShape::convex, is_proved_convex = is_convex && hull.dimension() == 3;
+  const bool is_convex = object.shape == io::BodyShape::convex, is_other = object.shape == io::BodyShape::hull;
+  const bool is_proved_convex = is_convex && hull.dimension() == 3;
+  std::optional<std::uint32_t> off_hull;  // of a mesh that is not convex, a polygon that shows it
   if (!call.certificate.empty()) {
+    const solid::MeshView polygons{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices};
+    if (is_other && hull.dimension() == 3) off_hull = solid::face_off_hull(polygons, hull);
     write_proof(talk, call.certificate, {inputs, left_out.texts()}, [&](ClaimsWriter& claims) {
       const bool is_of_points = object.shape == io::BodyShape::points;
       claims.say(said_of_file(is_of_points ? Said::Source::points : Said::Source::vertices, inputs, call.file, "",
                               missing_of(object, left_out)));
       solid::write_hull(claims, object.name.empty() ? "unnamed" : object.name, mesh.vertices, hull);
-      if (is_proved_convex) {
-        solid::write_convex_mesh(claims, {mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices}, hull);
-      }
+      if (is_proved_convex || off_hull) solid::write_mesh(claims, polygons, hull, off_hull);
     });
   }
 
   Report report{.verb = "hull", .answer = dimension_name(hull.dimension())};
   report.notes = talk.notes();
   if (is_convex && !is_proved_convex) report.not_proved.emplace_back("exactly convex");
-  if (object.shape == io::BodyShape::hull) report.not_proved.emplace_back("not exactly convex");
+  if (is_other && !off_hull) report.not_proved.emplace_back("not exactly convex");
   const auto [low, high] = hull.box();
   Json told = to_json(object);
   told["edges"] = edge_count(hull);
@@ -69,7 +73,7 @@ Report run(const HullCall& call, Talk& talk) {
   report.tell(fmt::format("  edges     {}\n  facets    {}\n", edge_count(hull), hull.facet_count()));
   report.tell(fmt::format("  box       {} to {}\n", about(low), about(high)));
   if (is_convex) report.tell("  mesh      exactly convex: it bounds its hull\n");
-  if (object.shape == io::BodyShape::hull) {
+  if (is_other) {
     report.tell(fmt::format("  mesh      not exactly convex: {}\n", object.why_hull));
   }
   if (object.departure) report.tell(fmt::format("            {}\n", departure_text(object)));

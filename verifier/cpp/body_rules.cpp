@@ -188,16 +188,16 @@ void check_holds(const WeightList& weights, const Numbers& from, const HullBody&
   holds(weights, from, body, point);
 }
 
+// Row k of a body: a way, or how far a point is from that at the origin.
+Integers way_to(const HullBody& body, std::size_t k, std::size_t origin = 0) {
+  return body.is_way(k) ? body.rows()[k] : minus(body.rows()[k], body.rows()[origin]);
+}
+
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b) {
-  const Integers p = projective(from_a), q = projective(to_b);
-  const Integers way = way_between(p, q);
+  const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q), back = opposite(way);
   require(!all_zero(way), "slab", "the two points are the same");
-  const auto require_behind = [](const HullBody& body, const Integers& direction, const Integers& place) {
-    require(is_behind(reach(body, direction), direction, place), "slab",
-            body.quoted + " extends beyond its point along the direction");
-  };
-  require_behind(a, way, p);
-  require_behind(b, opposite(way), q);
+  const bool a_ends = is_behind(reach(a, way), way, p), b_begins = a_ends && is_behind(reach(b, back), back, q);
+  require(a_ends && b_begins, "slab", (a_ends ? b : a).quoted + " extends beyond its point along the direction");
 }
 
 void check_clear(const Numbers& given, const HullBody& a, const HullBody& b, const Number& least) {
@@ -230,8 +230,7 @@ void check_no_further(const Numbers& before, const Numbers& after_last, const Hu
   Elimination span(b.dimension());
   Integers along(b.dimension());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Integers way = rows[k];
-    for (std::size_t axis = 0; axis < way.size() && !b.is_way(k); ++axis) way[axis] -= rows[0][axis];
+    Integers way = way_to(b, k);
     if (span.rank() == 0 && span.take(way))
       along = std::move(way);
     else
@@ -247,14 +246,6 @@ void check_no_further(const Numbers& before, const Numbers& after_last, const Hu
     sides *= dot(direction, turned(b, along)).sign();
   }
   require(sides < 0, "no_further", "the directions are not along " + b.quoted + ", to either side");
-}
-
-// Of a vector, divided by what all of its numbers share.
-Integers shortest(Integers way) {
-  Integer shared = 0;
-  for (const Integer& n : way) shared = gcd(shared, n);
-  for (Integer& n : way) n /= shared;
-  return way;
 }
 
 // Along a direction A begins at its point i; B is the hyperplane across it, or the half-space up to that, and ends
@@ -277,7 +268,7 @@ void check_first_along(const Numbers& given, const HullBody& a, const HullBody& 
       is_across = is_across && of_b[k] <= 0;
       goes_back = goes_back || of_b[k] < 0;
     } else {
-      level.insert(shortest(rows[k]));
+      level.insert(reduced(rows[k]));
       if (span.rank() + 1 < d) span.take(turned(b, rows[k]));
     }
   }
@@ -303,15 +294,10 @@ void check_inside(const WeightList& weights, const Numbers& from, const HullBody
   take_steps(body.dimension() * rows.size(), 4 * body.given->bits, 4 * body.given->bits);
   const std::size_t origin =
       *std::find_if_not(named.begin(), named.end(), [&](std::size_t k) { return body.is_way(k); });
-  const auto vector_to = [&](std::size_t k) {
-    Integers row = rows[k];
-    for (std::size_t axis = 0; axis < row.size() && !body.is_way(k); ++axis) row[axis] -= rows[origin][axis];
-    return row;
-  };
   Elimination span(body.dimension());
-  for (const std::size_t k : named) span.take(vector_to(k));
+  for (const std::size_t k : named) span.take(way_to(body, k, origin));
   for (std::size_t k = 0; k < rows.size() && span.rank() < body.dimension(); ++k) {
-    require(all_zero(span.rest(vector_to(k))), "inside",
+    require(all_zero(span.rest(way_to(body, k, origin))), "inside",
             "the points with a positive weight do not span " + body.quoted);
   }
 }

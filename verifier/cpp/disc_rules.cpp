@@ -168,17 +168,12 @@ class Arcs {
   // Seen from the point, no arc of the chain is further than the other one in that direction.
   void require_within(const Chain& chain, const Chain& other) const {
     take(chain.ends.size() + other.ends.size() + 1);
-    std::vector<const End*> ends, of_other;
-    for (const End& end : chain.ends) ends.push_back(&end);
-    for (const End& end : other.ends) of_other.push_back(&end);
-    const std::size_t own = ends.size();
-    std::vector<std::pair<const End*, bool>> all;
+    std::vector<std::pair<const End*, bool>> all;  // and whether it is the other one's
+    for (const End& end : chain.ends) all.emplace_back(&end, false);
+    for (const End& end : other.ends) all.emplace_back(&end, true);
+    std::inplace_merge(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(chain.ends.size()), all.end(),
+                       [](const auto& p, const auto& q) { return is_before(p.first->way, q.first->way); });
     std::size_t i = 0, k = 0;
-    while (i < own || k < of_other.size()) {
-      const bool is_other = i == own || (k < of_other.size() && is_before(of_other[k]->way, ends[i]->way));
-      all.emplace_back(is_other ? of_other[k++] : ends[i++], is_other);
-    }
-    i = k = 0;
     for (std::size_t m = 0; m < all.size(); ++m) {
       const auto& [end, is_other] = all[m];
       const PlanarDisc &c = discs_[chain.named[i % chain.named.size()]],

@@ -4,8 +4,9 @@
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace sunder_verifier {
 namespace {
@@ -17,8 +18,13 @@ Integer along(const LinearConstraint& h, const Integers& way) { return h.a * way
 // Positive: the point x, y, w is outside; zero: on the line.
 Integer excess(const LinearConstraint& h, const Integers& place) { return along(h, place) - h.c * place[2]; }
 
-void look_at_all(const Constraints& given, const Integers& vector) {
-  take_steps(2 * given.size(), bits(vector), given.bits);
+// Requires by that rule that all hold the point x, y, w, or go on along the way x, y, 0.
+void require_kept(const char* rule, const Constraints& given, const Integers& place, const char* words,
+                  const char* words_after = "") {
+  take_steps(2 * given.size(), bits(place), given.bits);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (excess(given[i], place) > 0) require(false, rule, words + std::to_string(i) + words_after);
+  }
 }
 
 // The weighted sum of constraints, times a positive number.
@@ -30,11 +36,7 @@ LinearConstraint weighted_sum(const WeightList& list, const Constraints& given) 
 }
 
 void check_feasible(const Constraints& given, const Numbers& point) {
-  const Integers place = projective(point);
-  look_at_all(given, place);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    require(excess(given[i], place) <= 0, "feasible", "the point is outside of half-plane " + std::to_string(i));
-  }
+  require_kept("feasible", given, projective(point), "the point is outside of half-plane ");
 }
 
 void check_bounds(const WeightList& list, const Constraints& given, const Numbers& objective, const Numbers& point) {
@@ -66,43 +68,33 @@ void check_contradict(const WeightList& list, const Constraints& given) {
 }
 
 void check_goes_on(const Numbers& direction, const Constraints& given, const Numbers& objective) {
-  const Integers way = common(direction).integers, up = common(objective).integers;
-  require(dot(up, way) > 0, "goes_on", "the direction does not lead further along the objective");
-  look_at_all(given, way);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    require(along(given[i], way) <= 0, "goes_on", "the direction leaves half-plane " + std::to_string(i));
-  }
+  Integers way = common(direction).integers;
+  require(dot(common(objective).integers, way) > 0, "goes_on",
+          "the direction does not lead further along the objective");
+  way.emplace_back(0);
+  require_kept("goes_on", given, way, "the direction leaves half-plane ");
 }
 
 void check_ends(const TwoEnds& ends, const Constraints& given, const Numbers& objective, const Numbers& point) {
   const Integers up = common(objective).integers, start = projective(point);
-  const std::array<Integers, 2> ways{Integers{up[1], -up[0]}, Integers{-up[1], up[0]}};
-  std::array<Integers, 2> places;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const Integers& way = ways[k];
-    if (!ends[k]) {
-      look_at_all(given, way);
-      for (std::size_t i = 0; i < given.size(); ++i) {
-        require(along(given[i], way) <= 0, "ends",
-                "there is an end, at half-plane " + std::to_string(i) + ", and it is not given");
-      }
-      continue;
+  Integers way{up[1], -up[0], 0};
+  std::vector<Integers> places;
+  for (const std::optional<EndOnLine>& end : ends) {
+    if (end) {
+      const Integers& place = places.emplace_back(projective(end->point));
+      const LinearConstraint& h = given[end->side];
+      require_kept("ends", given, place, "an end is outside of half-plane ");
+      require(dot(up, way_between(start, place)) == 0, "ends", "an end is not as far along the objective");
+      require(excess(h, place) == 0 && excess(h, way) > 0, "ends",
+              "half-plane " + std::to_string(end->side) + " does not end it");
+    } else {
+      require_kept("ends", given, way, "there is an end, at half-plane ", ", and it is not given");
     }
-    const Integers& place = places[k] = projective(ends[k]->point);
-    look_at_all(given, place);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      require(excess(given[i], place) <= 0, "ends", "an end is outside of half-plane " + std::to_string(i));
-    }
-    require((up[0] * place[0] + up[1] * place[1]) * start[2] == (up[0] * start[0] + up[1] * start[1]) * place[2],
-            "ends", "an end is not as far along the objective");
-    const LinearConstraint& h = given[ends[k]->side];
-    require(excess(h, place) == 0 && along(h, way) > 0, "ends",
-            "half-plane " + std::to_string(ends[k]->side) + " does not end it");
+    way = opposite(way);
   }
-  if (!ends[0] || !ends[1]) return;
-  const Integer before = ways[1][0] * places[0][0] + ways[1][1] * places[0][1];
-  const Integer after = ways[1][0] * places[1][0] + ways[1][1] * places[1][1];
-  require(before * places[1][2] < after * places[0][2], "ends", "the two ends are the same point");
+  if (places.size() < 2) return;
+  const Integers between = way_between(places[0], places[1]);  // it goes to the left of the objective
+  require(turn(up[0], up[1], between[0], between[1]) > 0, "ends", "the two ends are the same point");
 }
 
 // ---- Common parts.

@@ -45,6 +45,42 @@ Integers opposite(Integers vector) {
   return vector;
 }
 
+Integers reduced(Integers vector) {
+  Integer shared = 0;
+  for (const Integer& n : vector) shared = gcd(shared, n);
+  for (Integer& n : vector) n /= shared;
+  return vector;
+}
+
+Integers minus(Integers u, const Integers& v) {
+  for (std::size_t c = 0; c < u.size(); ++c) u[c] -= v[c];
+  return u;
+}
+
+Indices joined(const IndexLists& lists) {
+  Indices result;
+  for (const Indices& list : lists) result.insert(result.end(), list.begin(), list.end());
+  return result;
+}
+
+Integers sum_of(const std::vector<Integers>& rows, const Indices& named) {
+  Integers sum(rows[named[0]].size());
+  for (const std::size_t k : named) {
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += rows[k][c];
+  }
+  return sum;
+}
+
+std::vector<Integers> from_mean(const std::vector<Integers>& rows, const Indices& named) {
+  const Integers sum = sum_of(rows, named);
+  std::vector<Integers> result;
+  for (Integers row : rows) {
+    for (Integer& n : row) n *= named.size();
+    result.push_back(minus(std::move(row), sum));
+  }
+  return result;
+}
+
 Integers way_between(const Integers& p, const Integers& q) {
   Integers way;
   for (std::size_t axis = 0; axis + 1 < p.size(); ++axis) way.push_back(q[axis] * p.back() - p[axis] * q.back());

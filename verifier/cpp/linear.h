@@ -23,6 +23,15 @@ bool are_equal(const Number& x, const Number& y);
 
 bool all_zero(const Integers& numbers);
 Integers opposite(Integers vector);
+Integers reduced(Integers vector);  // divided by what all of its numbers share
+Integers minus(Integers u, const Integers& v);
+
+// Of all of some lists.
+Indices joined(const IndexLists& lists);
+// The sum of the named rows, one at least.
+Integers sum_of(const std::vector<Integers>& rows, const Indices& named);
+// All rows, from the mean of the named ones, as many times as far as there are of these.
+std::vector<Integers> from_mean(const std::vector<Integers>& rows, const Indices& named);
 
 // From one point x, .., w to another, times a positive number.
 Integers way_between(const Integers& p, const Integers& q);

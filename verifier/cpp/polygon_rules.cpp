@@ -4,11 +4,7 @@
 #include <verifier/cpp/sets.h>
 
 #include <algorithm>
-#include <iterator>
-#include <set>
-#include <span>
 #include <string>
-#include <tuple>
 #include <unordered_set>
 #include <utility>
 
@@ -20,22 +16,27 @@ struct MeetingPolygons {
   Set first, second;
 };
 
-// Goes through a sweep of all edges, with the polygons that cover what is just above each edge of the list.
+// At each event of a sweep of all edges, which polygons meet there.
 class Cells {
  public:
   Cells(const SweepEvents& events, const PolygonTable& polygons, const AllowedContacts& allowed)
-      : polygons_(polygons), allowed_(allowed), sweep_(events, polygons.edges), label_(polygons.edges.size()) {}
+      : polygons_(polygons), allowed_(allowed), sweep_(events, polygons.edges, polygons.owner) {}
 
   std::vector<MeetingPolygons> meetings;  // of the event passed last
 
   bool next() {
     if (!sweep_.next()) return false;
     meetings.clear();
-    const Set& label = sweep_.below == no_index ? nothing_ : label_[sweep_.below];
-    take_steps(2 * label.size(), 1, 1);
-    const Set at = look_at_point(label);
-    for (const std::size_t s : sweep_.here) label_[s] = {};
-    look_after_point(label, at);
+    const Set at = look_at_point(sweep_.labels[0]);
+    const std::vector<std::size_t>& going = sweep_.going;
+    for (std::size_t begin = 0, end = 0; allowed_.shared_endpoint && begin < going.size(); begin = end) {
+      Set border;  // the owners of edges that go on in one direction
+      const PlanarSegment& first = polygons_.edges[going[begin]];
+      for (; end < going.size() && turn(first, polygons_.edges[going[end]]) == 0; ++end) {
+        border.push_back(polygons_.owner[going[end]]);
+      }
+      look_along(as_set(std::move(border)), at, sweep_.labels[begin], sweep_.labels[end]);
+    }
     return true;
   }
 
@@ -57,62 +58,25 @@ class Cells {
       meetings.push_back({passing, sum(at, label)});
       meetings.push_back({at, without(label, at)});
     } else {
-      const Set within = only(at, [&](std::size_t i) {
-        return polygons_.is_flat(i) && (polygons_.is_point(i) || std::binary_search(passing.begin(), passing.end(), i));
-      });
+      const Set within =
+          only(at, [&](std::size_t i) { return polygons_.is_flat(i) && (polygons_.is_point(i) || has(passing, i)); });
       meetings.push_back({within, sum(within, without(label, at))});
     }
     return at;
   }
 
-  void look_after_point(const Set& label, const Set& at) {
-    Set border, lower = label;
-    const std::size_t* before = nullptr;
-    for (const std::size_t* s = sweep_.row; s != sweep_.row_end; ++s) {
-      if (is_point(polygons_.edges[*s])) continue;
-      if (before != nullptr && turn(polygons_.edges[*before], polygons_.edges[*s]) != 0) {
-        end_direction(*before, at, border, lower);
-      }
-      label_[*s] = toggled(before == nullptr ? label : label_[*before], polygons_.owner[*s]);
-      take_steps(2 * label_[*s].size(), 1, 1);
-      border.push_back(polygons_.owner[*s]);
-      before = s;
-    }
-    if (before != nullptr) end_direction(*before, at, border, lower);
-  }
-
-  // `last` is the last edge of those in one direction, `border` their owners, `lower` what is just below.
-  void end_direction(std::size_t last, const Set& at, Set& border, Set& lower) {
-    const Set& upper = label_[last];
-    if (allowed_.touch) {
-      meetings.push_back({common(upper, at), upper});
-      border = as_set(std::move(border));
-      const Set within = only(border, [&](std::size_t i) { return polygons_.is_flat(i); });
-      meetings.push_back({within, sum(within, without(lower, border))});
-    } else if (allowed_.shared_endpoint) {
-      border = as_set(std::move(border));
-      meetings.push_back({border, sum(border, lower)});
-    }
-    border.clear();
-    lower = upper;
+  // Along a direction, with the labels of what is just below and just above it.
+  void look_along(const Set& border, const Set& at, const Set& lower, const Set& upper) {
+    if (!allowed_.touch) return meetings.push_back({border, sum(border, lower)});
+    meetings.push_back({common(upper, at), upper});
+    const Set within = only(border, [&](std::size_t i) { return polygons_.is_flat(i); });
+    meetings.push_back({within, sum(within, without(lower, border))});
   }
 
   const PolygonTable& polygons_;
   const AllowedContacts& allowed_;
-  Sweep sweep_;
-  std::vector<Set> label_;  // of each edge in the list
-  const Set nothing_;
+  LabelledSweep sweep_;
 };
-
-struct OfGroup {
-  std::int64_t group;
-  std::size_t polygon;
-};
-
-bool is_of_lower_group(const OfGroup& a, const OfGroup& b) { return a.group < b.group; }
-bool is_before(const OfGroup& a, const OfGroup& b) {
-  return std::tie(a.group, a.polygon) < std::tie(b.group, b.polygon);
-}
 
 class PolygonPairs {
  public:
@@ -131,18 +95,20 @@ class PolygonPairs {
 
   void look(const MeetingPolygons& meeting, const VisitContact& visit) {
     if (meeting.first.empty()) return;
-    std::vector<OfGroup> second;
-    for (const std::size_t j : meeting.second) second.push_back({group_of(j), j});
-    std::sort(second.begin(), second.end(), is_before);
-    std::size_t groups = second.empty() ? 0 : 1;
-    for (std::size_t k = 1; k < second.size(); ++k)
-      if (second[k].group != second[k - 1].group) ++groups;
+    std::vector<std::pair<std::int64_t, std::size_t>> second;  // by group
+    for (const std::size_t j : meeting.second) second.emplace_back(group_of(j), j);
+    std::sort(second.begin(), second.end());
+    std::size_t groups = 0;
+    for (std::size_t k = 0; k < second.size(); ++k)
+      groups += k == 0 || second[k].first != second[k - 1].first ? std::size_t{1} : 0;
     for (const std::size_t i : meeting.first) {
-      const auto [own, own_end] =
-          std::equal_range(second.begin(), second.end(), OfGroup{group_of(i), i}, is_of_lower_group);
+      const auto first_of = [&](std::int64_t group) {
+        return std::lower_bound(second.begin(), second.end(), std::pair(group, std::size_t{0}));
+      };
+      const auto own = first_of(group_of(i)), own_end = first_of(group_of(i) + 1);
       take_steps(groups + second.size() - static_cast<std::size_t>(own_end - own), 1, 1);
-      std::for_each(second.begin(), own, [&](const OfGroup& j) { meet(i, j.polygon, visit); });
-      std::for_each(own_end, second.end(), [&](const OfGroup& j) { meet(i, j.polygon, visit); });
+      for (auto j = second.begin(); j != own; ++j) meet(i, j->second, visit);
+      for (auto j = own_end; j != second.end(); ++j) meet(i, j->second, visit);
     }
   }
 

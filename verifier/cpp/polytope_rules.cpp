@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -98,21 +99,25 @@ Numbers limit(const RowBody& body, const WeightList& multipliers, const Numbers&
   return result;
 }
 
+// Do the limits of both sum to less than zero?
+bool is_apart(Numbers ends, const Numbers& of_b) {
+  ends.insert(ends.end(), of_b.begin(), of_b.end());
+  take_steps(16, length(ends), length(ends));
+  return sum(ends).n < 0;
+}
+
 void check_parted_by(const Numbers& direction, const WeightList& of_a, const WeightList& of_b, const RowBody& a,
                      const RowBody& b) {
-  Numbers ends = limit(a, of_a, direction, 1);
-  for (const Number& end : limit(b, of_b, direction, -1)) ends.push_back(end);
-  take_steps(16, length(ends), length(ends));
-  require(sum(ends).n < 0, "parted_by", a.quoted + " is not strictly less far along the direction than " + b.quoted);
+  Numbers end = limit(a, of_a, direction, 1);
+  require(is_apart(std::move(end), limit(b, of_b, direction, -1)), "parted_by",
+          a.quoted + " is not strictly less far along the direction than " + b.quoted);
 }
 
 void check_parted_by_hyperplanes(const Numbers& direction, const Points& given_a, const WeightList& by_a,
                                  const Points& given_b, const WeightList& by_b, const RowBody& a, const RowBody& b) {
   const Planes planes_a = planes_around(a, given_a), planes_b = planes_around(b, given_b);
-  Numbers ends = limit(a, by_a, direction, 1, &planes_a);
-  for (const Number& end : limit(b, by_b, direction, -1, &planes_b)) ends.push_back(end);
-  take_steps(16, length(ends), length(ends));
-  require(sum(ends).n < 0, "parted_by_hyperplanes",
+  Numbers of_a = limit(a, by_a, direction, 1, &planes_a);
+  require(is_apart(std::move(of_a), limit(b, by_b, direction, -1, &planes_b)), "parted_by_hyperplanes",
           "the half-spaces around " + a.quoted + " and " + b.quoted + " do not contradict");
 }
 
@@ -134,26 +139,14 @@ void check_keeps(const WeightList& weights, const Numbers& at, const RowBody& bo
     });
   }
   if (body.is_image()) take_steps(d * d, length(point), body.linear.bits);
+  const Integers image = turned(body, place);
   for (std::size_t r = 0; r < d; ++r) {
-    Numbers terms{{-point[r].n * place[d], point[r].d, point[r].e}};
-    if (body.is_image()) {
-      Integer turned = 0;
-      for (std::size_t c = 0; c < d; ++c) turned += body.linear.rows[0][r * d + c] * place[c];
-      terms.push_back({turned, 1, body.linear.e});
-      terms.push_back({body.translation.rows[0][r] * place[d], 1, body.translation.e});
-    } else {
-      terms.push_back({place[r], 1, 0});
-    }
+    Numbers terms{{-point[r].n * place[d], point[r].d, point[r].e}, {image[r], 1, body.linear.e}};
+    if (body.is_image()) terms.push_back({body.translation.rows[0][r] * place[d], 1, body.translation.e});
     require(
         sum(terms).n == 0, "keeps",
         "the weighted point of " + body.quoted + " differs from the stated point in coordinate " + std::to_string(r));
   }
-}
-
-Integer product(const Integers& u, const Integers& v) {  // of as many numbers as the shorter one has
-  Integer sum = 0;
-  for (std::size_t k = 0; k < std::min(u.size(), v.size()); ++k) sum += u[k] * v[k];
-  return sum;
 }
 
 std::size_t rank(const std::vector<Integers>& rows) {
@@ -186,7 +179,7 @@ void require_receding(const char* rule, const Numbers& direction, const RowBody&
   require(!all_zero(way), rule, "there is no direction");
   take_steps(given.given->rows.size(), bits(way), given.given->bits);
   for (std::size_t k = 0; k < given.given->rows.size(); ++k) {
-    require(product(way, given.given->rows[k]) <= 0, rule, "the direction leaves half-space " + std::to_string(k));
+    require(dot(way, given.given->rows[k]) <= 0, rule, "the direction leaves half-space " + std::to_string(k));
   }
 }
 
@@ -201,7 +194,7 @@ void require_top(const char* rule, const WeightList& multipliers, const RowBody&
             "the combined rows do not bound the objective at the point");
   };
   for (std::size_t c = 0; c < given.dimension; ++c) require_equal(all.row[c], up.integers[c]);
-  require_equal(all.row.back() * place.back(), product(up.integers, place));
+  require_equal(all.row.back() * place.back(), dot(up.integers, place));
 }
 
 void check_contradicted(const WeightList& multipliers, const RowBody& given) {
@@ -234,7 +227,7 @@ void check_recedes(const Numbers& direction, const RowBody& given) { require_rec
 
 void check_rises(const Numbers& direction, const RowBody& given, const Numbers& objective) {
   require_receding("rises", direction, given);
-  require(product(common(objective).integers, common(direction).integers) > 0, "rises",
+  require(dot(common(objective).integers, common(direction).integers) > 0, "rises",
           "the direction does not lead further");
 }
 
@@ -253,81 +246,45 @@ void check_another(const Numbers& objective, const Numbers& point, const Numbers
   bool is_same = true;
   for (std::size_t c = 0; c < up.size(); ++c) is_same = is_same && p[c] * q.back() == q[c] * p.back();
   require(!is_same, "another", "it is the same point");
-  require(product(up, p) * q.back() == product(up, q) * p.back(), "another", "it is not as far along the objective");
+  require(dot(up, p) * q.back() == dot(up, q) * p.back(), "another", "it is not as far along the objective");
 }
-
-// The same point has the same numbers.
-Integers reduced(Integers place) {
-  Integer shared = 0;
-  for (const Integer& n : place) shared = gcd(shared, n);
-  for (Integer& n : place) n /= shared;
-  return place;
-}
-
-class NormalFan {
- public:
-  NormalFan(const std::vector<IndexLists>& fans, const RowBody& given) : fans_(fans), given_(given) {
-    std::size_t count = 0;
-    for (const IndexLists& fan : fans) count += fan.size();
-    const std::size_t d = given.dimension, size = d * given.given->bits / 2;
-    take_steps(count * d * d * d, size, size);
-  }
-
-  // Is it in all half-spaces, at the end of those of its cones, and new?
-  void take_vertex(std::size_t v, const Numbers& point) {
-    take_steps(given_.given->rows.size(), length(point), given_.given->bits);
-    const Integers place = projective(point);
-    const std::vector<bool> is_on = require_in_each("normal_fan", given_, place, [&](const std::string& k) {
-      return "half-space " + k + " does not hold vertex " + std::to_string(v);
-    });
-    take_steps(16, length(point), length(point));
-    const auto [known, is_new] = vertices_.try_emplace(reduced(place), v);
-    require(is_new, "normal_fan",
-            "vertex " + std::to_string(v) + " is vertex " + std::to_string(known->second) + " once more");
-    for (const Indices& cone : fans_[v]) {
-      for (const std::size_t k : cone) {
-        require(is_on[k], "normal_fan",
-                "vertex " + std::to_string(v) + " is not where half-space " + std::to_string(k) + " ends");
-      }
-      take_cone(v, cone);
-    }
-  }
-
-  // Does each ridge have a cone on either side?
-  void look_at_ridges() const {
-    for (std::size_t v = 0; v < fans_.size(); ++v) {
-      for (Indices cone : fans_[v]) {
-        std::sort(cone.begin(), cone.end());
-        for (std::size_t i = 0; i < cone.size(); ++i) {
-          require(ridges_.beyond(ridge_of(cone, i)) != nullptr && ridges_.beyond(ridge_of(cone, i, true)) != nullptr,
-                  "normal_fan", "there is no cone beyond a ridge of one of vertex " + std::to_string(v));
-        }
-      }
-    }
-  }
-
- private:
-  void take_cone(std::size_t v, Indices cone) {
-    std::sort(cone.begin(), cone.end());
-    Elimination span(given_.dimension);
-    for (const std::size_t k : cone) span.take(normal_of(given_.given->rows[k]));
-    const int sign = span.sign_of_determinant();
-    require(sign != 0, "normal_fan", "the normals of a cone of vertex " + std::to_string(v) + " are in a hyperplane");
-    for (std::size_t i = 0; i < cone.size(); ++i) {
-      ridges_.take(ridge_of(cone, i, sign < 0), v);
-    }
-  }
-
-  const std::vector<IndexLists>& fans_;
-  const RowBody& given_;
-  std::map<Integers, std::size_t> vertices_;
-  Ridges<std::size_t> ridges_;  // of cones, of vertices
-};
 
 void check_normal_fan(const std::vector<IndexLists>& fans, const RowBody& given, const Points& vertices) {
-  NormalFan fan(fans, given);
-  for (std::size_t v = 0; v < vertices.size(); ++v) fan.take_vertex(v, vertices[v]);
-  fan.look_at_ridges();
+  const std::size_t d = given.dimension, size = d * given.given->bits / 2;
+  for (const IndexLists& fan : fans) take_steps(fan.size() * d * d * d, size, size);
+  std::map<Integers, std::size_t> known;
+  std::set<Ridge> ridges;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const std::string vertex = "vertex " + std::to_string(v);
+    take_steps(given.given->rows.size(), length(vertices[v]), given.given->bits);
+    const Integers place = projective(vertices[v]);
+    const std::vector<bool> is_on = require_in_each("normal_fan", given, place, [&](const std::string& k) {
+      return "half-space " + k + " does not hold " + vertex;
+    });
+    take_steps(16, length(vertices[v]), length(vertices[v]));
+    const auto [before, is_new] = known.try_emplace(reduced(place), v);
+    if (!is_new) require(false, "normal_fan", vertex + " is vertex " + std::to_string(before->second) + " once more");
+    for (Indices cone : fans[v]) {
+      for (const std::size_t k : cone) {
+        require(is_on[k], "normal_fan", vertex + " is not where half-space " + std::to_string(k) + " ends");
+      }
+      std::sort(cone.begin(), cone.end());
+      Elimination span(d);
+      for (const std::size_t k : cone) span.take(normal_of(given.given->rows[k]));
+      const int sign = span.sign_of_determinant();
+      require(sign != 0, "normal_fan", "the normals of a cone of " + vertex + " are in a hyperplane");
+      for (std::size_t i = 0; i < d; ++i) ridges.insert(ridge_of(cone, i, sign < 0));
+    }
+  }
+  for (std::size_t v = 0; v < fans.size(); ++v) {  // each ridge has a cone on either side
+    for (Indices cone : fans[v]) {
+      std::sort(cone.begin(), cone.end());
+      for (std::size_t i = 0; i < d; ++i) {
+        require(ridges.contains(ridge_of(cone, i)) && ridges.contains(ridge_of(cone, i, true)), "normal_fan",
+                "there is no cone beyond a ridge of one of vertex " + std::to_string(v));
+      }
+    }
+  }
 }
 
 }  // namespace

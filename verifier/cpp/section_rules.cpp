@@ -1,6 +1,7 @@
 // The rules about what a plane has in common with the hull of a body's points: docs/claims.md, "Sections".
 #include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
+#include <verifier/cpp/sets.h>
 
 #include <algorithm>
 #include <array>
@@ -52,14 +53,15 @@ class Pulled {
   std::pair<Integer, Integer> triangle(const StatedPlane& plane, const IndexPair& first, const IndexPair& second,
                                        const IndexPair& third) const {
     const Integers p = place(first), q = place(second), r = place(third);
-    return {dot(plane.normal, cross(turned(way(p, q)), turned(way(p, r)))), p[3] * q[3] * p[3] * r[3]};
+    const Integers to_q = turned(body_, way_between(p, q)), to_r = turned(body_, way_between(p, r));
+    return {dot(plane.normal, cross(to_q, to_r)), p[3] * q[3] * p[3] * r[3]};
   }
   std::int64_t unit_of_triangles() const { return 2 * (body_.given->e + (body_.is_image() ? body_.linear.e : 0)); }
 
   // Do three corners turn counter-clockwise, seen from where the normal points to?
   bool turn_left(const IndexPairs& corners) const {
     const Integers p = place(corners[0]), q = place(corners[1]), r = place(corners[2]);
-    return upright_ * dot(normal_, cross(way(p, q), way(p, r))) > 0;
+    return upright_ * dot(normal_, cross(way_between(p, q), way_between(p, r))) > 0;
   }
 
  private:
@@ -73,42 +75,26 @@ class Pulled {
     return {above * b[0] - below * a[0], above * b[1] - below * a[1], above * b[2] - below * a[2], above - below};
   }
 
-  // By the matrix of an image.
-  Integers turned(const Integers& way) const {
-    if (!body_.is_image()) return way;
-    const Integers& m = body_.linear.rows[0];
-    return {dot({m[0], m[1], m[2]}, way), dot({m[3], m[4], m[5]}, way), dot({m[6], m[7], m[8]}, way)};
-  }
-
-  static Integers way(const Integers& p, const Integers& q) {
-    return {q[0] * p[3] - p[0] * q[3], q[1] * p[3] - p[1] * q[3], q[2] * p[3] - p[2] * q[3]};
-  }
-
   const HullBody& body_;
   Integers normal_;
   Integer level_, upright_ = 1;  // negative: the body is mirrored; zero: flattened
 };
 
-bool holds_all(const std::vector<std::size_t>& face, const IndexPair& c, const IndexPair& d) {
-  const std::set<std::size_t> named(face.begin(), face.end());
-  return named.contains(c.first) && named.contains(c.second) && named.contains(d.first) && named.contains(d.second);
+bool holds_both(const Indices& face, const IndexPair& c, const IndexPair& d) {
+  const Set named = as_set(face);
+  return has(named, c.first) && has(named, c.second) && has(named, d.first) && has(named, d.second);
 }
 
-// Of a ring: is a corner on an edge of it, or at a vertex?
-class Sides {
- public:
-  explicit Sides(const std::vector<std::size_t>& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const std::size_t i = ring[k], j = ring[after(k, ring.size())];
-      sides_.insert({{i, j}, {j, i}});
-      if (ring.size() > 2) sides_.insert({i, i});
-    }
+// Of a ring the ends of its edges, in both orders, and its vertices; of two points the edge alone.
+std::set<IndexPair> sides_of(const Indices& ring) {
+  std::set<IndexPair> sides;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const std::size_t i = ring[k], j = ring[after(k, ring.size())];
+    sides.insert({{i, j}, {j, i}});
+    if (ring.size() > 2) sides.insert({i, i});
   }
-  bool holds(std::size_t i, std::size_t j) const { return sides_.contains({i, j}); }
-
- private:
-  std::set<IndexPair> sides_;
-};
+  return sides;
+}
 
 void check_beyond(const HullBody& body, const StatedPlane& plane) {
   const std::vector<Integer> heights = Pulled(body, plane).heights();
@@ -153,27 +139,27 @@ void check_outlined(const Indices& along, const HullBody& body, const StatedPlan
     looks += faces[f].size();
   }
   take_steps(looks, 1, 1);
-  const auto is_in_plane = [&](const std::vector<std::size_t>& face) {
+  const auto is_in_plane = [&](const Indices& face) {
     return std::all_of(face.begin(), face.begin() + 3, [&](std::size_t k) { return pulled.is_on(k); });
   };
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    const std::vector<std::size_t>& face = faces[along[k]];
-    require(holds_all(face, corners[k], corners[after(k, corners.size())]), "outlined",
+    const Indices& face = faces[along[k]];
+    require(holds_both(face, corners[k], corners[after(k, corners.size())]), "outlined",
             "corner " + std::to_string(k) + " and the next one are not in that face");
     require(verdict != "solid" || !is_in_plane(face), "outlined",
             "face " + std::to_string(along[k]) + " is in the plane");
   }
   if (verdict == "solid") {
-    const std::set<std::size_t> once(along.begin(), along.end());
-    require(corners.size() > 2 && once.size() == along.size(), "outlined", "the corners are not around the body");
+    const bool is_round = corners.size() > 2 && as_set(along).size() == along.size();
+    require(is_round, "outlined", "the corners are not around the body");
   } else {
-    const std::vector<std::size_t>& ring = faces[0];
-    const Sides sides(ring);
+    const Indices& ring = faces[0];
+    const std::set<IndexPair> sides = sides_of(ring);
     const bool is_whole = verdict == "flat" && is_in_plane(ring);
     bool fits = true;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const auto [i, j] = corners[k];
-      fits = fits && sides.holds(i, is_whole ? corners[after(k, corners.size())].first : j);
+      fits = fits && sides.contains({i, is_whole ? corners[after(k, corners.size())].first : j});
     }
     const std::size_t wanted = is_whole ? ring.size() : ring.size() == 2 ? 1 : 2;
     require(fits && corners.size() == wanted, "outlined", "the corners are not those of the hull");

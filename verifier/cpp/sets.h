@@ -16,6 +16,8 @@ inline Set as_set(Set all) {
   return all;
 }
 
+inline bool has(const Set& set, std::size_t k) { return std::binary_search(set.begin(), set.end(), k); }
+
 inline Set sum(const Set& a, const Set& b) {
   Set result;
   std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));

@@ -145,4 +145,20 @@ void Sweep::put_in(std::size_t lower, std::size_t upper) {
   above_[lower] = upper;
 }
 
+bool LabelledSweep::next() {
+  if (!Sweep::next()) return false;
+  going.clear();
+  labels = {below == no_index ? Set() : above_[below]};
+  take_steps(2 * labels[0].size(), 1, 1);
+  for (const std::size_t s : here) above_[s] = {};
+  for (const std::size_t* s = row; s != row_end; ++s) {
+    if (is_point(edges_[*s])) continue;
+    going.push_back(*s);
+    above_[*s] = toggled(labels.back(), owner_[*s]);
+    labels.push_back(above_[*s]);
+    take_steps(2 * labels.back().size(), 1, 1);
+  }
+  return true;
+}
+
 }  // namespace sunder_verifier

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <verifier/cpp/reader.h>
+#include <verifier/cpp/sets.h>
 #include <verifier/cpp/values.h>
 
 #include <cstddef>
@@ -76,6 +77,25 @@ class Sweep {
   std::size_t k_ = 0, begun_ = 0, stay_ = 0;
   std::vector<std::size_t> above_;  // by segment: the next one in the list; out: it is not in
   std::vector<bool> has_begun_, stays_;
+};
+
+// A sweep of edges that each have an owner, a polygon or ring. A label is the set of those that cover some place.
+class LabelledSweep : public Sweep {
+ public:
+  LabelledSweep(const SweepEvents& events, const Segments& edges, const std::vector<std::size_t>& owner)
+      : Sweep(events, edges), edges_(edges), owner_(owner), above_(edges.size()) {}
+
+  // Of the event passed last.
+  std::vector<std::size_t> going;  // the edges of some length that go on from its point
+  std::vector<Set> labels;         // of what is just below the first of these, and just above each
+
+  // As of Sweep. Takes the steps.
+  bool next();
+
+ private:
+  const Segments& edges_;
+  const std::vector<std::size_t>& owner_;
+  std::vector<Set> above_;  // the label above each edge of the list
 };
 
 }  // namespace sunder_verifier

@@ -61,23 +61,37 @@ Scaled read_row(const Json& row, std::size_t count, const std::string& where) {
   return rows_of(doubles, count);
 }
 
-template <class Body>
-void set_name(const Json& item, const std::string& where, Body& body) {
+void set_name(const Json& item, const std::string& where, Placed& body) {
   const std::string name = text_member(item, "name", where);
   body.name = shortened(name, most_shown);
   body.quoted = in_quotes(name, most_shown);
 }
 
-HullBody read_image(const Json& item, const std::vector<HullBody>& bodies, const std::string& where) {
+std::size_t dimension_of(const HullBody& body) { return body.dimension(); }
+std::size_t dimension_of(const RowBody& body) { return body.dimension; }
+
+// The image of one before it.
+template <class Body>
+Body read_image(const Json& item, const std::vector<Body>& bodies, const std::string& where) {
   require_members(item, {"name", "of", "linear", "translation"}, {}, where);
-  const HullBody& of = bodies[index_member(item, "of", bodies.size(), where)];
-  if (of.is_image()) refuse_form(where + " is of one that is placed itself");
-  HullBody body = of;
+  Body body = bodies[index_member(item, "of", bodies.size(), where)];
+  if (body.is_image()) refuse_form(where + " is of one that is placed itself");
   if (!body.said.empty()) body.said += ", mapped";
-  const Json &linear = list_member(item, "linear", where), &translation = list_member(item, "translation", where);
-  body.linear = read_row(linear, of.dimension() * of.dimension(), where + ".linear");
-  body.translation = read_row(translation, of.dimension(), where + ".translation");
+  const std::size_t d = dimension_of(body);
+  body.linear = read_row(list_member(item, "linear", where), d * d, where + ".linear");
+  body.translation = read_row(list_member(item, "translation", where), d, where + ".translation");
   return body;
+}
+
+template <class Body>
+using ReadBody = Body (*)(const Json&, const std::vector<Body>&, const InputNames&, const std::string& where);
+
+template <class Body>
+void read_each(const Json& list, const std::string& name, ReadBody<Body> read, const InputNames& inputs,
+               std::vector<Body>& bodies) {
+  for (const Json& item : list) {
+    bodies.push_back(read(item, bodies, inputs, "tables." + name + "[" + std::to_string(bodies.size()) + "]"));
+  }
 }
 
 // The kind and radius of a body of points, if it has some.
@@ -163,13 +177,7 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
                       const std::string& where) {
   RowBody body;
   if (item.is_object() && item.contains("of")) {
-    require_members(item, {"name", "of", "linear", "translation"}, {}, where);
-    body = polytopes[index_member(item, "of", polytopes.size(), where)];
-    if (body.is_image()) refuse_form(where + " is of one that is placed itself");
-    if (!body.said.empty()) body.said += ", mapped";
-    const std::size_t d = body.dimension;
-    body.linear = read_row(list_member(item, "linear", where), d * d, where + ".linear");
-    body.translation = read_row(list_member(item, "translation", where), d, where + ".translation");
+    body = read_image(item, polytopes, where);
   } else {
     body.is_of_points = item.is_object() && item.contains("points");
     const char* const key = body.is_of_points ? "points" : "half_spaces";
@@ -187,10 +195,7 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
 }
 
 void read_polytopes(const Json& list, Tables& tables) {
-  for (const Json& item : list) {
-    const std::string where = "tables.polytopes[" + std::to_string(tables.polytopes.size()) + "]";
-    tables.polytopes.push_back(read_polytope(item, tables.polytopes, tables.inputs, where));
-  }
+  read_each(list, "polytopes", read_polytope, tables.inputs, tables.polytopes);
 }
 
 // To the left of an arrow from p to q, which are in units of 2^e.
@@ -211,10 +216,7 @@ LinearConstraint read_constraint(const Json& item, const std::string& where) {
 }
 
 void read_bodies(const Json& list, Tables& tables) {
-  for (const Json& item : list) {
-    const std::string where = "tables.bodies[" + std::to_string(tables.bodies.size()) + "]";
-    tables.bodies.push_back(read_body(item, tables.bodies, tables.inputs, where));
-  }
+  read_each(list, "bodies", read_body, tables.inputs, tables.bodies);
 }
 
 // Members of so many numbers each, of which `make` makes one. is_one: are these one? Else the reason.
@@ -496,9 +498,9 @@ Integers transposed_times(const Scaled& matrix, const Integers& vector) {
   return result;
 }
 
-Integers turned(const HullBody& body, const Integers& vector) {
+Integers turned(const Placed& body, const Integers& vector) {
   if (!body.is_image()) return vector;
-  const std::size_t d = body.dimension();
+  const std::size_t d = body.translation.rows[0].size();
   Integers result(d);
   for (std::size_t k = 0; k < d * d; ++k) result[k / d] += body.linear.rows[0][k] * vector[k % d];
   return result;

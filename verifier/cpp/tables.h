@@ -28,15 +28,21 @@ struct Scaled {
 // axis, of a cone the smaller the nearer to its apex, point 1. ellipsoid: the image of a ball.
 enum class Around : std::uint8_t { nothing, hull, cylinder, cone, ellipsoid };
 
+// What has rows, and may be the image of another one, whose rows it has.
+struct Placed {
+  std::string name, quoted;  // cut, as it is told; and in quotes, as in sentences
+  std::string said;          // what it is said to be made of; empty: nothing
+  std::shared_ptr<const Scaled> given;
+  Scaled linear;       // one row: the matrix, row by row; no row where this is no image
+  Scaled translation;  // one row
+
+  bool is_image() const { return !linear.rows.empty(); }
+};
+
 // A convex hull of points, with the ways that go on from there for ever, or with a radius; or the image of one.
-struct HullBody {
-  std::string name, quoted;             // cut, as it is told; and in quotes, as in sentences
-  std::string said;                     // what it is said to be made of; empty: nothing
-  std::size_t base = 0;                 // its own index, or that of the body that it is the image of
-  std::shared_ptr<const Scaled> given;  // its points, then its ways; an image has those of the body that it is of
-  std::size_t count = 0;                // of points
-  Scaled linear;                        // one row: the matrix, row by row; no row where the body is not an image
-  Scaled translation;                   // one row
+struct HullBody : Placed {
+  std::size_t base = 0;   // its own index, or that of the body that it is the image of
+  std::size_t count = 0;  // of points, which are the first rows; ways are the others
   Around around = Around::nothing;
   Number radius{};
   std::string radius_text;
@@ -44,7 +50,6 @@ struct HullBody {
 
   const std::vector<Integers>& rows() const { return given->rows; }
   std::size_t dimension() const { return rows()[0].size(); }
-  bool is_image() const { return !linear.rows.empty(); }
   bool is_way(std::size_t k) const { return k >= count; }
   bool is_round() const { return around != Around::nothing; }
   std::string title() const;  // what it is, and of how many points
@@ -58,8 +63,8 @@ Integers cross(const Integers& u, const Integers& v);  // of three numbers each
 // The transposed matrix, which is one row, times a vector, as integers * 2^matrix.e.
 Integers transposed_times(const Scaled& matrix, const Integers& vector);
 
-// The matrix times a vector, as integers * 2^linear.e; of no image the vector.
-Integers turned(const HullBody& body, const Integers& vector);
+// The matrix times a vector, of which the first numbers count, as integers * 2^linear.e; of no image the vector.
+Integers turned(const Placed& body, const Integers& vector);
 
 // A point x, y, .. as integers, and a positive w at the end: x / w, y / w, ..
 Integers projective(const Numbers& values);
@@ -71,15 +76,11 @@ std::pair<Integers, std::int64_t> image(const HullBody& body, std::size_t k);
 std::pair<Integers, std::int64_t> products(const HullBody& body, const Integers& direction);
 
 // The hull of points of R^d, or the common part of half-spaces a x <= b, of rows a1, .., ad, b; or the image of one.
-struct RowBody {
-  std::string name, quoted, said;  // as of HullBody
+struct RowBody : Placed {
   std::size_t dimension = 0;
   bool is_of_points = false;
-  std::shared_ptr<const Scaled> given;  // the rows; an image has those of what it is of
-  Scaled linear, translation;           // one row each; no row where it is no image
 
   std::string title() const;
-  bool is_image() const { return !linear.rows.empty(); }
 };
 
 struct PlanarPoint {

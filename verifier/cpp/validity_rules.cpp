@@ -57,31 +57,24 @@ bool is_nested(const PartTable& parts, const std::vector<std::size_t>& ways) {
 class Regions {
  public:
   Regions(const SweepEvents& events, const PartTable& parts)
-      : sweep(events, parts.polygons.edges),
+      : sweep(events, parts.polygons.edges, parts.ring_of),
         pieces(parts.polygons.rings.size()),
         parts_(parts),
-        label_(parts.polygons.edges.size()),
         face_(parts.polygons.edges.size()),
         joined_{0} {}
 
-  Sweep sweep;
-  std::vector<std::size_t> going;  // edges of some length
-  bool fit = true;                 // all labels so far
+  LabelledSweep sweep;
   std::vector<std::size_t> pieces;
 
   bool next() {
     if (!sweep.next()) return false;
-    going.clear();
-    for (const std::size_t* s = sweep.row; s != sweep.row_end; ++s) {
-      if (!is_point(parts_.polygons.edges[*s])) going.push_back(*s);
-    }
+    const std::vector<std::size_t>& going = sweep.going;
     const std::size_t lower = sweep.below == no_index ? 0 : face_[sweep.below];
     const std::size_t upper = sweep.here.empty() ? lower : face_[sweep.here.back()];
-    look_at_labels();
     for (std::size_t k = 0; k + 1 < going.size(); ++k) {
       face_[going[k]] = joined_.size();
       joined_.push_back(joined_.size());
-      for (const std::size_t part : filling(parts_, label_[going[k]]).alone) ++pieces[part];
+      for (const std::size_t part : filling(parts_, sweep.labels[k + 1]).alone) ++pieces[part];
     }
     if (going.empty()) {
       join(lower, upper);
@@ -92,26 +85,12 @@ class Regions {
   }
 
  private:
-  const Set& label_below() const { return sweep.below == no_index ? nothing_ : label_[sweep.below]; }
-
-  void look_at_labels() {
-    const Set* label = &label_below();
-    take_steps(2 * label->size(), 1, 1);
-    for (const std::size_t s : sweep.here) label_[s] = {};
-    for (const std::size_t s : going) {
-      label_[s] = toggled(*label, parts_.ring_of[s]);
-      label = &label_[s];
-      take_steps(2 * label->size(), 1, 1);
-      fit = fit && filling(parts_, *label).fits;
-    }
-  }
-
   // What is below and what is above the point are one: just right of it nothing is between.
   void join(std::size_t lower, std::size_t upper) {
     const std::size_t a = leader(lower), b = leader(upper);
     if (a == b) return;
     joined_[b] = a;
-    for (const std::size_t part : filling(parts_, label_below()).alone) --pieces[part];
+    for (const std::size_t part : filling(parts_, sweep.labels[0]).alone) --pieces[part];
   }
 
   std::size_t leader(std::size_t k) {
@@ -120,9 +99,7 @@ class Regions {
   }
 
   const PartTable& parts_;
-  std::vector<Set> label_;         // of what is just above each edge in the list
-  std::vector<std::size_t> face_;  // likewise
-  const Set nothing_;
+  std::vector<std::size_t> face_;    // of what is just above each edge in the list
   std::vector<std::size_t> joined_;  // of each face one that it is one with, or itself
 };
 
@@ -141,7 +118,9 @@ class Validity {
   void check() {
     while (regions_.next()) {
       look_at_edges();
-      require(regions_.fit, "valid", "a ring is misplaced");
+      for (auto label = regions_.sweep.labels.begin() + 1; label != regions_.sweep.labels.end(); ++label) {
+        require(filling(parts_, *label).fits, "valid", "a ring is misplaced");
+      }
       look_at_rings();
     }
     const bool all_seen = std::find(seen_.begin(), seen_.end(), false) == seen_.end();
@@ -157,8 +136,8 @@ class Validity {
   // What goes on, no two along one line; and rings come to the point once, or do not cross there.
   void look_at_edges() {
     const Segments& edges = parts_.polygons.edges;
-    const std::vector<std::size_t>& going = regions_.going;
-    const Sweep& sweep = regions_.sweep;
+    const LabelledSweep& sweep = regions_.sweep;
+    const std::vector<std::size_t>& going = sweep.going;
     const bool has_points = going.size() < static_cast<std::size_t>(sweep.row_end - sweep.row);
     require(rule_ != ValidRule::simple || !has_points, "valid", "a vertex is repeated");
     std::vector<std::size_t> ends;
@@ -234,7 +213,7 @@ void check_valid(const SweepEvents& events, const PartTable& parts, ValidRule ru
 
 void check_falls_apart(const SweepEvents& events, const PartTable& parts) {
   Regions regions(events, parts);
-  while (regions.next()) require_no_lines(parts.polygons.edges, regions.going, "falls_apart");
+  while (regions.next()) require_no_lines(parts.polygons.edges, regions.sweep.going, "falls_apart");
   const bool apart = std::any_of(regions.pieces.begin(), regions.pieces.end(), [](std::size_t n) { return n > 1; });
   require(apart, "falls_apart", "no part falls apart");
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace sunder::ask {
@@ -30,13 +31,15 @@ class FlatPair : public PairQuestion {
                                                           : "signs, with the help of exact arithmetic");
     contact_ = common_.contact;
     facts_ = {{"common", common_json(), common_text()}};
-    if (meet_) not_proved_.emplace_back("the common part");
+    part_ = solid::common_part(of_a_.flat, of_b_.flat, common_);
+    if (meet_ && !part_) not_proved_.emplace_back("the common part");
   }
 
   std::string certificate() const {
     return certificate_of(
         PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
           add_claims(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, common_, call.classify);
+          if (part_) add_common_part(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, *part_);
         });
   }
 
@@ -57,6 +60,7 @@ class FlatPair : public PairQuestion {
   FlatMethod* method_;
   const PlacedFlat &of_a_, &of_b_;
   solid::FlatCommon common_;
+  std::optional<solid::FlatPart> part_;
 };
 
 }  // namespace

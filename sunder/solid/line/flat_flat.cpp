@@ -14,6 +14,7 @@ namespace {
 
 Exact3 lifted(const Point3& p) { return coordinates<Dyadic>(p); }
 Exact3 negative(const Exact3& v) { return {-v.x, -v.y, -v.z}; }
+Exact3 from_to(const Point3& p, const Point3& q) { return lifted(q) - lifted(p); }
 std::array<Dyadic, 3> array_of(const Exact3& v) { return {v.x, v.y, v.z}; }
 bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }
 
@@ -111,12 +112,17 @@ struct Lines {
     const Exact3 along = p.is_point() ? v : u, off = cross(along, w);
     return dot(off, off).sign() == Sign::zero;
   }
-  ExactPoint3 point_of_line() const {
+  // The ends of what they have in common.
+  std::array<std::optional<Point3>, 2> common_ends() const {
     const auto [p_low, p_high] = ends(p);
     const auto [q_low, q_high] = ends(q);
     const std::size_t k = axis();
-    const auto low = !q_low || (p_low && (*p_low)[k] >= (*q_low)[k]) ? p_low : q_low;
-    const auto high = !q_high || (p_high && (*p_high)[k] <= (*q_high)[k]) ? p_high : q_high;
+    return {!q_low || (p_low && (*p_low)[k] >= (*q_low)[k]) ? p_low : q_low,
+            !q_high || (p_high && (*p_high)[k] <= (*q_high)[k]) ? p_high : q_high};
+  }
+  ExactPoint3 point_of_line() const {
+    const auto [low, high] = common_ends();
+    const std::size_t k = axis();
     if (low && high) return middle(*low, *high);
     if (!low && !high) return exactly(p.a);
     const bool is_up = (p.a[k] < p.b[k]) == low.has_value();
@@ -187,6 +193,40 @@ std::array<Dyadic, 3> parting(const Flat& a, const Flat& b, const FlatCommon& co
   if (plane_b != nullptr) return array_of(negative(from_plane(*plane_b, linear_of(a))));
   const Linear p = linear_of(a), q = linear_of(b);
   return array_of(Lines{p, q}.parting(common.meet()));
+}
+
+std::optional<FlatPart> common_part(const Flat& a, const Flat& b, const FlatCommon& common) {
+  if (common.kind != FlatKind::point && common.kind != FlatKind::segment) return std::nullopt;
+  const Plane *plane_a = plane_of(a), *plane_b = plane_of(b);
+  const bool is_point = common.kind == FlatKind::point;
+  if (plane_a != nullptr || plane_b != nullptr) {
+    const Linear linear = linear_of(plane_a != nullptr ? b : a);
+    if (linear.is_point()) return std::nullopt;
+    if (!is_point)
+      return FlatPart{exactly(linear.a), exactly(linear.b), from_to(linear.a, linear.b), plane_b != nullptr};
+    const ExactPoint3 x = common_point(a, b, common);
+    return FlatPart{x, x, lifted((plane_a != nullptr ? plane_a : plane_b)->normal), plane_b != nullptr};
+  }
+  const Linear p = linear_of(a), q = linear_of(b);
+  if (p.is_point() && q.is_point()) return std::nullopt;
+  const Lines lines{p, q};
+  if (!lines.are_parallel()) return FlatPart{lines.point(), lines.point(), cross(lines.n, lines.u), false};
+  const Exact3& along = q.is_point() ? lines.u : lines.v;
+  if (is_point) return FlatPart{lines.point(), lines.point(), along, q.is_point()};
+  const auto [low, high] = lines.common_ends();
+  return FlatPart{exactly(*low), exactly(*high), from_to(*low, *high), false};
+}
+
+void add_common_part(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const Flat& a,
+                     const FlatBody& body_a, const Flat& b, const FlatBody& body_b, const FlatPart& part) {
+  const auto point = [&](const ExactPoint3& x) {
+    CommonPoint result{x, combination_of(a, body_a, x, false), combination_of(b, body_b, x, false)};
+    if (part.along_a) std::swap(result.of_a, result.of_b);
+    return result;
+  };
+  if (part.along_a) std::swap(index_a, index_b);
+  pairs.add_common_part(index_a, index_b, point(part.first), point(part.last), array_of(negative(part.across)),
+                        array_of(part.across));
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const Flat& a, const FlatBody& body_a,

@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <variant>
 
 namespace sunder::solid {
 namespace {
@@ -58,6 +59,12 @@ TEST(FlatFlat, KnownKinds) {
   EXPECT_EQ(plane_plane(floor, Plane::at({1, 0, 0}, 1)).decided_by, DecidedBy::filter);
 }
 
+bool is_on_line(const Flat& flat) {
+  const auto* const segment = std::get_if<Segment>(&flat);
+  return segment != nullptr ? segment->a != segment->b
+                            : std::holds_alternative<Ray>(flat) || std::holds_alternative<Line>(flat);
+}
+
 std::string flat_certificate(const Flat& a, const Flat& b, const FlatCommon& common, bool tells_contact) {
   std::string text;
   const FlatBody body_a = body_of(a).value(), body_b = body_of(b).value();
@@ -66,6 +73,7 @@ std::string flat_certificate(const Flat& a, const Flat& b, const FlatCommon& com
   const std::uint32_t p = pairs.add_body("a", body_a.points, body_a.ways);
   const std::uint32_t q = pairs.add_body("b", body_b.points, body_b.ways);
   add_claims(pairs, p, q, a, body_a, b, body_b, common, tells_contact);
+  if (const auto part = common_part(a, b, common)) add_common_part(pairs, p, q, a, body_a, b, body_b, *part);
   pairs.end();
   return text;
 }
@@ -110,6 +118,10 @@ TEST(FlatFlat, Random) {
     ASSERT_TRUE(verified.accepted()) << text;
     const std::string verdict = !common.meet() ? "apart" : tells ? std::string(name_of(common.contact)) : "meet";
     ASSERT_EQ(verified.statements[0].verdict, verdict);
+    const bool is_short = common.kind == FlatKind::point || common.kind == FlatKind::segment;
+    const bool has_part = is_short && (is_on_line(a) || is_on_line(b));  // it is proved what they have in common, too
+    ASSERT_EQ(verified.statements.size(), has_part ? 2u : 1u) << text;
+    ASSERT_TRUE(!has_part || verified.statements[1].verdict == "between");
     if (common.contact == Relation::touching) {
       ASSERT_EQ(common.kind, FlatKind::point);
     }
@@ -124,6 +136,11 @@ TEST(FlatFlat, Random) {
       EXPECT_FALSE(sunder_verifier::verify_text(file.dump(), "certificate").accepted());
     }
     json file = json::parse(text);
+    if (has_part && common.kind == FlatKind::segment) {
+      std::swap(file["statements"][1]["first"], file["statements"][1]["last"]);
+      EXPECT_FALSE(sunder_verifier::verify_text(file.dump(), "certificate").accepted());
+      file = json::parse(text);
+    }
     json& last = file["statements"][0]["claims"].back();
     if (!last.contains("direction")) continue;
     for (json& x : last["direction"]) {

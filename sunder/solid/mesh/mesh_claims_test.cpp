@@ -14,7 +14,7 @@ namespace {
 bool is_claim_accepted(const MeshView& mesh, const ConvexPolyhedron& hull) {
   const std::string text = claims_text({}, [&](ClaimsWriter& file) {
     write_hull(file, "mesh", mesh.vertices, hull);
-    write_convex_mesh(file, mesh, hull);
+    write_mesh(file, mesh, hull);
   });
   return sunder_verifier::verify_text(text, "mesh").accepted();
 }

@@ -53,6 +53,13 @@ class Convexity {
     return facets;
   }
 
+  std::optional<std::uint32_t> face_off_hull() const {
+    for (std::uint32_t f = 0; f < mesh_.polygon_count(); ++f) {
+      if (!facet_of(f)) return f;
+    }
+    return std::nullopt;
+  }
+
  private:
   std::span<const std::uint32_t> corners(std::uint32_t f) const { return topology_.corners_of(f); }
   const Point3& at(std::uint32_t v) const { return mesh_.vertices[v]; }
@@ -227,6 +234,10 @@ MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull) 
 
 std::vector<std::uint32_t> facets_beneath(const MeshView& mesh, const ConvexPolyhedron& hull) {
   return Convexity(mesh, hull).facets_beneath();
+}
+
+std::optional<std::uint32_t> face_off_hull(const MeshView& mesh, const ConvexPolyhedron& hull) {
+  return Convexity(mesh, hull).face_off_hull();
 }
 
 }  // namespace sunder::solid

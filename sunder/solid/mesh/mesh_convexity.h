@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -57,5 +58,8 @@ MeshDefect find_mesh_defect(const MeshView& mesh, const ConvexPolyhedron& hull);
 
 // Of a convex mesh, for each polygon a facet of the hull that holds its corners (C1). Cost: likewise.
 std::vector<std::uint32_t> facets_beneath(const MeshView& mesh, const ConvexPolyhedron& hull);
+
+// The first polygon whose corners no facet of the hull holds (against C1), if there is one. Cost: likewise.
+std::optional<std::uint32_t> face_off_hull(const MeshView& mesh, const ConvexPolyhedron& hull);
 
 }  // namespace sunder::solid

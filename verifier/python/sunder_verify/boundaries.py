@@ -4,7 +4,7 @@ Points are seen from the mean of the corners, and as many times as far from it a
 """
 import itertools
 
-from .linear import Basis, Surface
+from .linear import Basis, Surface, from_mean, sum_of
 from .reader import require
 from .tables import dot
 
@@ -51,8 +51,7 @@ def boundary(steps, homes, body, facets):
     corners, k = {*itertools.chain(*simplices)}, len(simplices[0])
     size = k * (body.bits + len(corners).bit_length() + 1) // 2
     steps.take((len(body) + len(simplices)) * k ** 3, size, size)
-    mean = [sum(axis) for axis in zip(*(body.rows[v] for v in corners))]
-    points = [[len(corners) * x - y for x, y in zip(row, mean)] for row in body.rows]
+    points = from_mean(body.rows, corners)
     columns = flat(points, [points[v] for v in simplices[0]])
     points = [[p[c] for c in columns] for p in points]
     planes, surface, held = [], Surface("boundary"), [{*itertools.chain(*facet)} for facet in facets]
@@ -73,7 +72,7 @@ def boundary(steps, homes, body, facets):
             normal, height, _ = planes[s]
             require(facet_of[s] == facet_of[t] or dot(normal, points[w]) < height, "boundary",
                     "facets %d and %d are not convex at a ridge" % (facet_of[s], facet_of[t]))
-    middle = [sum(axis) for axis in zip(*(points[v] for v in simplices[0]))]
+    middle = sum_of(points[v] for v in simplices[0])
     signs = beside({v: points[v] for v in corners}, middle)
     for s, simplex in enumerate(simplices[1:], 1):
         is_beside = any(all(x > 0 for x in xs) or all(x < 0 for x in xs) for xs in zip(*(signs[v] for v in simplex)))

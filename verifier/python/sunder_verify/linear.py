@@ -27,6 +27,16 @@ def mean_of(steps, rule, weights, body, row_of):
     return mean, d, e
 
 
+def sum_of(rows):
+    return [sum(axis) for axis in zip(*rows)]
+
+
+def from_mean(rows, named):
+    """All rows, from the mean of the named ones, as many times as far as there are of these."""
+    mean = sum_of(rows[k] for k in named)
+    return [[len(named) * x - y for x, y in zip(row, mean)] for row in rows]
+
+
 # ---- Signs of roots.
 
 def sign(n):

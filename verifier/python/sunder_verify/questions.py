@@ -355,7 +355,7 @@ GIVEN = {  # what questions say
 SAID = {  # what verdicts and claims say
     "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
     "contacts": contacts, "nearer": some_contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
-    "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"),
+    "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"), "face": index_of("mesh_faces"),
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
     "points": list_of(vector, lambda those, read: len(those) == len(read["rings"]), " is not as long as the rings"),
     "faces": list_of(FACE, lambda those, read: those, " is empty"), "homes": for_each(home), "outline": FACE,
@@ -389,7 +389,7 @@ CLAIMS = {
         rules.slab, rules.nearer, rules.feasible, rules.no_objective, rules.in_discs, rules.contact,
         polygons.common_point, polygons.too_few_points, polygons.comes_twice, polygons.crosses, polygons.misplaced,
         polygons.circle, polygons.repeated, polygons.rings_touch, rules.each_pair, rules.each_clearance,
-        hulls.between, hulls.one_point, sections.beyond, sections.touches, sections.area)},
+        hulls.between, hulls.one_point, hulls.leaves_hull, sections.beyond, sections.touches, sections.area)},
     **{rule.__name__: (rule, "weights") for rule in (rules.bounds, rules.contradict, rules.powers)},
     **{rule.__name__: (rule, "weights", "from") for rule in (rules.holds, rules.holds_at, rules.inside)},  # from: of ellipsoids only
     **{name: (polygons.exactly(name), "events") for name in ("none_counts", "these_count", "number_counts")},
@@ -500,7 +500,8 @@ QUESTIONS = {
         "segment": "between body i j",
         "point": "one_point body",
     }),
-    "mesh": ("bodies", "body mesh_faces", {"convex": "bounds_hull body mesh_faces PROVED"}),
+    "mesh": ("bodies", "body mesh_faces", {"convex": "bounds_hull body mesh_faces PROVED",
+                                                          "not_convex": "leaves_hull body mesh_faces face PROVED"}),
     "section": ("bodies", "of plane", {
         "nothing": "beyond of plane",
         "touching": "touches of plane corners",

@@ -86,6 +86,12 @@ def file_about(points, faces, mesh, dice):
     return file_of(top["tables"], *top["statements"], statement)
 
 
+def not_convex(top, m):
+    """The same, but that it is not convex, as polygon m shows."""
+    *before, one = top["statements"]
+    return {**top, "statements": [*before, {**one, "verdict": "not_convex", "face": m, "claims": [{"claim": "leaves_hull"}]}]}
+
+
 def some_solid(dice):
     while True:
         points = some_points(dice)
@@ -97,7 +103,7 @@ def some_solid(dice):
 class MeshesTest(unittest.TestCase):
     def test_no_forced_mesh_is_convex_if_it_is_not(self):
         dice, twins, convex = dice_of(1), Twins(self), 0
-        while lacking(FORCED, "mesh") or twins.count < some(300):
+        while "convex" in lacking(FORCED, "mesh") or twins.count < some(300):
             points, faces = some_solid(dice)
             mesh = some_mesh(points, faces, dice)
             truth = is_convex(points, faces, mesh, dice)
@@ -116,11 +122,32 @@ class MeshesTest(unittest.TestCase):
         self.assertEqual(twins.look(file_of(top["tables"], top["statements"][1])), "bounds_hull")
         twins.compare()
 
+    def test_a_polygon_in_no_face_of_the_hull_shows_that_a_mesh_is_not_convex(self):
+        dice, twins = dice_of(4), Twins(self)
+        while "not_convex" in lacking(FORCED, "mesh") or twins.count < some(300):
+            points, faces = some_solid(dice)
+            mesh = some_mesh(points, faces, dice)
+            if dice.random() < .5:
+                dice.choice(mesh)[0] = dice.randrange(len(points))
+            off = [m for m, polygon in enumerate(mesh) if not any(all(dot(
+                cross(minus(points[face[1]], points[face[0]]), minus(points[face[2]], points[face[0]])),
+                minus(points[k], points[face[0]])) == 0 for k in polygon) for face in faces)]
+            m = dice.choice(off or range(len(mesh))) if dice.random() < .7 else dice.randrange(len(mesh))
+            top, is_off = file_about(points, faces, mesh, dice), m in off
+            self.assertEqual(twins.force(not_convex(top, m)), "accepted" if is_off else "leaves_hull", twins.last)
+            self.assertFalse(is_off and is_convex(points, faces, mesh, dice), twins.last)
+        other = {**top, "statements": not_convex(top, m)["statements"][1:]}  # its hull is not stated before
+        self.assertEqual(twins.look(other), "leaves_hull")
+        twins.compare()
+        self.assertTrue(some(100) < 100 or min(twins.tally()[word] for word in ("accepted", "leaves_hull")) > 20)
+
     def test_the_twins_agree_on_spoilt_files(self):
         dice, twins = dice_of(3), Twins(self)
         while lacking(MUTANT, "mesh"):
             points, faces = some_solid(dice)
-            twins.spoil(file_about(points, faces, some_mesh(points, faces, dice), dice), dice)
+            top = file_about(points, faces, some_mesh(points, faces, dice), dice)
+            twins.spoil(top, dice)
+            twins.spoil(not_convex(top, 0), dice)
         twins.compare()
 
 
