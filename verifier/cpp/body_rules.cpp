@@ -407,7 +407,7 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
     size = std::max(size, bits(at.back()));
   }
   if (triangles.empty()) {
-    require(at.size() == 1, "surrounds", "there is no surface, and more than one point");
+    require(at.size() == 1, "surrounds", "there is no surface, and not one point");
     const Integers& p = at[0];
     take_steps(8, size, size);
     const Integers offset(p.begin(), p.end() - 1);
@@ -420,9 +420,10 @@ void check_surrounds(const SurfaceCorners& corners, const IndexLists& triangles,
     take_steps(24, size, size);
     const auto [normal, volume] = a.dimension() == 2 ? side_of(at[triangle[0]], at[triangle[1]])
                                                      : face_of(at[triangle[0]], at[triangle[1]], at[triangle[2]]);
-    require(volume > 0, "surrounds", "a triangle is not counterclockwise from outside");
+    require(volume > 0, "surrounds", "a piece of the surface is not counterclockwise from outside");
     if (rest > 0) {
-      require(compared(volume * volume, dot(normal, normal)) >= 0, "surrounds", "a triangle is too near to the origin");
+      require(compared(volume * volume, dot(normal, normal)) >= 0, "surrounds",
+              "a piece of the surface is too near to the origin");
     }
     for (std::size_t corner = 0; corner < triangle.size(); ++corner) {
       const bool is_new = edges.take(ridge_of(triangle, corner), true);

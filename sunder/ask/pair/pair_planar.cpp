@@ -56,7 +56,8 @@ class BoundedPair : public PairQuestion {
       const planar::PolygonDepthAnswer deep = planar::polygon_polygon_depth(a, pose_a, b, pose_b);
       depth_ = std::get<planar::PolygonDepth>(deep.evidence);
       facts_.push_back(depth());
-      if (is_edge_known()) not_proved_.emplace_back("which features touch then");
+      not_proved_.emplace_back("the square of the depth");
+      if (is_edge_known()) not_proved_.emplace_back("which features touch after that");
     }
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;

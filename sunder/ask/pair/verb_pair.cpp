@@ -84,7 +84,8 @@ class SolidPair : public PairQuestion {
     if (call.depth && meet_) {
       depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
       facts_.push_back({"depth", depth_json(), depth_text()});
-      if (deepest()) not_proved_.emplace_back("which features touch then");
+      if (depth_.is_exact) not_proved_.emplace_back("the square of the depth");
+      if (deepest()) not_proved_.emplace_back("which features touch after that");
     }
     if (least_ == 0) return;
     facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
@@ -261,8 +262,8 @@ std::vector<Option> pair_options(PairCall& call) {
       {"--distance", &call.distance,
        "if both are bounded: also compute their exact distance and their closest features"},
       {"--depth", &call.depth,
-       "if bounded objects meet: also compute how far A must move, and in which direction, until they no longer "
-       "overlap"},
+       "if bounded objects of the plane or space meet: also compute how far A must move, and in which direction, "
+       "until they no longer overlap; they may then still touch"},
       {"--clearance", &call.clearance,
        "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
       {"--feature-a", &call.a.feature, "planar: use this object of file A, given by its name or its number in the file",

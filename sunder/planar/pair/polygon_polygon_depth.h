@@ -8,7 +8,8 @@
 //   P1. The square of the depth is the fraction `squared`, exactly. `depth` encloses the depth: no double is between
 //       its ends, and where the depth is a double, both are that (number/root.h).
 //   P2. A, moved back along `direction` by the depth, does not overlap B; moved by less, in any direction, it meets B.
-//   P3. The depth is the same for polygons that are swapped; scaled by a power of two, it is that much larger.
+//   P3. The depth is the same for polygons that are swapped; scaled by a power of two, `squared` is larger by its
+//       square, and the ends of `depth` by the power where none of them overflows or underflows.
 // What one might assume and does not hold: the direction is not the only one, where several edges of A - B are as near
 // to the origin. And the distance of the edges has many local minima along the boundary, so that no search by halving
 // finds the least: each edge is looked at.
@@ -33,7 +34,8 @@ struct PolygonDepth {
   static constexpr Verdict verdict = Verdict::meet;
 
   // What A - B's edge is made of that is nearest to the origin: of one polygon the edge that begins at the vertex, of
-  // the other one the vertex that is furthest on its inner side, in the polygons' own orders. Two points have no edge.
+  // the other one the vertex that is furthest on its inner side, in the polygons' own orders. Two points have no edge:
+  // then all of this is as it is initialized here.
   bool edge_of_a = false, edge_of_b = false;  // not both
   std::uint32_t a = 0, b = 0;
   std::array<Dyadic, 2> direction{1.0, 0.0};  // from A to B, across the edge

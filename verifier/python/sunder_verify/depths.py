@@ -1,4 +1,4 @@
-"""How deep two bodies are in each other: docs/claims.md, "Depth"."""
+"""How deep two bodies are in each other: docs/claims.md, "leaves" and "surrounds"."""
 from .linear import Surface, mean_of
 from .reader import bits, common, length, projective, require
 from .rules import holds
@@ -46,7 +46,7 @@ def surrounds(steps, corners, triangles, a, b, least):
     at = [difference_of(steps, corner, a, b) for corner in corners]
     size = max(length([least, *radii]), *map(bits, at), 0)
     if not triangles:
-        require(len(at) == 1, "surrounds", "there is no surface, and more than one point")
+        require(len(at) == 1, "surrounds", "there is no surface, and not one point")
         (*p, w), = at
         steps.take(8, size, size)
         (square, wanted), _, _ = common([(dot(p, p), 1, 0), ((rest * w) ** 2, whole * whole, 2 * e)])
@@ -56,10 +56,10 @@ def surrounds(steps, corners, triangles, a, b, least):
     for triangle in triangles:
         steps.take(24, size, size)
         normal, volume = facet_of([at[k] for k in triangle])
-        require(volume > 0, "surrounds", "a triangle is not counterclockwise from outside")
+        require(volume > 0, "surrounds", "a piece of the surface is not counterclockwise from outside")
         if rest > 0:
             (far, wanted), _, _ = common([(volume ** 2, 1, 0), (rest ** 2 * dot(normal, normal), whole * whole, 2 * e)])
-            require(far >= wanted, "surrounds", "a triangle is too near to the origin")
+            require(far >= wanted, "surrounds", "a piece of the surface is too near to the origin")
         for i in range(len(triangle)):
             surface.take(triangle, i, None, "an edge occurs twice in the same direction")
     for triangle in triangles:
