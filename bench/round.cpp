@@ -175,8 +175,7 @@ Contest closer_contest(bool near, std::size_t n, std::uint64_t seed) {
                                             const CloserPair& p = (*pairs)[k];
                                             return solid::clearance_verdict(solid::PlacedRound(p.a, p.pose_a),
                                                                             solid::PlacedRound(p.b, p.closer_b),
-                                                                            kCloserThan) ==
-                                                   solid::ClearanceVerdict::broken;
+                                                                            kCloserThan) == Verdict::meet;
                                           }),
                                           {}};
                            }});

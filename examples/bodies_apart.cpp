@@ -14,11 +14,11 @@ int main() {
   const sunder::solid::Pose here, there = sunder::solid::Pose::from_quaternion(1, 0, 0, 0, {1, 2, 2.5});
 
   const auto answer = polyhedron_polyhedron_distance(block, here, drill, there);
-  std::cout << "between " << answer.distance().low << " and " << answer.distance().high << '\n';
-  if (answer.closest) {
-    const auto& features = answer.closest->features();
+  std::cout << "between " << distance_of(answer).low << " and " << distance_of(answer).high << '\n';
+  if (const auto* closest = closest_of(answer)) {
+    const auto& features = closest->features();
     std::cout << int{features.count_a} << " vertices of the block, " << int{features.count_b} << " of the drill\n";
-    const auto [of_block, of_drill] = closest_points(*answer.closest);
+    const auto [of_block, of_drill] = closest_points(*closest);
     for (const auto& point : {of_block, of_drill}) {
       const sunder::Point3 p = nearest(point.at);
       std::cout << p.x << ' ' << p.y << ' ' << p.z << '\n';

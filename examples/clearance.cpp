@@ -12,10 +12,10 @@ int main() {
   const sunder::planar::Pose here, there = sunder::planar::Pose::from_matrix({1, 0, 0, 1}, {2, 2.5});
 
   const auto answer = polygon_polygon_distance(plate, here, tool, there);
-  std::cout << "between " << answer.distance().low << " and " << answer.distance().high << '\n';
-  if (answer.closest) {
-    std::cout << (answer.closest->edge_of_a ? "edge " : "vertex ") << answer.closest->a << " of the plate, "
-              << (answer.closest->edge_of_b ? "edge " : "vertex ") << answer.closest->b << " of the tool\n";
+  std::cout << "between " << distance_of(answer).low << " and " << distance_of(answer).high << '\n';
+  if (const auto* closest = closest_of(answer)) {
+    std::cout << (closest->edge_of_a ? "edge " : "vertex ") << closest->a << " of the plate, "
+              << (closest->edge_of_b ? "edge " : "vertex ") << closest->b << " of the tool\n";
   }
   const bool is_half = compare_distance(answer, 0.5) == sunder::Sign::zero;
   std::cout << (is_half ? "exactly a half\n" : "not a half\n");

@@ -141,7 +141,7 @@ class Robot {
           const scene::ClearanceAnswer& answer = *moment.near.clearance;
           out.verdicts.push_back({!answer.closer.empty(), !answer.undecided.empty()});
           for (const auto* list : {&answer.closer, &answer.undecided}) {
-            for (const scene::PartDistance& pair : *list) {
+            for (const scene::CloserParts& pair : *list) {
               out.add(k, pair, list == &answer.closer, {pair.distance.low, pair.distance.high});
             }
           }

@@ -108,11 +108,13 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
 #include <sunder/solid/round/round_claims.h>
 #include <sunder/solid/round/round_clearance.h>
+#include <sunder/solid/round/round_closer.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_depth.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_round.h>
 #include <sunder/solid/round/round_round_sweep.h>
+#include <sunder/solid/round/round_round_warm.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_claims.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>

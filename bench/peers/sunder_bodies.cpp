@@ -64,13 +64,13 @@ Ready prepare_sunder_distance(const Scenario& scenario, DistanceAs as) {
   const auto given = std::make_shared<const Bodies>(scenario);
   const auto ask = [given, as](std::size_t k) {
     const sunder::solid::PolyhedronDistance answer = given->distance(k);
-    consume(answer.answer);
+    consume(answer);
     if (as == DistanceAs::features) return answer.meet();
-    return answer.distance().high == 0;
+    return distance_of(answer).high == 0;
   };
   return {each(ask), [given] {
             Tally sum;
-            for (std::size_t k = 0; k < given->pairs.size(); ++k) sum += tally_of(given->distance(k).answer, false);
+            for (std::size_t k = 0; k < given->pairs.size(); ++k) sum += tally_of(given->distance(k), false);
             return sum;
           }};
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise

@@ -8,7 +8,10 @@
 namespace bench {
 
 // The compiler has to suppose that all of the answer, its certificate too, is read here.
-inline void consume(const sunder::PairAnswer& answer) { asm volatile("" : : "g"(&answer) : "memory"); }
+template <class Answer>
+void consume(const Answer& answer) {
+  asm volatile("" : : "g"(&answer) : "memory");
+}
 
 // ask(k) gives the answer of input k; its certificate is included, the answer is not kept.
 template <class Ask>
@@ -20,7 +23,8 @@ Run run_pairs(Ask ask) {
   });
 }
 
-inline Tally tally_of(const sunder::PairAnswer& answer, bool wrong) {
+template <class Answer>
+Tally tally_of(const Answer& answer, bool wrong) {
   const auto by = [&](sunder::DecidedBy how) -> std::uint64_t { return answer.decided_by == how ? 1 : 0; };
   return {1,
           by(sunder::DecidedBy::filter),

@@ -56,6 +56,17 @@ void end_surrounds(ClaimsWriter& file, std::span<const std::array<std::uint32_t,
 
 }  // namespace
 
+void add_depth(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, const EnclosedDepth& found) {
+  const auto [low, high] = found.depth;
+  if (std::isfinite(high)) {
+    const Vector3<Dyadic> d = found.direction.exact();
+    add_depth_at_most(file, a, b, high, std::array{d.x, d.y, d.z});
+  }
+  if (const auto* surface = std::get_if<DepthSurface>(&found.proof_of_low))
+    add_depth_at_least(file, a, b, low, *surface);
+  if (const auto* points = std::get_if<DepthPoints>(&found.proof_of_low)) add_depth_at_least(file, a, b, low, *points);
+}
+
 void add_depth_at_most(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, double most,
                        std::span<const Dyadic> direction) {
   SUNDER_REQUIRE(most >= 0 && std::isfinite(most));

@@ -5,11 +5,15 @@
 #pragma once
 
 #include <sunder/certificate/claims.h>
+#include <sunder/certificate/pair.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/number/interval.h>
+#include <sunder/predicate/point/along.h>
 
 #include <array>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 namespace sunder {
@@ -28,6 +32,21 @@ struct DepthPoints {
   PointOf of_a, of_b;
   bool a_is_curved = false, b_is_curved = false;  // a cylinder, cone or ellipsoid
 };
+
+// That bodies are at least so deep: of 0 nothing proves it but that they meet.
+using DepthProof = std::variant<std::monostate, DepthSurface, DepthPoints>;
+
+// How deep two bodies that meet are in each other.
+struct EnclosedDepth {
+  static constexpr Verdict verdict = Verdict::meet;
+  Interval depth;            // beyond the range of doubles: the largest, and infinity
+  WorldDirection direction;  // from A to B: A, moved back along it by depth.high, does not overlap B
+  DepthProof proof_of_low;   // that it is at least depth.low
+};
+
+// States both ends: that the depth is at most `high`, and at least `low`. Left out is the first where it is not finite,
+// the second where it is 0.
+void add_depth(ClaimsWriter& file, std::uint32_t a, std::uint32_t b, const EnclosedDepth& found);
 
 // That A, moved back by `most` along the direction, which is from A to B and has as many numbers as there are
 // dimensions, does not overlap B. Requires a finite most >= 0.

@@ -7,7 +7,6 @@
 #include <sunder/planar/object/pose.h>
 #include <sunder/planar/pair/polygon_polygon_distance.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,7 @@ struct PairPicture {
   PicturedPolygon a, b;
   PairAnswer answer;
   std::string method;  // by which that was found, as the program calls it: "gjk" of polygon_polygon_by_gjk
-  std::optional<planar::ClosestFeatures> closest{};  // the distance is drawn too
+  const planar::ClosestFeatures* closest = nullptr;  // else the distance is drawn too
   std::string clause{};                              // what the answer is not about, behind it
   std::string title{};                               // empty: a question
 };

@@ -156,7 +156,7 @@ TEST(PairPicture, HasATitleAndTheDistance) {
                                     {b, there, "B", of_b},
                                     apart,
                                     "automatic",
-                                    distance.closest,
+                                    closest_of(distance),
                                     "; left out: 1 point"});
   expect_well_formed(svg);
   for (const char* text : {"Do A&lt; and B meet?", "the distance, about 5<", "two parallel lines",

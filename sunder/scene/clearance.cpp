@@ -6,7 +6,6 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <sunder/solid/round/round_distance.h>
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <limits>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 namespace sunder::scene {
 
@@ -51,74 +51,22 @@ double squared_reach(const Box3& a, const Box3& b) {
   return std::isnan(sum) ? infinity : sum;
 }
 
-PartDistance named(const PartPair& pair) { return {pair.body_a, pair.body_b, pair.part_a, pair.part_b}; }
-
-// Of two polyhedra.
-PartDistance with(PartDistance pair, const solid::PolyhedronDistance& found) {
-  pair.distance = found.distance();
-  pair.closest = found.closest;
-  return pair;
-}
-
-// Of others.
-PartDistance with(PartDistance pair, const solid::RoundDistance& found) {
-  pair.distance = found.distance;
-  if (!found.meet()) pair.points = found.points;
-  return pair;
-}
-
-solid::PolyhedronDistance distance_of_cores(const Part& a, const Part& b) {
-  return polyhedron_polyhedron_distance(a.shape.core(), a.pose, b.shape.core(), b.pose);
-}
-
 PartDistance distance_of(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j) {
   const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
-  const PartDistance pair = named(members.pair(i, j));
-  if (are_polyhedra(a, b)) return with(pair, distance_of_cores(a, b));
-  return with(pair, solid::round_distance(a.shape, a.pose, b.shape, b.pose));
-}
-
-const Part& part_a(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_a].parts[p.part_a]; }
-const Part& part_b(std::span<const Body> bodies, const PartDistance& p) { return bodies[p.body_b].parts[p.part_b]; }
-
-bool are_hulls(std::span<const Body> bodies, const PartDistance& p) {
-  return !part_a(bodies, p).shape.is_curved() && !part_b(bodies, p).shape.is_curved();
-}
-
-// sqrt(n / d) - r for hulls whose cores are sqrt(n / d) apart, and whose radii sum to r.
-struct ExactDistance {
-  ExactDistance(std::span<const Body> bodies, const PartDistance& pair) {
-    const Part &a = part_a(bodies, pair), &b = part_b(bodies, pair);
-    square = (pair.closest ? *pair.closest : *distance_of_cores(a, b).closest).squared();
-    radii = Dyadic(a.shape.radius()) + Dyadic(b.shape.radius());
-  }
-  std::array<Dyadic, 2> square;
-  Dyadic radii;
-};
-
-// Is sqrt(n / d) less than sqrt(m / e) + t? Requires t >= 0: then it is iff n / d - m / e - t^2 < 2 t sqrt(m / e).
-bool is_less(const std::array<Dyadic, 2>& x, const std::array<Dyadic, 2>& y, const Dyadic& t) {
-  const auto& [n, d] = x;
-  const auto& [m, e] = y;
-  const Dyadic left = n * e - m * d - t * t * d * e, right = (t * t * m * e * d * d).scaled(2);
-  if (left.sign() == Sign::negative) return true;
-  return (left * left - right).sign() == Sign::negative;
+  const PartPair of = members.pair(i, j);
+  solid::RoundDistance found = round_distance(a.shape, a.pose, b.shape, b.pose);
+  const Interval distance = distance_of(found);
+  return {of.body_a, of.body_b, of.part_a, of.part_b, distance, std::move(found.evidence)};
 }
 
 // Is `one` nearer? Exactly; where one is curved, and the bounds do not tell, is its upper bound less?
-bool is_nearer(std::span<const Body> bodies, const PartDistance& one, const PartDistance& other) {
+bool is_nearer(const PartDistance& one, const PartDistance& other) {
   if (one.meet() || other.meet()) return one.meet() && !other.meet();
   const Interval &p = one.distance, &q = other.distance;
   if (p.high < q.low || q.high < p.low) return p.high < q.low;
-  if (!are_hulls(bodies, one) || !are_hulls(bodies, other)) return p.high < q.high;
-  const ExactDistance x(bodies, one), y(bodies, other);
-  const Dyadic t = x.radii - y.radii;  // is sqrt(x) < sqrt(y) + t?
-  if (t.sign() != Sign::negative) return is_less(x.square, y.square, t);
-  // No: iff sqrt(y) - t <= sqrt(x).
-  const auto& [n, d] = x.square;
-  const auto& [m, e] = y.square;
-  const Dyadic left = m * d - n * e - t * t * d * e;  // is it greater than -2 t sqrt(x), over d e?
-  return left.sign() == Sign::positive && (left * left - (t * t * n * d * e * e).scaled(2)).sign() == Sign::positive;
+  const auto* x = std::get_if<solid::HullsApart>(&one.evidence);
+  const auto* y = std::get_if<solid::HullsApart>(&other.evidence);
+  return x != nullptr && y != nullptr ? solid::is_nearer(*x, *y) : p.high < q.high;
 }
 
 }  // namespace
@@ -126,7 +74,7 @@ bool is_nearer(std::span<const Body> bodies, const PartDistance& one, const Part
 ClearanceAnswer closer_pairs(std::span<const Body> bodies, const ClearanceQuestion& question) {
   const Members members(bodies, question.allowed);
   const Margins margins(question);
-  std::vector<WorldBox> boxes;
+  std::vector<solid::WorldBox> boxes;
   std::vector<Box3> wide;
   for (std::uint32_t i = 0; i < members.size(); ++i) {
     wide.push_back(widened(boxes.emplace_back(box_of(members.part(bodies, i))), margins.greatest()));
@@ -197,7 +145,7 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
     PartDistance found = distance_of(members, bodies, here.i, here.j);
     low = std::min(low, found.distance.low);
     const bool is_first = comes_first(found, nearest);
-    if (is_nearer(bodies, found, nearest) || (is_first && !is_nearer(bodies, nearest, found))) {
+    if (is_nearer(found, nearest) || (is_first && !is_nearer(nearest, found))) {
       nearest = std::move(found);
     }
     if (nearest.meet()) break;  // those that meet come in their order
@@ -212,15 +160,6 @@ std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double lea
     if (gap_along(a, b, k) >= least) return AxisApart{k, a.high[k] < b.low[k]};
   }
   return std::nullopt;
-}
-
-std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance) {
-  if (distance.closest) {
-    const auto [of_a, of_b] = distance.closest->nearest_points();
-    return NearestPoints{of_a, of_b};
-  }
-  if (!distance.points) return std::nullopt;
-  return NearestPoints{nearest((*distance.points)[0].at), nearest((*distance.points)[1].at)};
 }
 
 }  // namespace sunder::scene

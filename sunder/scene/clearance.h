@@ -12,11 +12,10 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/number/interval.h>
 #include <sunder/scene/scene.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,22 +38,24 @@ struct ClearanceQuestion {
 struct PartDistance {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  double least = 0;         // the margin; meaningless for the nearest pair
   Interval distance{0, 0};  // encloses it (round_distance.h, D1 to D4); both ends are 0 where they meet
-  // Where they are apart, what the nearest points are made of: of two polyhedra; of others.
-  std::optional<solid::ClosestFeatures> closest{};
-  std::shared_ptr<const std::array<PointOf, 2>> points{};
+  solid::RoundDistanceEvidence evidence{};
 
   bool meet() const { return distance.high == 0; }
 };
 
+// Of which one is closer to the other than that, their margin; or that is undecided.
+struct CloserParts : PartDistance {
+  double least = 0;
+};
+
 struct [[nodiscard]] ClearanceAnswer {
-  std::vector<PartDistance> closer;     // than their margins
-  std::vector<PartDistance> undecided;  // whether they are
-  std::uint64_t pairs = 0;              // of parts of different bodies
-  std::uint64_t allowed = 0;            // of these, not asked about
-  std::uint64_t by_boxes = 0;           // far enough apart by their boxes, or whose margin is 0
-  std::uint64_t by_method = 0;          // whose distance was looked at; pairs = allowed + by_boxes + by_method
+  std::vector<CloserParts> closer;     // than their margins
+  std::vector<CloserParts> undecided;  // whether they are
+  std::uint64_t pairs = 0;             // of parts of different bodies
+  std::uint64_t allowed = 0;           // of these, not asked about
+  std::uint64_t by_boxes = 0;          // far enough apart by their boxes, or whose margin is 0
+  std::uint64_t by_method = 0;         // whose distance was looked at; pairs = allowed + by_boxes + by_method
 };
 
 // Requires indices of bodies in range, and margins as they say. Throws Error: bad_pose where a part with a radius is at
@@ -79,12 +80,5 @@ struct AxisApart {
   bool a_is_lower = true;
 };
 std::optional<AxisApart> apart_by_boxes(const Box3& a, const Box3& b, double least);
-
-// Two points of the parts that are nearest to each other, rounded (of curved ones, about so near as `high`); where they
-// meet, nothing.
-struct NearestPoints {
-  Point3 of_a, of_b;
-};
-std::optional<NearestPoints> rounded_nearest_points(const PartDistance& distance);
 
 }  // namespace sunder::scene

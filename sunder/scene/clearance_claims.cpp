@@ -2,7 +2,6 @@
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
 
@@ -78,7 +77,7 @@ class ClearanceClaims {
   Members members_;
   AllPairs all_;
   std::vector<std::uint32_t> first_;  // of each body, where its parts begin
-  std::vector<WorldBox> boxes_;
+  std::vector<solid::WorldBox> boxes_;
   MemberPairs asked_;
 };
 
@@ -90,18 +89,8 @@ bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint
                 double least) {
   const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
   const solid::RoundClearance found = round_clearance(in_a, in_b, least);
-  if (!found.undecided()) {
-    solid::add_claims(claims, of_a, of_b, least, found);
-    return true;
-  }
-  const solid::RoundDistance distance = round_distance(in_a, in_b);
-  if (distance.distance.high < least) {  // then the points are nearer (round_distance.h, D1)
-    claims.add_clearance_broken(of_a, of_b, least, (*distance.points)[0], (*distance.points)[1]);
-    return true;
-  }
-  if (!distance.direction || distance.distance.low < least) return false;
-  const auto [x, y, z] = distance.direction->exact();
-  claims.add_clearance(of_a, of_b, least, {x, y, z});
+  if (found.undecided()) return false;
+  solid::add_claims(claims, of_a, of_b, least, found);
   return true;
 }
 
@@ -110,7 +99,7 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   ClearanceClaims scene(claims, bodies, numbers, question.allowed);
   std::map<BodyPair, double> margins;
   for (const auto& [a, b, least] : question.margins) margins[in_order(a, b)] = least;
-  const auto members_of = [&](const std::vector<PartDistance>& list) {
+  const auto members_of = [&](const std::vector<CloserParts>& list) {
     std::set<std::array<std::uint32_t, 2>> pairs;
     for (const PartDistance& pair : list) {
       pairs.insert({scene.member(pair.body_a, pair.part_a), scene.member(pair.body_b, pair.part_b)});
@@ -177,13 +166,7 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     claims.add_all_clearances(all, low);
   }
   const std::uint32_t of_a = numbers[nearest.body_a][nearest.part_a], of_b = numbers[nearest.body_b][nearest.part_b];
-  if (nearest.closest) {
-    const auto [from, to] = closest_points(*nearest.closest);
-    return claims.add_distance(of_a, of_b, from, to);
-  }
-  const double above = std::nextafter(nearest.distance.high, std::numeric_limits<double>::infinity());
-  const auto& [from, to] = *nearest.points;
-  if (std::isfinite(above)) claims.add_clearance_broken(of_a, of_b, above, from, to);
+  add_distance(claims, of_a, of_b, nearest.evidence);
 }
 
 }  // namespace sunder::scene

@@ -20,7 +20,7 @@ using PartNumbers = std::vector<std::vector<std::uint32_t>>;
 using NotePairs = std::function<void(bool is_of_scene, const PairReasons& others)>;
 
 // States whether two parts, of these numbers in the file, are `least` apart, or more. False, and nothing is stated,
-// where that is undecided and cannot be told from the bounds of their distance either. Cost: that of their distance.
+// where that is undecided. Cost: that of their clearance.
 bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b, double least);
 
 // States of each pair that has a margin, and is not undecided, whether it keeps it; then, for each margin, that this is

@@ -2,6 +2,7 @@
 #include <sunder/near/box_sweep.h>
 #include <sunder/scene/clearance_follower.h>
 #include <sunder/scene/part_questions.h>
+#include <sunder/solid/round/world_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,6 @@ namespace sunder::scene {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-// Cylinders and cones are within their radius of their axis.
-double radius_about_core(const solid::RoundBody& shape) {
-  return shape.kind() == RoundKind::ellipsoid ? unbounded : shape.radius();
-}
 
 // Not less than the sum.
 double sum_above(double x, double y) { return x == 0 ? y : y == 0 ? x : std::nextafter(x + y, unbounded); }
@@ -38,7 +34,7 @@ ClearanceFollower::ClearanceFollower(std::span<const Body> bodies, const Clearan
   for (std::uint32_t i = 0; i < members_.size(); ++i) {
     const solid::RoundBody& shape = members_.part(bodies, i).shape;
     rigid_.emplace_back(shape.core());
-    radii_.push_back(radius_about_core(shape));
+    radii_.push_back(reach_beyond_core(shape));
   }
   list_few();
 }

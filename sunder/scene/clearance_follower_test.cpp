@@ -19,20 +19,16 @@ using solid::ConvexPolyhedron;
 using solid::Pose;
 using Told = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, double, double, double>;
 
-std::vector<Told> told(const std::vector<PartDistance>& list) {
+std::vector<Told> told(const std::vector<CloserParts>& list) {
   std::vector<Told> all;
-  for (const PartDistance& p : list) {
+  for (const CloserParts& p : list) {
     all.emplace_back(p.body_a, p.body_b, p.part_a, p.part_b, p.least, p.distance.low, p.distance.high);
   }
   return all;
 }
 
 void expect_same_points(const PartDistance& p, const PartDistance& q) {
-  const auto of_p = rounded_nearest_points(p), of_q = rounded_nearest_points(q);
-  ASSERT_EQ(of_p.has_value(), of_q.has_value());
-  if (!of_p) return;
-  EXPECT_EQ(of_p->of_a, of_q->of_a);
-  EXPECT_EQ(of_p->of_b, of_q->of_b);
+  EXPECT_EQ(rounded_nearest(p.evidence), rounded_nearest(q.evidence));
 }
 
 enum class BodyKind : std::uint8_t { lattice, polyhedra, any };

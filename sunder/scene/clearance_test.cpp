@@ -81,9 +81,9 @@ void compare_distances_of_all_pairs(bool lattice, std::uint64_t seed) {
             if (sign == Sign::negative) expected.emplace_back(a, b, i, j);
             exactly += sign == Sign::zero;
             own += least != question.least;
-            const double d = distance.distance().low, e = nearest ? nearest->distance.low : HUGE_VAL;
+            const double d = distance_of(distance).low, e = nearest ? nearest->distance.low : HUGE_VAL;
             ties += nearest && d == e;
-            if (d < e) nearest = PartDistance{a, b, i, j, 0, distance.distance(), distance.closest};
+            if (d < e) nearest = PartDistance{a, b, i, j, distance_of(distance)};
           }
         }
       }
@@ -136,6 +136,12 @@ solid::RoundBody random_shape(Random& random, bool curved) {
   }
 }
 
+// A scene may list many pairs: the evidence of none is larger than the features of two polyhedra with their radii.
+TEST(Clearance, APairThatIsListedIsSmall) {
+  EXPECT_LE(sizeof(PartDistance), sizeof(solid::ClosestFeatures) + 64);
+  EXPECT_LE(sizeof(CloserParts), 376u);
+}
+
 // Against round_clearance and round_distance of each pair. On a lattice many are exactly so far apart as is asked, and
 // many as far as others.
 void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
@@ -160,9 +166,9 @@ void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
       for (std::uint32_t b = a + 1; b < bodies.size(); ++b) {
         const Part &p = bodies[a].parts[0], &q = bodies[b].parts[0];
         const solid::RoundClearance clearance = solid::round_clearance(p.shape, p.pose, q.shape, q.pose, least);
-        const Interval distance = solid::round_distance(p.shape, p.pose, q.shape, q.pose).distance;
-        if (clearance.broken()) expected.emplace_back(a, b, 0, 0);
-        exactly += clearance.kept() && distance.low == least && distance.high == least;
+        const Interval distance = distance_of(solid::round_distance(p.shape, p.pose, q.shape, q.pose));
+        if (is_broken(clearance)) expected.emplace_back(a, b, 0, 0);
+        exactly += is_kept(clearance) && distance.low == least && distance.high == least;
         low = std::min(low, distance.low);
         ties += nearest && distance.low == nearest->second.low && distance.high == nearest->second.high;
         if (!nearest || distance.high < nearest->second.high) nearest.emplace(Key{a, b, 0, 0}, distance);
@@ -173,7 +179,7 @@ void compare_with_all_round_pairs(bool curved, std::uint64_t seed) {
     for (const PartDistance& p : answer.closer) {
       EXPECT_LT(p.distance.low, least);
       EXPECT_EQ(p.meet(), p.distance.high == 0);
-      EXPECT_EQ(rounded_nearest_points(p).has_value(), !p.meet());
+      EXPECT_EQ(rounded_nearest(p.evidence).has_value(), !p.meet());
       found.push_back(distance_key(p));
     }
     ASSERT_EQ(found, expected) << seed << " " << round;
@@ -264,7 +270,7 @@ TEST(Clearance, NearestOfManyIsNearestOfAll) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       for (std::size_t j = i + 1; j < bodies.size(); ++j) {
         const Part &a = bodies[i].parts[0], &b = bodies[j].parts[0];
-        least = std::min(least, solid::round_distance(a.shape, a.pose, b.shape, b.pose).distance.low);
+        least = std::min(least, distance_of(solid::round_distance(a.shape, a.pose, b.shape, b.pose)).low);
       }
     }
     EXPECT_EQ(nearest_parts(bodies)->distance.low, least) << round;

@@ -53,9 +53,7 @@ Follower::Follower(std::span<const Body> bodies, const Question& question)
       boxes_(members_->size()) {
   list_few();
   for (std::uint32_t i = 0; i < part_count(); ++i) {
-    const solid::RoundBody& shape = members_->part(std::span<const Body>(bodies_), i).shape;
-    rigid_.emplace_back(shape.core());
-    is_round_.push_back(!shape.is_polyhedron());
+    rigid_.emplace_back(members_->part(std::span<const Body>(bodies_), i).shape.core());
   }
   if (!few_.empty()) {
     kept_of_pair_ = most_kept_of_few;
@@ -125,7 +123,6 @@ std::span<const MovingBoxes::Pair> Follower::follow_near() {
 
 void Follower::look_at(const MovingBoxes::Pair& of) {
   const auto& [i, j, slot] = of;
-  if (is_round_[i] || is_round_[j]) return look_at_round(i, j);
   if (asks_warmly_ && part_again(rigid_[i], rigid_[j], kept_of(slot))) {
     ++answer_.counts.by_method;
     return;
@@ -133,25 +130,16 @@ void Follower::look_at(const MovingBoxes::Pair& of) {
   const std::span<const Body> bodies(bodies_);
   const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
   solid::RoundAnswer answer = answer_of(a, b, question_, last_[slot]);
-  if (!answer.meet()) {
+  if (answer.verdict() == Verdict::apart) {
     if (asks_warmly_) keep_parting(a, last_[slot], kept_of(slot));
     ++answer_.counts.by_method;
     return;
   }
+  // The boxes that meeting_pairs looks at first are tighter than the rough ones.
+  if (answer.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
   PartPair& pair = answer_.pairs.emplace_back(members_->pair(i, j));
   pair.answer = std::move(answer);
   count_answer(pair, a, b, question_, answer_.counts);
-}
-
-void Follower::look_at_round(std::uint32_t i, std::uint32_t j) {
-  const std::span<const Body> bodies(bodies_);
-  const Part &a = members_->part(bodies, i), &b = members_->part(bodies, j);
-  PartPair pair = members_->pair(i, j);
-  pair.answer = answer_of(a, b, question_);
-  // The boxes that meeting_pairs looks at first are tighter than the rough ones.
-  if (pair.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
-  count_answer(pair, a, b, question_, answer_.counts);
-  if (pair.meet() || pair.undecided()) answer_.pairs.push_back(std::move(pair));
 }
 
 const Answer& Follower::ask() {

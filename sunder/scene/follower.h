@@ -72,7 +72,6 @@ class Follower {
   void list_few();
   std::span<const MovingBoxes::Pair> follow_near();
   void look_at(const MovingBoxes::Pair& of);
-  void look_at_round(std::uint32_t i, std::uint32_t j);  // where one has a radius
   std::span<solid::KeptParting> kept_of(std::uint32_t slot) {
     return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
   }
@@ -82,15 +81,15 @@ class Follower {
   bool asks_warmly_;                         // polyhedra: by the front door
   std::shared_ptr<const Members> members_;   // also of those that look for pairs
   std::vector<std::uint32_t> placed_;        // parts since the last answer
-  std::vector<bool> is_placed_, is_round_;   // of each part; is_round_: with a radius
+  std::vector<bool> is_placed_;              // of each part
   std::vector<Box3> boxes_;                  // of each part, rough
   std::vector<FlatBox> flat_boxes_;          // the same, where pairs are few
-  std::vector<solid::RigidlyPlaced> rigid_;  // of each part; of one with a radius its core, which nothing looks at
+  std::vector<solid::RigidlyPlaced> rigid_;  // of each part its core
   std::vector<MovingBoxes::Pair> few_;       // all that are asked about, where these are few; else none
   std::optional<MovingBoxes> near_;          // where they are many
   std::vector<std::uint32_t> meeting_;       // of the pairs that follow_near returns, those whose boxes meet
   std::vector<PairWarmStart> last_;          // by the slots of pairs
-  std::vector<solid::KeptParting> kept_;     // kept_of_pair_ of each slot: what parted them
+  std::vector<solid::KeptParting> kept_;     // kept_of_pair_ of each slot: what parted two polyhedra
   std::size_t kept_of_pair_ = most_kept;
   Answer answer_;
 };

@@ -1,18 +1,13 @@
 #include <sunder/base/contract.h>
-#include <sunder/predicate/point/along.h>
-#include <sunder/predicate/point/shortest_way.h>
 #include <sunder/scene/part_clearance.h>
-#include <sunder/scene/part_questions.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
-#include <sunder/solid/round/round_clearance.h>
-#include <sunder/solid/round/round_distance.h>
+#include <sunder/solid/round/round_closer.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
+#include <variant>
+#include <vector>
 
 namespace sunder::scene {
 
@@ -21,51 +16,6 @@ namespace {
 constexpr double outermost = std::numeric_limits<double>::infinity();
 
 [[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
-
-enum class Nearer : std::uint8_t { no, yes, undecided };
-
-Point3 rounded(const WorldDirection& direction) {
-  const Vector3<Interval> enclosed = direction.enclosure();
-  return {enclosed.x.low, enclosed.y.low, enclosed.z.low};
-}
-
-// From A to B. Mostly intervals tell it; else it costs exact numbers.
-Point3 rounded_way(const solid::ClosestFeatures& closest) {
-  const solid::FeatureVertices& of = closest.features();
-  const std::array<Posed3, 4> images = closest.images();
-  const std::span<const Posed3> all(images);
-  const EnclosedWay enclosed = enclosed_way(all.first(of.count_a), all.subspan(of.count_a, of.count_b));
-  if (enclosed.weights == Guess::positive) return {enclosed.way.x.low, enclosed.way.y.low, enclosed.way.z.low};
-  return rounded(WorldDirection(closest.way().way.way));
-}
-
-// Of two polyhedra: their distance tells.
-Nearer look_at_polyhedra(PartDistance& pair, const Part& a, const Part& b, std::optional<Point3>* apart_along) {
-  const solid::PolyhedronDistance found =
-      polyhedron_polyhedron_distance(a.shape.core(), a.pose, b.shape.core(), b.pose);
-  if (compare_distance(found, pair.least) == Sign::negative) {
-    pair.distance = found.distance();
-    pair.closest = found.closest;
-    return Nearer::yes;
-  }
-  if (apart_along != nullptr) *apart_along = rounded_way(*found.closest);
-  return Nearer::no;
-}
-
-// Of others.
-Nearer look_at_round(PartDistance& pair, const Part& a, const Part& b, std::optional<Point3>* apart_along) {
-  const solid::PlacedRound in_a(a.shape, a.pose), in_b(b.shape, b.pose);
-  const solid::RoundClearance found = round_clearance(in_a, in_b, pair.least);
-  if (found.kept()) {
-    if (apart_along != nullptr) *apart_along = rounded(*found.direction);
-    return Nearer::no;
-  }
-  const solid::RoundDistance distance = round_distance(in_a, in_b);
-  if (found.undecided() && distance.distance.low >= pair.least) return Nearer::no;
-  pair.distance = distance.distance;
-  if (!distance.meet()) pair.points = distance.points;
-  return found.broken() || distance.distance.high < pair.least ? Nearer::yes : Nearer::undecided;
-}
 
 }  // namespace
 
@@ -97,11 +47,18 @@ void look_whether_closer(const Members& members, std::span<const Body> bodies, s
   SUNDER_REQUIRE(least > 0);
   const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
   const PartPair of = members.pair(i, j);
-  PartDistance pair{of.body_a, of.body_b, of.part_a, of.part_b, least};
-  const Nearer nearer = are_polyhedra(a, b) ? look_at_polyhedra(pair, a, b, apart_along)  //
-                                            : look_at_round(pair, a, b, apart_along);
-  if (nearer == Nearer::no) return;
-  (nearer == Nearer::yes ? answer.closer : answer.undecided).push_back(std::move(pair));
+  solid::RoundCloser found = round_closer(a.shape, a.pose, b.shape, b.pose, least);
+  const auto listed_in = [&](std::vector<CloserParts>& list, solid::RoundDistanceEvidence& evidence) {
+    const Interval distance = solid::distance_of(evidence);
+    list.push_back({{of.body_a, of.body_b, of.part_a, of.part_b, distance, std::move(evidence)}, least});
+  };
+  if (auto* nearer = std::get_if<solid::Nearer>(&found.evidence)) {
+    listed_in(answer.closer, nearer->distance);
+  } else if (auto* perhaps = std::get_if<solid::PerhapsNearer>(&found.evidence)) {
+    listed_in(answer.undecided, perhaps->distance);
+  } else if (apart_along != nullptr) {
+    *apart_along = rounded_way(found);
+  }
 }
 
 void complete(const Members& members, ClearanceAnswer& answer) {

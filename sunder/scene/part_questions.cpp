@@ -1,5 +1,4 @@
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/search/placed.h>
 
 #include <tuple>
 #include <utility>
@@ -17,35 +16,17 @@ Relation relation_of(const PartPair& pair, const Part& a, const Part& b) {
 
 }  // namespace
 
-WorldBox box_of(const Part& part) {
-  if (part.shape.is_polyhedron()) return world_box(solid::Placed(part.shape.core(), part.pose));
-  return world_box(PlacedRound(part.shape, part.pose));
-}
+solid::WorldBox box_of(const Part& part) { return world_box(part.shape, part.pose); }
 
-Box3 rough_box_of(const Part& part) {
-  if (part.shape.is_polyhedron()) return rough_world_box(solid::Placed(part.shape.core(), part.pose));
-  return rough_world_box(PlacedRound(part.shape, part.pose));
-}
-
-bool are_polyhedra(const Part& a, const Part& b) { return a.shape.is_polyhedron() && b.shape.is_polyhedron(); }
+Box3 rough_box_of(const Part& part) { return rough_world_box(part.shape, part.pose); }
 
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question) {
-  if (!are_polyhedra(a, b)) return round_round(a.shape, a.pose, b.shape, b.pose);
-  return solid::round_answer(question.method(a.shape.core(), a.pose, b.shape.core(), b.pose));
+  return round_round_by(question.method, a.shape, a.pose, b.shape, b.pose);
 }
 
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last) {
-  if (question.method != solid::polyhedron_polyhedron || !are_polyhedra(a, b)) return answer_of(a, b, question);
-  return solid::round_answer(solid::polyhedron_polyhedron_warm(a.shape.core(), a.pose, b.shape.core(), b.pose, last));
-}
-
-void take_boxes(PartPair& pair, const Part& a, const Part& b, const Separation& boxes) {
-  pair.by_boxes = true;
-  if (are_polyhedra(a, b)) {
-    pair.answer.evidence = boxes;
-  } else {
-    pair.answer.evidence = solid::SeparatingDirection{boxes.direction.given};
-  }
+  if (question.method != solid::polyhedron_polyhedron) return answer_of(a, b, question);
+  return round_round_warm(a.shape, a.pose, b.shape, b.pose, last);
 }
 
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts) {

@@ -1,9 +1,9 @@
-// What a scene asks of its parts: all that depends on what a part's shape is.
+// What a scene asks of its parts.
 #pragma once
 
 #include <sunder/scene/scene.h>
-#include <sunder/scene/world_box.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
+#include <sunder/solid/round/world_box.h>
 
 namespace sunder::scene {
 
@@ -11,18 +11,13 @@ namespace sunder::scene {
 using PairWarmStart = solid::WarmStart;
 
 // The second is larger, and costs no walk.
-WorldBox box_of(const Part& part);
+solid::WorldBox box_of(const Part& part);
 Box3 rough_box_of(const Part& part);
 
-// Has none of them a radius?
-bool are_polyhedra(const Part& a, const Part& b);
-
-// Do they meet? Of polyhedra by the question's method; the second from the last answer on, where that is the front door.
+// Do they meet? Two polyhedra by the question's method; the second from the last answer on, where that is the front
+// door.
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
-
-// That their boxes are apart: for bodies with a radius, too, its direction is one (W1).
-void take_boxes(PartPair& pair, const Part& a, const Part& b, const Separation& boxes);
 
 // Counts the answer of `pair`, which the method gave, and says whether it counts, and whether they touch or overlap,
 // where that is asked for.

@@ -24,7 +24,7 @@ class Scene {
         for (std::uint32_t j = i + 1; j < members_.size(); ++j) look_at(i, j);
       }
     } else {
-      for (const auto& [i, j] : meeting_boxes(std::span<const WorldBox>(boxes_))) look_at(i, j);
+      for (const auto& [i, j] : meeting_boxes(std::span<const solid::WorldBox>(boxes_))) look_at(i, j);
     }
     std::sort(answer_.pairs.begin(), answer_.pairs.end(), is_listed_before);
     members_.complete(answer_.counts);
@@ -37,8 +37,9 @@ class Scene {
     if (!members_.are_asked_about(i, j)) return;
     PartPair pair = members_.pair(i, j);
     const Part &a = members_.part(bodies_, i), &b = members_.part(bodies_, j);
-    if (const auto certificate = apart_by_boxes(boxes_[i], boxes_[j])) {
-      take_boxes(pair, a, b, *certificate);
+    if (auto apart = apart_by_boxes(a.shape, boxes_[i], b.shape, boxes_[j])) {
+      pair.by_boxes = true;
+      pair.answer.evidence = *std::move(apart);
     } else {
       pair.answer = answer_of(a, b, question_);
       count_answer(pair, a, b, question_, answer_.counts);
@@ -49,7 +50,7 @@ class Scene {
   std::span<const Body> bodies_;
   const Question& question_;
   Members members_;
-  std::vector<WorldBox> boxes_;
+  std::vector<solid::WorldBox> boxes_;
   Answer answer_;
 };
 

@@ -13,12 +13,12 @@
 #pragma once
 
 #include <sunder/base/error.h>
-#include <sunder/scene/world_box.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/round/round_contact.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/round/round_round_warm.h>
 
 #include <array>
 #include <cstdint>
@@ -44,13 +44,10 @@ struct Body {
 // "hand", or "hand/2" where the body has several parts. Requires part < body.parts.size().
 std::string part_name(const Body& body, std::uint32_t part);
 
-using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
-                                         const solid::ConvexPolyhedron&, const solid::Pose&);
-
 struct Question {
-  PairMethod method = solid::polyhedron_polyhedron;   // of two polyhedra; others are round_round's
-  std::vector<std::array<std::uint32_t, 2>> allowed;  // pairs of bodies not to be tested, in any order
-  bool allowed_alone = false;                         // the other way round: those are tested, and no others
+  solid::PolyhedronMethod method = solid::polyhedron_polyhedron;  // of two polyhedra; others are round_round's
+  std::vector<std::array<std::uint32_t, 2>> allowed;              // pairs of bodies not to be tested, in any order
+  bool allowed_alone = false;     // the other way round: those are tested, and no others
   bool touching_allowed = false;  // a pair that only touches does not count as meeting (implies contacts)
   bool contacts = false;          // find out whether pairs that meet touch or overlap
   bool every_pair = false;        // list the pairs that boxes parted too

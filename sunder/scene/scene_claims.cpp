@@ -115,7 +115,7 @@ std::string open_text(std::span<const Body> bodies, const PartPair& pair) {
          (pair.undecided() ? ", undecided whether they meet" : ", undecided whether they touch or overlap");
 }
 
-template <class Pair>  // PartDistance, CloserPair
+template <class Pair>  // CloserParts, CloserPair
 std::string closer_open_text(std::span<const Body> bodies, const Pair& pair) {
   return part_name(bodies[pair.body_a], pair.part_a) + " and " + part_name(bodies[pair.body_b], pair.part_b) +
          ", undecided whether they are closer";
@@ -181,7 +181,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   }
   for (const Placement& placed : placements) {
     if (!placed.clearance) continue;
-    for (const PartDistance& pair : placed.clearance->undecided) {
+    for (const CloserParts& pair : placed.clearance->undecided) {
       origin.left_out.push_back(prefix_of(placed) + closer_open_text(bodies, pair));
     }
   }

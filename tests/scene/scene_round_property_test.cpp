@@ -7,6 +7,7 @@
 #include <sunder/scene/follower.h>
 #include <sunder/scene/scene_claims.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/round/world_box.h>
 
 #include <verifier/cpp/verify.h>
 
@@ -96,8 +97,8 @@ TEST(SceneRound, BoxesHoldTheBodyAndNoMuchMore) {
   for (int i = 0; i < scaled_count(2000, 200); ++i) {
     const RoundCase c = pairs.next();
     const PlacedRound body(c.a, c.pose_a);
-    const scene::WorldBox box = scene::world_box(body);
-    const Box3 rough = scene::rough_world_box(body);
+    const solid::WorldBox box = solid::world_box(body);
+    const Box3 rough = solid::rough_world_box(body);
     for (std::size_t k = 0; k < 3; ++k) {
       for (const bool up : {false, true}) {
         const double bound = up ? box.high[k] : box.low[k];

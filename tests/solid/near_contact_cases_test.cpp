@@ -59,10 +59,10 @@ TEST(NearContactCases, TheDistanceAndEachClearanceBesideItAreRight) {
     const auto answer = round_round(a, at, b, bt);
     ASSERT_FALSE(answer.undecided());
     EXPECT_EQ(answer.meet(), distance == 0);
-    const auto [low, high] = round_distance(a, at, b, bt).distance;
+    const auto [low, high] = distance_of(round_distance(a, at, b, bt));
     if (distance == 0) {
       EXPECT_EQ(high, 0);
-      EXPECT_TRUE(round_clearance(a, at, b, bt, 1e-300).broken());
+      EXPECT_TRUE(is_broken(round_clearance(a, at, b, bt, 1e-300)));
       continue;
     }
     // Of a curved body the file has what the drawing shows, to 15 digits.
@@ -71,10 +71,10 @@ TEST(NearContactCases, TheDistanceAndEachClearanceBesideItAreRight) {
     EXPECT_GE(low, std::nextafter(distance, 0.0) - slack);
     EXPECT_GE(high, std::nextafter(distance, 0.0) - slack);
     EXPECT_LE(high, std::nextafter(distance, infinity) + slack);
-    EXPECT_TRUE(round_clearance(a, at, b, bt, low).kept());
-    EXPECT_TRUE(round_clearance(a, at, b, bt, std::nextafter(high, infinity)).broken());
-    EXPECT_TRUE(round_clearance(b, bt, a, at, low).kept());
-    EXPECT_TRUE(round_clearance(b, bt, a, at, std::nextafter(high, infinity)).broken());
+    EXPECT_TRUE(is_kept(round_clearance(a, at, b, bt, low)));
+    EXPECT_TRUE(is_broken(round_clearance(a, at, b, bt, std::nextafter(high, infinity))));
+    EXPECT_TRUE(is_kept(round_clearance(b, bt, a, at, low)));
+    EXPECT_TRUE(is_broken(round_clearance(b, bt, a, at, std::nextafter(high, infinity))));
   }
 }
 

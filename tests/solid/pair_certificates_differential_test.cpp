@@ -36,12 +36,12 @@ struct Written {
 
 // What the distance says of clearances that it keeps barely, and not quite.
 void add_clearances(PairClaims& pairs, const planar::ClaimedPair& pair, const planar::PolygonDistance& distance,
-                    const PairCertificate& certificate, Written& out) {
-  const auto [low, high] = distance.distance();
+                    Written& out) {
+  const auto [low, high] = distance_of(distance);
   for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
     if (!(least > 0) || !std::isfinite(least)) continue;
     ++out.statements;
-    planar::add_clearance(pairs, pair, certificate, distance, least);
+    planar::add_clearance(pairs, pair, distance, least);
     ++(planar::compare_distance(distance, least) == Sign::negative ? out.broken : out.kept);
   }
 }
@@ -70,11 +70,11 @@ Written write(const PlanarCase& c) {
   const planar::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
   planar::add_claims(pairs, pair, answer.evidence, contact);
   const planar::PolygonDistance distance = planar::polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
-  EXPECT_TRUE(distance.closest);
-  if (!distance.closest) return out;
+  EXPECT_FALSE(distance.meet());
+  if (distance.meet()) return out;
   planar::add_distance(pairs, pair, distance);
   ++out.statements;
-  add_clearances(pairs, pair, distance, answer.evidence, out);
+  add_clearances(pairs, pair, distance, out);
   pairs.end();
   return out;
 }

@@ -40,13 +40,13 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
     SCOPED_TRACE(std::to_string(i) + " " + named(c));
     RoundDepthTally& tally = tallies[std::string(name_of(c.family))];
     ++tally.all;
-    ASSERT_EQ(found.verdict, round_round(a, b).verdict());
-    if (!found.meet()) continue;
+    ASSERT_EQ(found.verdict(), round_round(a, b).verdict());
+    const EnclosedDepth* depth = depth_of(found);
+    if (depth == nullptr) continue;
     ++tally.meet;
-    const auto [low, high] = found.depth;
+    const auto [low, high] = depth->depth;
     ASSERT_TRUE(low >= 0 && low <= high) << low << " " << high;
-    ASSERT_TRUE(found.direction.has_value());
-    ASSERT_TRUE(low == 0 || found.surface != nullptr || found.points != nullptr) << low;
+    ASSERT_EQ(low == 0, std::holds_alternative<std::monostate>(depth->proof_of_low)) << low;
     const bool is_curved = c.a.is_curved() || c.b.is_curved();
     if (!is_curved) {
       ASSERT_LE(high, std::nextafter(low, HUGE_VAL));
@@ -57,10 +57,10 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
       tally.with_low += low > 0;
     }
     const RoundDepth back = round_depth(b, a);
-    ASSERT_TRUE(back.meet() || (is_curved && back.verdict == Verdict::undecided));
-    if (back.meet()) {
-      ASSERT_LE(back.depth.low, high);
-      ASSERT_GE(back.depth.high, low);
+    ASSERT_TRUE(back.meet() || (is_curved && back.undecided()));
+    if (const EnclosedDepth* other = depth_of(back)) {
+      ASSERT_LE(other->depth.low, high);
+      ASSERT_GE(other->depth.high, low);
     }
     if (!std::isfinite(high)) continue;
     ++tally.proved;
@@ -68,7 +68,7 @@ TEST(RoundDepthDifferential, EachAnswerIsProved) {
       PairClaims claims(file);
       const std::uint32_t first = add_round(claims, "a", a), second = add_round(claims, "b", b);
       add_claims(claims, first, a, second, b, round_round(a, b).evidence);
-      add_depth(file, first, second, found);
+      add_depth(file, first, second, *depth);
     });
     const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
     ASSERT_TRUE(result.accepted()) << result.failed_form << result.error << low << " " << high << "\n"

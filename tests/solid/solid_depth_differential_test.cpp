@@ -22,6 +22,7 @@ namespace sunder::tests {
 namespace {
 
 using solid::ConvexPolyhedron;
+using solid::PolyhedraOverlap;
 using solid::PolyhedronDepth;
 using solid::Pose;
 
@@ -105,19 +106,20 @@ class Oracle {
   std::vector<Whole> a_, b_;
 };
 
-std::string depth_certificate(const PairCase& c, const PolyhedronDepth& depth) {
+std::string depth_certificate(const PairCase& c, const PolyhedraOverlap& overlap) {
   return claims_text({}, [&](ClaimsWriter& file) {
     PairClaims pairs(file);
     const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
     const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
-    pairs.add_pair(a, b, depth.answer.evidence);
-    add_depth(file, a, b, depth);
+    pairs.add_pair(a, b, overlap.common);
+    add_depth(file, a, b, overlap);
   });
 }
 
 // P2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the depth.
-void expect_narrow_depth(const PolyhedronDepth& d) {
-  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * d.squared[1] - d.squared[0]).sign(); };
+void expect_narrow_depth(const PolyhedraOverlap& d) {
+  const std::array<Dyadic, 2>& squared = d.exact->squared;
+  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * squared[1] - squared[0]).sign(); };
   const auto [low, high] = d.depth;
   ASSERT_NE(compared(low), Sign::positive);
   ASSERT_EQ(low == high, compared(low) == Sign::zero);
@@ -140,22 +142,26 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
   std::map<Family, DepthTally> tallies;
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
-    const PolyhedronDepth d = polyhedron_polyhedron_depth(c.a, c.pose_a, c.b, c.pose_b);
+    const PolyhedronDepth answer = polyhedron_polyhedron_depth(c.a, c.pose_a, c.b, c.pose_b);
     DepthTally& t = tallies[c.family];
     ++t.cases;
     if (c.touches_exactly) {
-      ASSERT_TRUE(d.meet()) << i;
+      ASSERT_TRUE(answer.meet()) << i;
+    }
+    const PolyhedraOverlap* overlap = overlap_of(answer);
+    if (overlap == nullptr) continue;
+    const PolyhedraOverlap& d = *overlap;
+    if (c.touches_exactly) {
       ASSERT_EQ(d.depth.high, 0) << i << " " << name_of(c.family);
     }
-    if (!d.meet()) continue;
     ++t.meet;
     t.deep += d.depth.low > 0;
-    t.exact += d.is_exact;
+    t.exact += d.exact.has_value();
     const std::size_t m = c.a.vertices().size(), n = c.b.vertices().size();
-    if (m * n <= PolyhedronDepth::all_are_exact) {
-      ASSERT_TRUE(d.is_exact) << i;
+    if (m * n <= PolyhedraOverlap::all_are_exact) {
+      ASSERT_TRUE(d.exact) << i;
     }
-    if (d.is_exact) {
+    if (d.exact) {
       ASSERT_NO_FATAL_FAILURE(expect_narrow_depth(d)) << i << " " << name_of(c.family);
     }
     ASSERT_LE(d.depth.low, d.depth.high);
@@ -163,7 +169,8 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
       ++t.scanned;
       const Oracle oracle(images(c.a, c.pose_a), images(c.b, c.pose_b));
       const Fraction square = oracle.least_.value_or(0) / Fraction(Integer(1) << (4 * unit));
-      ASSERT_TRUE(fraction(d.squared[0]) == square * fraction(d.squared[1])) << i << " " << name_of(c.family);
+      ASSERT_TRUE(fraction(d.exact->squared[0]) == square * fraction(d.exact->squared[1]))
+          << i << " " << name_of(c.family);
     }
     if (!std::isfinite(d.depth.high)) continue;
     ++t.proved;
@@ -197,12 +204,14 @@ TEST(SolidDepthDifferential, SymmetriesKeepTheDepth) {
   for (int i = 0; i < count; ++i) {
     const PairCase c = pairs.next();
     const PolyhedronDepth d = polyhedron_polyhedron_depth(c.a, c.pose_a, c.b, c.pose_b);
-    if (!d.meet() || !d.is_exact) continue;
-    deep += d.depth.low > 0;
-    const auto same = [&](const PolyhedronDepth& other, double factor) {
-      return other.meet() && other.is_exact &&
-             (Dyadic(factor) * Dyadic(factor) * d.squared[0] * other.squared[1] - other.squared[0] * d.squared[1])
-                     .sign() == Sign::zero;
+    const PolyhedraOverlap* overlap = overlap_of(d);
+    if (overlap == nullptr || !overlap->exact) continue;
+    deep += overlap->depth.low > 0;
+    const auto same = [&](const PolyhedronDepth& answer, double factor) {
+      const PolyhedraOverlap* other = overlap_of(answer);
+      if (other == nullptr || !other->exact) return false;
+      const auto &x = overlap->exact->squared, &y = other->exact->squared;
+      return (Dyadic(factor) * Dyadic(factor) * x[0] * y[1] - y[0] * x[1]).sign() == Sign::zero;
     };
     ASSERT_TRUE(same(polyhedron_polyhedron_depth(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;
     const auto changed = [&](const auto& change) {

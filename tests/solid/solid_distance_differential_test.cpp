@@ -5,6 +5,7 @@
 
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <verifier/cpp/verify.h>
@@ -41,9 +42,9 @@ std::string distance_certificate(const PairCase& c, const PolyhedronDistance& di
   const auto a = pairs.add_placed("a", pairs.add_body("a", c.a.vertices()), c.pose_a.affine());
   const auto b = pairs.add_placed("b", pairs.add_body("b", c.b.vertices()), c.pose_b.affine());
   const solid::ClaimedPair pair{a, b, c.a, c.pose_a, c.b, c.pose_b};
-  add_claims(pairs, pair, distance.answer.evidence, Relation::none);
+  add_claims(pairs, pair, polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b).evidence, Relation::none);
   add_distance(pairs, pair, distance);
-  const auto [low, high] = distance.distance();
+  const auto [low, high] = distance_of(distance);
   for (const double least : {low, high, std::nextafter(high, HUGE_VAL)}) {
     if (least > 0 && std::isfinite(least)) add_clearance(pairs, pair, distance, least);
   }
@@ -53,9 +54,9 @@ std::string distance_certificate(const PairCase& c, const PolyhedronDistance& di
 
 // D2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the distance.
 void expect_narrow_distance(const PolyhedronDistance& d) {
-  const auto [numerator, denominator] = d.closest->squared();
+  const auto [numerator, denominator] = closest_of(d)->squared();
   const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * denominator - numerator).sign(); };
-  const auto [low, high] = d.distance();
+  const auto [low, high] = distance_of(d);
   ASSERT_NE(compared(low), Sign::positive);
   ASSERT_EQ(low == high, compared(low) == Sign::zero);
   if (low == high) return;
@@ -82,7 +83,7 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
     const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
     DistanceTally& t = tallies[c.family];
     ++t.cases;
-    ASSERT_EQ(d.meet(), !d.closest) << i;
+    ASSERT_EQ(d.meet(), !closest_of(d)) << i;
     if (c.touches_exactly) {
       ASSERT_TRUE(d.meet()) << i;
     }
@@ -92,22 +93,22 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
       ASSERT_EQ(d.meet(), scan.meet()) << i << " " << name_of(c.family);
       if (!d.meet()) {
         ++t.scanned;
-        ASSERT_EQ(compare(d.closest->squared(), 1.0, scan.closest->squared()), Sign::zero)
-            << i << " " << name_of(c.family) << " " << d.distance().low << " " << scan.distance().low;
+        ASSERT_EQ(compare(closest_of(d)->squared(), 1.0, closest_of(scan)->squared()), Sign::zero)
+            << i << " " << name_of(c.family) << " " << distance_of(d).low << " " << distance_of(scan).low;
       }
     }
     if (d.meet()) {
-      ASSERT_EQ(d.distance().high, 0);
+      ASSERT_EQ(distance_of(d).high, 0);
       continue;
     }
     ++t.apart;
-    t.filter += d.answer.decided_by == DecidedBy::filter;
-    t.evidence += d.answer.decided_by == DecidedBy::evidence;
-    t.finishing += d.answer.decided_by == DecidedBy::finishing;
-    const solid::FeatureVertices& f = d.closest->features();
+    t.filter += d.decided_by == DecidedBy::filter;
+    t.evidence += d.decided_by == DecidedBy::evidence;
+    t.finishing += d.decided_by == DecidedBy::finishing;
+    const solid::FeatureVertices& f = closest_of(d)->features();
     ASSERT_TRUE(f.count_a >= 1 && f.count_b >= 1 && f.count_a + f.count_b <= 4) << i;
     ++features[f.count_a][f.count_b];
-    const ExactWay exact = d.closest->way();
+    const ExactWay exact = closest_of(d)->way();
     for (std::size_t k = 0; k < std::size_t{f.count_a} + f.count_b; ++k) {
       ASSERT_EQ(exact.weight[k].sign(), Sign::positive) << i;
     }
@@ -167,7 +168,8 @@ TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
     const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
     const auto same = [&](const PolyhedronDistance& other, double factor) {
       if (d.meet() || other.meet()) return d.meet() == other.meet();
-      return compare(d.closest->squared(), Dyadic(factor) * Dyadic(factor), other.closest->squared()) == Sign::zero;
+      return compare(closest_of(d)->squared(), Dyadic(factor) * Dyadic(factor), closest_of(other)->squared()) ==
+             Sign::zero;
     };
     apart += !d.meet();
     ASSERT_TRUE(same(polyhedron_polyhedron_distance(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;

@@ -49,7 +49,11 @@ struct Bounded {
 double square_of_larger(double x, double y) { return std::max(x, y) * std::max(x, y); }
 double sum_of_logs(double x, double y) { return x + y; }
 PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {
-  return polyhedron_polyhedron_distance(a, pose_a, b, pose_b).answer;
+  const solid::PolyhedronDistance found = polyhedron_polyhedron_distance(a, pose_a, b, pose_b);
+  if (const auto* common = std::get_if<CommonVertices>(&found.evidence)) {
+    return {*common, found.decided_by, found.cost};
+  }
+  return {{}, found.decided_by, found.cost};  // that they are apart; what parts them is not looked at
 }
 const std::array<Bounded, 4> bounded{
     {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 32, square_of_larger, 1000},

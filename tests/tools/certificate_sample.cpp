@@ -4,6 +4,7 @@
 // are. The last line printed says how many.
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/pair/contact_evidence.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 #include <tests/support/solid_pairs.h>
 
@@ -46,12 +47,12 @@ int main(int argc, char** argv) {
       const tests::PairCase& c = cases[k];
       const auto [a, b] = placed[k];
       const auto distance = solid::polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
-      written.add_pair(a, b, distance.answer.evidence);
+      written.add_pair(a, b, solid::polyhedron_polyhedron(c.a, c.pose_a, c.b, c.pose_b).evidence);
       meets += distance.meet();
       if (distance.meet()) continue;
-      const auto [of_a, of_b] = solid::closest_points(*distance.closest);
+      const auto [of_a, of_b] = solid::closest_points(*closest_of(distance));
       written.add_distance(a, b, of_a, of_b);
-      const double least = distance.distance().low;
+      const double least = distance_of(distance).low;
       if (least > 0) written.add_clearance(a, b, least, way_between(of_a, of_b));
     }
     written.end();

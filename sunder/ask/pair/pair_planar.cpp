@@ -49,7 +49,7 @@ class BoundedPair : public PairQuestion {
     answer_ = method_(a, pose_a, b, pose_b);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify) contact_ = planar::polygon_polygon_contact(a, pose_a, b, pose_b);
-    if (call.distance || least_ > 0) distance_ = planar::polygon_polygon_distance(a, pose_a, b, pose_b);
+    if (asks_distance()) distance_ = planar::polygon_polygon_distance(a, pose_a, b, pose_b);
     facts_.push_back(evidence(answer_.evidence, 2));
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text()});
     if (call.depth && meet_) {
@@ -62,8 +62,7 @@ class BoundedPair : public PairQuestion {
     if (least_ == 0) return;
     is_kept_ = compare_distance(distance_, least_) != Sign::negative;
     is_yes_ = !is_kept_;
-    const auto& closest = distance_.closest;
-    facts_.push_back(clearance(least_, is_kept_, closest ? closest->distance : Interval(0.0)));
+    facts_.push_back(clearance(least_, is_kept_, distance_of(distance_)));
   }
 
   std::string certificate() const {
@@ -74,7 +73,7 @@ class BoundedPair : public PairQuestion {
                             if (call.distance) add_distance(pairs, pair, distance_);
                             if (depth_)
                               add_depth(pairs.file(), a, b, pair.a, pair.pose_a, pair.b, pair.pose_b, *depth_);
-                            if (least_ > 0) add_clearance(pairs, pair, answer_.evidence, distance_, least_);
+                            if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
                           });
   }
   std::string picture() const {
@@ -82,22 +81,25 @@ class BoundedPair : public PairQuestion {
                               {of_b_.polygon, of_b_.pose, b_.name, b_.text},
                               answer_,
                               call.method,
-                              distance_.closest,
+                              asks_distance() ? closest_of(distance_) : nullptr,
                               files_.left_out.clause(),
                               call.title});
   }
 
  private:
+  bool asks_distance() const { return call.distance || least_ > 0; }
+
   std::string distance_text() const {
-    const auto& d = distance_.closest;
-    return !d ? "0"
-              : fmt::format("{}, from {} to {}", about_length(d->distance), of_a_.feature_text("A", d->a, d->edge_of_a),
-                            of_b_.feature_text("B", d->b, d->edge_of_b));
+    const planar::ClosestFeatures* d = closest_of(distance_);
+    return d == nullptr
+               ? "0"
+               : fmt::format("{}, from {} to {}", about_length(d->distance),
+                             of_a_.feature_text("A", d->a, d->edge_of_a), of_b_.feature_text("B", d->b, d->edge_of_b));
   }
   Json distance_json() const {
-    const Interval distance = distance_.distance();
+    const Interval distance = distance_of(distance_);
     Json json{{"low", distance.low}, {"high", distance.high}};
-    if (const auto& d = distance_.closest) {
+    if (const planar::ClosestFeatures* d = closest_of(distance_)) {
       json["a"] = of_a_.feature_json(d->a, d->edge_of_a);
       json["b"] = of_b_.feature_json(d->b, d->edge_of_b);
     }
@@ -123,7 +125,7 @@ class BoundedPair : public PairQuestion {
   const PlanarBody &of_a_, &of_b_;
   double least_;  // the clearance that is asked about; 0: none
   PairAnswer answer_;
-  planar::PolygonDistance distance_;
+  planar::PolygonDistance distance_;  // where it is asked for
   std::optional<planar::PolygonDepth> depth_;
   bool is_kept_ = false;
 };

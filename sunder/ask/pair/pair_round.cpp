@@ -50,15 +50,18 @@ class RoundPair : public PairQuestion {
       found_ = round_round_contact(placed_a_, placed_b_, answer_.evidence);
       contact_ = relation_of(found_);
     }
-    if (call.distance || least_ > 0) distance_ = round_distance(placed_a_, placed_b_);
+    if (call.distance || least_ > 0) {
+      distance_ = round_distance(placed_a_, placed_b_);
+      enclosed_ = distance_of(distance_);
+    }
     if (least_ > 0) {
       clearance_ = round_clearance(placed_a_, placed_b_, least_);
-      is_yes_ = !clearance_.kept();
+      is_yes_ = !is_kept(clearance_);
     }
     // That they are apart, and so far, carries over from hulls to the meshes that they stand for.
     const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
     const bool is_said_of_hulls =
-        is_hull && (answer_.verdict() != Verdict::apart || call.distance || (least_ > 0 && !clearance_.kept()));
+        is_hull && (answer_.verdict() != Verdict::apart || call.distance || (least_ > 0 && !is_kept(clearance_)));
     if (meet_ && is_hull) verdict_ = "meet as hulls";
     facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence()};
     if (call.classify && meet_ && contact_ == Relation::none) {
@@ -67,18 +70,18 @@ class RoundPair : public PairQuestion {
     const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
     if (call.distance) facts_.push_back(distance(of_hulls));
     if (call.depth && meet_) {
-      depth_ = round_depth(placed_a_, placed_b_);
-      const Point3 way = way_out(*depth_.direction);
-      facts_.push_back({"depth", depth_report(depth_.depth, to_json(way)), depth_told(depth_.depth, about(way))});
+      depth_ = *depth_of(round_depth(placed_a_, placed_b_));
+      const Point3 way = way_out(depth_->direction);
+      facts_.push_back({"depth", depth_report(depth_->depth, to_json(way)), depth_told(depth_->depth, about(way))});
     }
     if (least_ == 0) return;
-    facts_.push_back(clearance(least_, clearance_.kept(), distance_.distance));
+    facts_.push_back(clearance(least_, is_kept(clearance_), enclosed_));
     Fact& fact = facts_.back();
     if (clearance_.undecided()) {
       fact.json["undecided"] = true;
       fact.text = fmt::format("{}: undecided; {} apart", least_, distance_text());
     }
-    if (!clearance_.kept()) fact.text += of_hulls;
+    if (!is_kept(clearance_)) fact.text += of_hulls;
   }
 
   std::string certificate() const {
@@ -93,8 +96,8 @@ class RoundPair : public PairQuestion {
       file.say(b_.said);
       const std::uint32_t b = add_round(pairs, b_.name, placed_b_);
       add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, found_);
-      if (call.distance && !distance_.meet()) solid::add_claims(pairs, a, b, distance_);
-      if (call.depth) add_depth(file, a, b, depth_);
+      if (call.distance && enclosed_.high > 0) solid::add_claims(pairs, a, b, distance_);
+      if (depth_) add_depth(file, a, b, *depth_);
       if (least_ > 0) solid::add_claims(pairs, a, b, least_, clearance_);
     });
   }
@@ -119,12 +122,12 @@ class RoundPair : public PairQuestion {
   }
 
   std::string distance_text() const {
-    const auto [low, high] = distance_.distance;
-    if (high - low <= 0x1p-40 * high) return high == 0 ? "0" : about_length(distance_.distance);
+    const auto [low, high] = enclosed_;
+    if (high - low <= 0x1p-40 * high) return high == 0 ? "0" : about_length(enclosed_);
     return fmt::format("between {:.12g} and {:.12g}", low, high);
   }
   Fact distance(const char* of_hulls) const {
-    const auto [low, high] = distance_.distance;
+    const auto [low, high] = enclosed_;
     return {"distance", {{"low", low}, {"high", high}}, distance_text() + of_hulls};
   }
 
@@ -134,7 +137,8 @@ class RoundPair : public PairQuestion {
   solid::RoundAnswer answer_;
   solid::RoundContact found_;
   solid::RoundDistance distance_;
-  solid::RoundDepth depth_;
+  Interval enclosed_{0, 0};               // the distance, where it is asked for
+  std::optional<EnclosedDepth> depth_{};  // where it is asked for, and they meet
   solid::RoundClearance clearance_;
 };
 

@@ -82,13 +82,14 @@ class SolidPair : public PairQuestion {
     if (cut_) facts_.push_back({"cut", cut_->told.json, cut_->told.text});
     if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
     if (call.depth && meet_) {
-      depth_ = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
+      const solid::PolyhedronDepth found = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
+      depth_ = std::get<solid::PolyhedraOverlap>(found.evidence);
       facts_.push_back({"depth", depth_json(), depth_text()});
       if (depth_.is_exact) not_proved_.emplace_back("the square of the depth");
       if (deepest()) not_proved_.emplace_back("which features touch after that");
     }
     if (least_ == 0) return;
-    facts_.push_back(clearance(least_, is_kept_, distance_.distance()));
+    facts_.push_back(clearance(least_, is_kept_, distance_of(distance_)));
     if (!is_kept_) facts_.back().text += of_hulls;
   }
 
@@ -107,14 +108,14 @@ class SolidPair : public PairQuestion {
         add_common_part(pairs, cuts_b_ ? b : a, cuts_b_ ? a : b, body.mesh.hull, body.pose, cut_->segment, cut_->cut);
       }
       if (call.distance) add_distance(pairs, pair, distance_);
-      if (call.depth) add_depth(file, a, b, depth_);
+      if (depth_) add_depth(file, a, b, *depth_);
       if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
     });
   }
 
  private:
   std::array<SurfacePart, 2> closest() const {
-    const solid::FeatureVertices& f = distance_.closest->features();
+    const solid::FeatureVertices& f = closest_of(distance_)->features();
     const std::span<const std::uint32_t> all(f.vertices);
     return {SurfacePart{of_a_.mesh.hull, all.first(f.count_a)},
             SurfacePart{of_b_.mesh.hull, all.subspan(f.count_a, f.count_b)}};
@@ -122,10 +123,10 @@ class SolidPair : public PairQuestion {
   std::string distance_text() const {
     if (meet_) return "0";
     const auto [a, b] = closest();
-    return fmt::format("{}, from {} to {}", about_length(distance_.distance()), a.text("A"), b.text("B"));
+    return fmt::format("{}, from {} to {}", about_length(distance_of(distance_)), a.text("A"), b.text("B"));
   }
   Json distance_json() const {
-    const Interval distance = distance_.distance();
+    const Interval distance = distance_of(distance_);
     Json json{{"low", distance.low}, {"high", distance.high}};
     if (meet_) return json;
     const auto [a, b] = closest();
@@ -136,18 +137,18 @@ class SolidPair : public PairQuestion {
 
   // Of A and of B, at the nearest facet of their difference; none where that is flat.
   std::optional<std::array<SurfacePart, 2>> deepest() const {
-    const auto& [a, b] = depth_.features;
-    if (a.empty()) return std::nullopt;
+    if (!depth_->exact || depth_->exact->features.of_a.empty()) return std::nullopt;
+    const auto& [a, b] = depth_->exact->features;
     return std::array{SurfacePart{of_a_.mesh.hull, a}, SurfacePart{of_b_.mesh.hull, b}};
   }
   std::string depth_text() const {
     const auto parts = deepest();
-    return depth_told(depth_.depth, about(way_out(*depth_.direction))) +
+    return depth_told(depth_->depth, about(way_out(depth_->direction))) +
            (parts ? fmt::format(", {} against {}", (*parts)[0].text("A"), (*parts)[1].text("B")) : "");
   }
   Json depth_json() const {
-    Json json = depth_report(depth_.depth, to_json(way_out(*depth_.direction)));
-    if (depth_.is_exact) json["square"] = fraction_text(depth_.squared[0], depth_.squared[1]);
+    Json json = depth_report(depth_->depth, to_json(way_out(depth_->direction)));
+    if (depth_->exact) json["square"] = fraction_text(depth_->exact->squared[0], depth_->exact->squared[1]);
     if (const auto parts = deepest()) {
       json["a"] = (*parts)[0].json();
       json["b"] = (*parts)[1].json();
@@ -162,7 +163,7 @@ class SolidPair : public PairQuestion {
   std::optional<SegmentCut> cut_;
   bool cuts_b_ = false;  // A is the segment
   solid::PolyhedronDistance distance_;
-  solid::PolyhedronDepth depth_;
+  std::optional<solid::PolyhedraOverlap> depth_;  // where it is asked for, and they meet
   bool is_kept_ = false;
 };
 

@@ -68,11 +68,11 @@ struct FoundPlacements {
 // Appends what is closer than it has to be, or may be, as certificates take it. Returns how many pairs are.
 std::size_t list_closer(const scene::Nearness& found, std::vector<scene::CloserPair>& list) {
   if (!found.clearance) return 0;
-  const auto add = [&](const scene::PartDistance& pair, bool is_undecided) {
+  const auto add = [&](const scene::CloserParts& pair, bool is_undecided) {
     list.push_back({pair.body_a, pair.body_b, pair.part_a, pair.part_b, pair.least, is_undecided});
   };
-  for (const scene::PartDistance& pair : found.clearance->closer) add(pair, false);
-  for (const scene::PartDistance& pair : found.clearance->undecided) add(pair, true);
+  for (const scene::CloserParts& pair : found.clearance->closer) add(pair, false);
+  for (const scene::CloserParts& pair : found.clearance->undecided) add(pair, true);
   return found.clearance->closer.size();
 }
 

@@ -18,6 +18,7 @@ namespace sunder::ask {
 
 namespace {
 
+using scene::CloserParts;
 using scene::PartDistance;
 using scene::PartPair;
 using scene::SweptPair;
@@ -112,14 +113,14 @@ void RowLines::add(std::size_t row, const scene::Moment& moment, LineTexts& line
     if (!answer.pairs.empty()) {
       add_list("pairs", answer.pairs, [&](const PartPair& pair) { add_json(pair, moment.bodies, json); });
     }
-    const auto add_distance = [&](const PartDistance& pair) { add_json(pair, true, json); };
+    const auto add_distance = [&](const CloserParts& pair) { add_json(pair, pair.least, json); };
     if (const auto& near = moment.near.clearance) {
       add_list("closer", near->closer, add_distance);
       if (!near->undecided.empty()) add_list("closer_undecided", near->undecided, add_distance);
     }
     if (moment.near.nearest) {
       json.key("nearest");
-      add_json(*moment.near.nearest, false, json);
+      add_json(*moment.near.nearest, {}, json);
     }
     json.close('}');
     lines.json += '\n';
@@ -199,12 +200,12 @@ void RowLines::add_text(const scene::Nearness& near, std::string& text) const {
   if (near.clearance) {
     const auto& [closer, undecided] = std::tie(near.clearance->closer, near.clearance->undecided);
     if (closer.empty()) text += undecided.empty() ? "; none are closer" : "; none are known to be closer";
-    const auto add_pair = [&](const PartDistance& pair, const char* what) {
+    const auto add_pair = [&](const CloserParts& pair, const char* what) {
       add_to(text, "; {}{} are closer than {}{}: {}", what, of(pair).both(), pair.least, of(pair).hulls(),
              short_distance_text(pair));
     };
-    for (const PartDistance& pair : closer) add_pair(pair, "");
-    for (const PartDistance& pair : undecided) add_pair(pair, "undecided whether ");
+    for (const CloserParts& pair : closer) add_pair(pair, "");
+    for (const CloserParts& pair : undecided) add_pair(pair, "undecided whether ");
   }
   if (near.nearest) {
     add_to(text, "; nearest: {}{}: {}", of(*near.nearest).both(), of(*near.nearest).hulls(),
@@ -240,13 +241,13 @@ void RowLines::add_json(const PartPair& pair, std::span<const scene::Body> bodie
   json.member("vertices_b", vertices.subspan(common->count_a, common->count_b)).close('}').close('}');
 }
 
-void RowLines::add_json(const PartDistance& pair, bool has_margin, JsonLine& json) const {
+void RowLines::add_json(const PartDistance& pair, std::optional<double> margin, JsonLine& json) const {
   open_pair(pair, json);
   json.member("said_of", of(pair).said_of());
   json.member("low", pair.distance.low).member("high", pair.distance.high);
-  if (has_margin) json.member("least", pair.least);
-  if (const auto points = rounded_nearest_points(pair)) {
-    json.member("points_about", std::array{coordinates(points->of_a), coordinates(points->of_b)});
+  if (margin) json.member("least", *margin);
+  if (const auto points = rounded_nearest(pair.evidence)) {
+    json.member("points_about", std::array{coordinates((*points)[0]), coordinates((*points)[1])});
   }
   json.close('}');
 }
@@ -268,12 +269,12 @@ void RowLines::add_json(const SweptPair& pair, JsonLine& json) const {
 void RowLines::add_csv(const scene::Nearness& near, std::string& csv) const {
   if (near.clearance) {
     std::string list;
-    const auto add_pair = [&](const PartDistance& pair, const char* what) {
+    const auto add_pair = [&](const CloserParts& pair, const char* what) {
       add_to(list, "{}{} ({}{} of {}{})", list.empty() ? "" : "; ", of(pair).both(), what, pair.distance.high,
              pair.least, of(pair).hulls(", as hulls"));
     };
-    for (const PartDistance& pair : near.clearance->closer) add_pair(pair, "");
-    for (const PartDistance& pair : near.clearance->undecided) add_pair(pair, "undecided, ");
+    for (const CloserParts& pair : near.clearance->closer) add_pair(pair, "");
+    for (const CloserParts& pair : near.clearance->undecided) add_pair(pair, "undecided, ");
     add_to(csv, ",{},{}", near.clearance->closer.size(), quoted_csv(list));
   }
   if (near.nearest) {

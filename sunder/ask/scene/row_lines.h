@@ -56,7 +56,7 @@ class RowLines {
   void add_text(const scene::Answer& answer, std::string& text) const;
   void add_text(const scene::Nearness& near, std::string& text) const;
   void add_json(const scene::PartPair& pair, std::span<const scene::Body> bodies, JsonLine& json) const;
-  void add_json(const scene::PartDistance& pair, bool has_margin, JsonLine& json) const;
+  void add_json(const scene::PartDistance& pair, std::optional<double> margin, JsonLine& json) const;
   void add_json(const scene::SweptPair& pair, JsonLine& json) const;
   void add_csv(const scene::Nearness& near, std::string& csv) const;
 

@@ -66,15 +66,15 @@ bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
 // "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
 std::string distance_text(const PartDistance& pair) {
   if (pair.meet()) return "they meet";
-  const auto points = rounded_nearest_points(pair);
-  return fmt::format("{} apart, from {} to {}", about_length(pair.distance), about(points->of_a), about(points->of_b));
+  const auto points = *rounded_nearest(pair.evidence);
+  return fmt::format("{} apart, from {} to {}", about_length(pair.distance), about(points[0]), about(points[1]));
 }
 
 std::string closer_text(const SceneReport& report, const Placed& placed, const std::string& prefix) {
   const scene::ClearanceAnswer& answer = *placed.near.clearance;
   std::string text;
   for (std::size_t k = 0; k < answer.closer.size() && k < most_listed_closer; ++k) {
-    const PartDistance& pair = answer.closer[k];
+    const scene::CloserParts& pair = answer.closer[k];
     text += fmt::format("{}{} and {} are closer than {}{}: {}\n", prefix, name_a(placed, pair), name_b(placed, pair),
                         pair.least, is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair));
   }
@@ -82,7 +82,7 @@ std::string closer_text(const SceneReport& report, const Placed& placed, const s
     text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed_closer, "pair"));
   }
   for (std::size_t k = 0; k < answer.undecided.size() && k < most_listed_closer; ++k) {
-    const PartDistance& pair = answer.undecided[k];
+    const scene::CloserParts& pair = answer.undecided[k];
     text += fmt::format("{}undecided: it is not known whether {} and {} are closer than {}: {}\n", prefix,
                         name_a(placed, pair), name_b(placed, pair), pair.least, distance_text(pair));
   }
@@ -116,8 +116,8 @@ Json pair_json(const SceneReport& report, std::size_t placement, const PartDista
             {"said_of", is_of_hulls(report, pair) ? "hulls" : "bodies"},
             {"low", pair.distance.low},
             {"high", pair.distance.high}};
-  if (const auto points = rounded_nearest_points(pair)) {
-    json["points_about"] = Json::array({to_json(points->of_a), to_json(points->of_b)});
+  if (const auto points = rounded_nearest(pair.evidence)) {
+    json["points_about"] = Json::array({to_json((*points)[0]), to_json((*points)[1])});
   }
   return json;
 }
@@ -134,7 +134,7 @@ Json clearance_json(const SceneReport& report) {
   for (std::size_t p = 0; p < report.placements.size(); ++p) {
     const scene::ClearanceAnswer& answer = *report.placements[p].near.clearance;
     for (const auto& [key, list] : {std::pair("closer", &answer.closer), std::pair("undecided", &answer.undecided)}) {
-      for (const PartDistance& pair : *list) {
+      for (const scene::CloserParts& pair : *list) {
         json[key].push_back(pair_json(report, p, pair));
         json[key].back()["least"] = pair.least;
       }

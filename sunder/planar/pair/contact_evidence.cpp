@@ -157,19 +157,19 @@ void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificat
 }
 
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance) {
-  if (!distance.closest) return;
-  const auto [of_a, of_b] = closest_points(pair.a, pair.pose_a, pair.b, pair.pose_b, *distance.closest);
+  const ClosestFeatures* closest = closest_of(distance);
+  if (closest == nullptr) return;
+  const auto [of_a, of_b] = closest_points(pair.a, pair.pose_a, pair.b, pair.pose_b, *closest);
   pairs.add_distance(pair.index_a, pair.index_b, of_a, of_b);
 }
 
-void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate,
-                   const PolygonDistance& distance, double least) {
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance, double least) {
   const auto& [index_a, index_b, a, pose_a, b, pose_b] = pair;
-  if (!distance.closest) {
-    const auto& [at, of_a, of_b] = pairs.common_point(index_a, index_b, std::get<CommonVertices>(certificate));
+  if (const auto* common = std::get_if<CommonVertices>(&distance.evidence)) {
+    const auto& [at, of_a, of_b] = pairs.common_point(index_a, index_b, *common);
     return pairs.add_clearance_broken(index_a, index_b, least, {at, of_a}, {at, of_b});
   }
-  const auto [of_a, of_b] = closest_points(a, pose_a, b, pose_b, *distance.closest);
+  const auto [of_a, of_b] = closest_points(a, pose_a, b, pose_b, *closest_of(distance));
   if (compare_distance(distance, least) == Sign::negative) {
     return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
   }

@@ -36,10 +36,8 @@ void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificat
 // States how far apart they are; of polygons that meet, nothing.
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance);
 
-// States that they are `least` apart, or more; or else that they are nearer. certificate: polygon_polygon's. Requires a
-// positive finite `least`.
-void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PairCertificate& certificate,
-                   const PolygonDistance& distance, double least);
+// States that they are `least` apart, or more; or else that they are nearer. Requires a positive finite `least`.
+void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolygonDistance& distance, double least);
 
 // A direction along which no point of A is further than any of B, and not all of both are as far: so the relative
 // interiors have no common point. Requires polygon_polygon_contact to be touching, and `meet` a certificate of

@@ -27,6 +27,8 @@
 #include <sunder/predicate/coordinates.h>
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -132,13 +134,17 @@ template <class A, class B>
 PolygonDistance distance_between(const A& a, const B& b) {
   PolygonDistance out;
   StageTally tally;
-  Cost& cost = out.answer.cost;
-  const minkowski_difference_search::Found found = search_difference(a, 0, b, 0, out.answer.evidence, cost, tally);
+  Cost& cost = out.cost;
+  PairCertificate certificate;
+  const minkowski_difference_search::Found found = search_difference(a, 0, b, 0, certificate, cost, tally);
   const auto finish = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
-    out.closest = features(a, i, edge_of_a, b, j, edge_of_b);
-    out.closest->distance = root(out.closest->squared[0], out.closest->squared[1]);
+    ClosestFeatures closest = features(a, i, edge_of_a, b, j, edge_of_b);
+    closest.distance = root(closest.squared[0], closest.squared[1]);
+    out.evidence = std::move(closest);
   };
-  if (!found.meet) {
+  if (found.meet) {
+    out.evidence = std::get<CommonVertices>(certificate);
+  } else {
     const std::uint32_t i = found.edge_a, j = found.edge_b;
     if (found.chain_a.empty() && found.chain_b.empty()) {
       finish(i, false, j, false);
@@ -193,7 +199,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
       }
     }
   }
-  conclude(out.answer, tally.exact);
+  conclude(out, tally.exact);
   return out;
 }
 
@@ -212,15 +218,18 @@ PolygonDistance polygon_polygon_distance(const ConvexPolygon& a, const Pose& pos
 
 PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a, const Pose& pose_a,
                                                  const ConvexPolygon& polygon_b, const Pose& pose_b) {
-  PolygonDistance best;
-  best.answer = polygon_polygon_by_scan(polygon_a, pose_a, polygon_b, pose_b);
-  if (best.meet()) return best;
+  const PairAnswer meeting = polygon_polygon_by_scan(polygon_a, pose_a, polygon_b, pose_b);
+  PolygonDistance out{{}, meeting.decided_by, meeting.cost};
+  if (const auto* common = std::get_if<CommonVertices>(&meeting.evidence)) {
+    out.evidence = *common;
+    return out;
+  }
+  std::optional<ClosestFeatures> best;
   const PosedPolygon a(polygon_a, pose_a), b(polygon_b, pose_b);
   StageTally tally;
   const auto try_one = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
     ClosestFeatures other = features(a, i, edge_of_a, b, j, edge_of_b);
-    if (best.closest && compare(other.squared, best.closest->squared) != Sign::negative) return;
-    best.closest = std::move(other);
+    if (!best || compare(other.squared, best->squared) == Sign::negative) best = std::move(other);
   };
   // The foot of p on the edge from q to r is inside it.
   const auto faces = [&](const Posed2& p, const Posed2& q, const Posed2& r) {
@@ -233,19 +242,20 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
       if (b.size() > 1 && faces(a[i], b[j], vertex_at(b, j + 1))) try_one(i, false, j, true);
     }
   }
-  best.closest->distance = root(best.closest->squared[0], best.closest->squared[1]);
-  best.answer.cost.exact += tally.exact;
-  return best;
+  best->distance = root(best->squared[0], best->squared[1]);
+  out.evidence = *std::move(best);
+  out.cost.exact += tally.exact;
+  return out;
 }
 
 Sign compare_distance(const PolygonDistance& distance, double radius) {
   SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
-  if (!distance.closest) return radius > 0 ? Sign::negative : Sign::zero;
-  const ClosestFeatures& closest = *distance.closest;
-  if (closest.distance.low > radius) return Sign::positive;
-  if (closest.distance.high < radius) return Sign::negative;
+  const ClosestFeatures* closest = closest_of(distance);
+  if (closest == nullptr) return radius > 0 ? Sign::negative : Sign::zero;
+  if (closest->distance.low > radius) return Sign::positive;
+  if (closest->distance.high < radius) return Sign::negative;
   const Dyadic r(radius);
-  return compare(closest.squared, {r * r, Dyadic(1)});
+  return compare(closest->squared, {r * r, Dyadic(1)});
 }
 
 }  // namespace sunder::planar

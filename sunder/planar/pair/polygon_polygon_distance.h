@@ -19,25 +19,30 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <variant>
 
 namespace sunder::planar {
 
-// Of each polygon a vertex, or of one of them the edge that begins at the vertex, in the polygon's own order.
+// They are apart: of each polygon a vertex, or of one of them the edge that begins at the vertex, in the polygon's own
+// order.
 struct ClosestFeatures {
+  static constexpr Verdict verdict = Verdict::apart;
   bool edge_of_a = false, edge_of_b = false;  // not both
   std::uint32_t a = 0, b = 0;
   Interval distance;
   std::array<Dyadic, 2> squared{};  // of the distance: numerator over denominator, both exact; the latter is positive
 };
 
-struct [[nodiscard]] PolygonDistance {
-  PairAnswer answer;                       // do they meet? Its cost is that of everything
-  std::optional<ClosestFeatures> closest;  // none where they meet
+using PolygonDistance = Answer<std::variant<CommonVertices, ClosestFeatures>>;
 
-  bool meet() const { return answer.meet(); }
-  Interval distance() const { return closest ? closest->distance : Interval{0, 0}; }
-};
+// nullptr where they meet; and 0.
+inline const ClosestFeatures* closest_of(const PolygonDistance& answer) {
+  return std::get_if<ClosestFeatures>(&answer.evidence);
+}
+inline Interval distance_of(const PolygonDistance& answer) {
+  const ClosestFeatures* closest = closest_of(answer);
+  return closest != nullptr ? closest->distance : Interval{0, 0};
+}
 
 // The front door. Distances are in the world, in the unit of its coordinates. `squared` and `distance` take exact
 // numbers, of one pair of features.

@@ -24,22 +24,22 @@ PolygonDistance distance(const ConvexPolygon& a, const ConvexPolygon& b) {
 
 TEST(PolygonPolygonDistanceTest, Features) {
   const PolygonDistance corner = distance(two_square, ConvexPolygon::from_vertices({{5, 6}, {9, 6}, {9, 9}}));
-  ASSERT_TRUE(corner.closest);
-  EXPECT_FALSE(corner.closest->edge_of_a || corner.closest->edge_of_b);
-  EXPECT_EQ(corner.closest->a, 2u);
-  EXPECT_EQ(corner.closest->b, 0u);
+  ASSERT_TRUE(closest_of(corner));
+  EXPECT_FALSE(closest_of(corner)->edge_of_a || closest_of(corner)->edge_of_b);
+  EXPECT_EQ(closest_of(corner)->a, 2u);
+  EXPECT_EQ(closest_of(corner)->b, 0u);
   EXPECT_EQ(compare_distance(corner, 5), Sign::zero);
   EXPECT_EQ(compare_distance(corner, std::nextafter(5.0, 6)), Sign::negative);
   EXPECT_EQ(compare_distance(corner, std::nextafter(5.0, 4)), Sign::positive);
 
   const PolygonDistance edge = distance(two_square, ConvexPolygon::from_vertices({{3, 1}, {9, 0}, {9, 9}}));
-  ASSERT_TRUE(edge.closest);
-  EXPECT_TRUE(edge.closest->edge_of_a);
-  EXPECT_EQ(edge.closest->a, 1u);
-  EXPECT_EQ(edge.closest->b, 0u);
+  ASSERT_TRUE(closest_of(edge));
+  EXPECT_TRUE(closest_of(edge)->edge_of_a);
+  EXPECT_EQ(closest_of(edge)->a, 1u);
+  EXPECT_EQ(closest_of(edge)->b, 0u);
   EXPECT_EQ(compare_distance(edge, 1), Sign::zero);
-  EXPECT_EQ(edge.distance().low, 1);
-  EXPECT_EQ(edge.distance().high, 1);
+  EXPECT_EQ(distance_of(edge).low, 1);
+  EXPECT_EQ(distance_of(edge).high, 1);
 
   const PolygonDistance points =
       distance(ConvexPolygon::from_vertices({{0, 0}}), ConvexPolygon::from_vertices({{3, 4}}));
@@ -49,8 +49,8 @@ TEST(PolygonPolygonDistanceTest, Features) {
 TEST(PolygonPolygonDistanceTest, Meeting) {
   const PolygonDistance touching = distance(two_square, ConvexPolygon::from_vertices({{2, 1}, {3, 0}, {3, 3}}));
   EXPECT_TRUE(touching.meet());
-  EXPECT_FALSE(touching.closest);
-  EXPECT_EQ(touching.distance().high, 0);
+  EXPECT_FALSE(closest_of(touching));
+  EXPECT_EQ(distance_of(touching).high, 0);
   EXPECT_EQ(compare_distance(touching, 0), Sign::zero);
   EXPECT_EQ(compare_distance(touching, 5e-324), Sign::negative);
 }
@@ -59,14 +59,14 @@ TEST(PolygonPolygonDistanceTest, FarBeyondTheRangeOfSquares) {
   const auto point = [](double x, double y) { return ConvexPolygon::from_vertices({{x, y}}); };
   const PolygonDistance tiny = distance(point(0, 0), point(3e-320, 4e-320)),
                         huge = distance(point(0, 0), point(3e300, 4e300));
-  EXPECT_NEAR(tiny.distance().low / 5e-320, 1, 1e-3);
-  EXPECT_GE(tiny.distance().high, tiny.distance().low);
-  EXPECT_NEAR(huge.distance().low / 5e300, 1, 1e-12);
-  EXPECT_LE(huge.distance().high / huge.distance().low, 1 + 1e-15);
+  EXPECT_NEAR(distance_of(tiny).low / 5e-320, 1, 1e-3);
+  EXPECT_GE(distance_of(tiny).high, distance_of(tiny).low);
+  EXPECT_NEAR(distance_of(huge).low / 5e300, 1, 1e-12);
+  EXPECT_LE(distance_of(huge).high / distance_of(huge).low, 1 + 1e-15);
   // Beyond all doubles: the enclosure is true still.
   const PolygonDistance beyond = distance(point(-1.7e308, 0), point(1.7e308, 1.7e308));
-  EXPECT_EQ(beyond.distance().low, std::numeric_limits<double>::max());
-  EXPECT_EQ(beyond.distance().high, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(distance_of(beyond).low, std::numeric_limits<double>::max());
+  EXPECT_EQ(distance_of(beyond).high, std::numeric_limits<double>::infinity());
   EXPECT_EQ(compare_distance(beyond, std::numeric_limits<double>::max()), Sign::positive);
 }
 
@@ -80,23 +80,23 @@ TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
     const PolygonDistance d = polygon_polygon_distance(c.a, c.pose_a, c.b, c.pose_b);
     const PolygonDistance scan = polygon_polygon_distance_by_scan(c.a, c.pose_a, c.b, c.pose_b);
     ASSERT_EQ(d.meet(), scan.meet()) << i;
-    ASSERT_EQ(d.meet(), !d.closest) << i;
-    ASSERT_EQ(d.meet(), !scan.closest) << i;
+    ASSERT_EQ(d.meet(), !closest_of(d)) << i;
+    ASSERT_EQ(d.meet(), !closest_of(scan)) << i;
     if (d.meet()) continue;
     ++apart;
-    (d.closest->edge_of_a ? edges_a : d.closest->edge_of_b ? edges_b : vertices) += 1;
-    const auto &squared = d.closest->squared, &of_scan = scan.closest->squared;
+    (closest_of(d)->edge_of_a ? edges_a : closest_of(d)->edge_of_b ? edges_b : vertices) += 1;
+    const auto &squared = closest_of(d)->squared, &of_scan = closest_of(scan)->squared;
     ASSERT_EQ((squared[0] * of_scan[1] - of_scan[0] * squared[1]).sign(), Sign::zero)
-        << i << " " << name_of(c.family) << " " << d.distance().low << " " << scan.distance().low;
+        << i << " " << name_of(c.family) << " " << distance_of(d).low << " " << distance_of(scan).low;
     // The enclosure: low^2 <= numerator / denominator <= high^2, and no double is between.
-    const Dyadic low(d.distance().low), high(d.distance().high);
+    const Dyadic low(distance_of(d).low), high(distance_of(d).high);
     ASSERT_NE((squared[0] - low * low * squared[1]).sign(), Sign::negative) << i;
     ASSERT_NE((high * high * squared[1] - squared[0]).sign(), Sign::negative) << i;
     const bool is_double = (squared[0] - low * low * squared[1]).sign() == Sign::zero;
     doubles += is_double ? 1 : 0;
-    ASSERT_EQ(d.distance().high, is_double ? d.distance().low : std::nextafter(d.distance().low, HUGE_VAL)) << i;
-    ASSERT_NE(compare_distance(d, d.distance().low), Sign::negative) << i;
-    ASSERT_NE(compare_distance(d, d.distance().high), Sign::positive) << i;
+    ASSERT_EQ(distance_of(d).high, is_double ? distance_of(d).low : std::nextafter(distance_of(d).low, HUGE_VAL)) << i;
+    ASSERT_NE(compare_distance(d, distance_of(d).low), Sign::negative) << i;
+    ASSERT_NE(compare_distance(d, distance_of(d).high), Sign::positive) << i;
   }
   if (count < 2000) return;
   EXPECT_GT(apart, count / 4);
@@ -117,8 +117,8 @@ TEST(PolygonPolygonDistanceTest, ProbesGrowAsLogN) {
         const PolygonDistance d = polygon_polygon_distance(a, Pose(), b, there);
         ASSERT_FALSE(d.meet());
         const double roughly = far - 3;
-        EXPECT_NEAR(d.distance().low, roughly, 5.0 / n / n * 10 + 1e-9) << n;
-        EXPECT_LE(static_cast<double>(d.answer.cost.probes), 12 * std::log2(n) + 20) << n << " " << angle << " " << far;
+        EXPECT_NEAR(distance_of(d).low, roughly, 5.0 / n / n * 10 + 1e-9) << n;
+        EXPECT_LE(static_cast<double>(d.cost.probes), 12 * std::log2(n) + 20) << n << " " << angle << " " << far;
       }
     }
   }

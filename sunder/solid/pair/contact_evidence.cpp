@@ -32,18 +32,19 @@ void add_claims(PairClaims& pairs, const ClaimedPair& pair, const PairCertificat
 }
 
 void add_distance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance) {
-  if (!distance.closest) return;
-  const auto [of_a, of_b] = closest_points(*distance.closest);
+  const ClosestFeatures* closest = closest_of(distance);
+  if (closest == nullptr) return;
+  const auto [of_a, of_b] = closest_points(*closest);
   pairs.add_distance(pair.index_a, pair.index_b, of_a, of_b);
 }
 
 void add_clearance(PairClaims& pairs, const ClaimedPair& pair, const PolyhedronDistance& distance, double least) {
   const std::uint32_t a = pair.index_a, b = pair.index_b;
-  if (!distance.closest) {
-    const CommonPoint common = pairs.common_point(a, b, std::get<CommonVertices>(distance.answer.evidence));
+  if (const auto* vertices = std::get_if<CommonVertices>(&distance.evidence)) {
+    const CommonPoint common = pairs.common_point(a, b, *vertices);
     return pairs.add_clearance_broken(a, b, least, {common.at, common.of_a}, {common.at, common.of_b});
   }
-  const auto [of_a, of_b] = closest_points(*distance.closest);
+  const auto [of_a, of_b] = closest_points(*closest_of(distance));
   if (compare_distance(distance, least) == Sign::negative) {
     return pairs.add_clearance_broken(a, b, least, of_a, of_b);
   }

@@ -96,10 +96,10 @@ TEST(KeptPartings, NeverPartWhatIsCloser) {
           step == 0 || is_tiny ? c.pose_b : compose(Pose::from_quaternion(1, u(), u(), u(), {u(), u(), u()}), c.pose_b);
       const PolyhedronDistance distance = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, pose_b);
       if (distance.meet()) continue;
-      const double about = distance.distance().low;
+      const double about = distance_of(distance).low;
       RigidlyPlaced at_a(c.a);
       at_a.place(c.pose_a);
-      const ExactWay way = distance.closest->way();
+      const ExactWay way = closest_of(distance)->way();
       const Vector3<Interval> along = WorldDirection(way.way.way).enclosure();
       (void)keep_parting_of_world(at_a, {along.x.low, along.y.low, along.z.low}, kept);
       for (const double part_of : {1e-9, 0.5, 1 - 1e-10, 1 - 0x1p-50, 1.0, 1 + 0x1p-52, 1 + 0x1p-45, 2.0}) {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 namespace sunder::solid {
 
@@ -23,20 +24,20 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 class DepthSearch {
  public:
-  DepthSearch(const Placed& a, const Placed& b, PolyhedronDepth& found)
-      : a_(a), b_(b), found_(found), polytope_([this](std::uint32_t corner) {
+  DepthSearch(const Placed& a, const Placed& b, Cost& cost)
+      : a_(a), b_(b), cost_(cost), polytope_([this](std::uint32_t corner) {
           const auto [v, w] = corners_[corner];
           return coordinates<Dyadic>(a_[v]) - coordinates<Dyadic>(b_[w]);
         }) {}
 
-  void run() {
-    if (const std::optional<Vector3<Dyadic>> normal = begin()) {
-      found_.depth = {0.0};
-      found_.direction = WorldDirection(*normal);
-    } else {
-      grow();
-    }
+  // How deep bodies are that have a point of these in common.
+  PolyhedraOverlap run(const CommonVertices& common) {
+    const std::optional<Vector3<Dyadic>> normal = begin();
+    PolyhedraOverlap found =
+        normal ? PolyhedraOverlap{{{0, 0}, WorldDirection(*normal), {}}, common, exactly({Dyadic(), Dyadic(1.0)})}
+               : grow(common);
     exact_ += polytope_.exact_signs();
+    return found;
   }
 
   std::uint32_t exact_signs() const { return exact_ + tally_.exact; }
@@ -57,8 +58,8 @@ class DepthSearch {
   // The furthest along the direction, exactly; the one given, where none is further.
   Corner furthest(const WorldDirection& direction, const Corner& from) {
     Along along_a(direction, a_.pose, a_.tame), along_b(direction, b_.pose, b_.tame);
-    return {extreme_vertex_from(a_, along_a, End::greatest, from[0], found_.answer.cost, tally_),
-            extreme_vertex_from(b_, along_b, End::least, from[1], found_.answer.cost, tally_)};
+    return {extreme_vertex_from(a_, along_a, End::greatest, from[0], cost_, tally_),
+            extreme_vertex_from(b_, along_b, End::least, from[1], cost_, tally_)};
   }
 
   // Corners that are furthest along these directions and back, until one is off what the others span, as their offset
@@ -116,10 +117,11 @@ class DepthSearch {
     return std::nullopt;
   }
 
-  void grow() {
+  PolyhedraOverlap grow(const CommonVertices& common) {
     const std::uint64_t pairs = std::uint64_t{a_.graph.vertices.size()} * b_.graph.vertices.size();
-    const bool has_end = pairs > PolyhedronDepth::all_are_exact;
+    const bool has_end = pairs > PolyhedraOverlap::all_are_exact;
     std::optional<ExpandingPolytope::Square> best;  // of the facets of D seen
+    std::optional<WorldDirection> best_direction;
     std::uint32_t best_facet = 0;
     double best_high = unlimited;
     while (const std::optional<std::uint32_t> facet = polytope_.nearest()) {
@@ -129,10 +131,10 @@ class DepthSearch {
         polytope_.close(*facet);
         continue;
       }
-      if (has_end && polytope_.corner_count() >= PolyhedronDepth::most_corners) {
-        return end_within(height.low, best);
+      if (has_end && polytope_.corner_count() >= PolyhedraOverlap::most_corners) {
+        return grown_within(height.low, best, std::move(best_direction), common);
       }
-      ++found_.answer.cost.iterations;
+      ++cost_.iterations;
       if (const std::optional<std::uint32_t> corner = beyond(*facet)) {
         polytope_.expand(*facet, *corner);
         continue;
@@ -141,21 +143,21 @@ class DepthSearch {
       best = polytope_.square(*facet);
       best_facet = *facet;
       best_high = height.high;
-      found_.direction = normal_;
+      best_direction = normal_;
     }
     SUNDER_REQUIRE(best.has_value());
-    found_.depth = root(best->numerator, best->denominator);
-    found_.squared = {best->numerator, best->denominator};
-    tell_features(best_facet);
-    tell_surface();
+    const Interval depth = root(best->numerator, best->denominator);
+    return {{depth, *std::move(best_direction), proof_of_low(depth)},
+            common,
+            exactly({best->numerator, best->denominator}, features_of(best_facet))};
   }
 
   // The polytope has grown enough: its nearest facet is so far, and D has no boundary nearer; but it has along the
   // nearest facet of it.
-  void end_within(double low, const std::optional<ExpandingPolytope::Square>& best) {
-    found_.is_exact = false;
-    found_.depth = {std::max(low, 0.0), unlimited};
-    if (best) found_.depth.high = root(best->numerator, best->denominator).high;
+  PolyhedraOverlap grown_within(double low, const std::optional<ExpandingPolytope::Square>& best,
+                                std::optional<WorldDirection> direction, const CommonVertices& common) {
+    Interval depth{std::max(low, 0.0), unlimited};
+    if (best) depth.high = root(best->numerator, best->denominator).high;
     // The nearest facets' directions are nearest, too: the best of some of them.
     std::vector<std::uint32_t> alive;
     const auto facets = polytope_.facets();
@@ -167,30 +169,37 @@ class DepthSearch {
                       [&](std::uint32_t x, std::uint32_t y) { return facets[x].height.low < facets[y].height.low; });
     for (std::size_t k = 0; k < count; ++k) {
       const Vector3<Dyadic> normal = polytope_.exact_normal(alive[k]);
-      const WorldDirection direction(normal);
-      const auto [v, w] = furthest(direction, corners_[facets[alive[k]].corner[0]]);
+      const WorldDirection along_normal(normal);
+      const auto [v, w] = furthest(along_normal, corners_[facets[alive[k]].corner[0]]);
       const Dyadic along = dot(normal, coordinates<Dyadic>(a_[v]) - coordinates<Dyadic>(b_[w]));
       exact_ += 2;
       const double high = root(along * along, dot(normal, normal)).high;
-      if (found_.direction && high >= found_.depth.high) continue;
-      found_.depth.high = high;
-      found_.direction = direction;
+      if (direction && high >= depth.high) continue;
+      depth.high = high;
+      direction = along_normal;
     }
-    tell_surface();
+    return {{depth, *std::move(direction), proof_of_low(depth)}, common, std::nullopt};
   }
 
-  void tell_features(std::uint32_t facet) {
+  static PolyhedraOverlap::Exact exactly(std::array<Dyadic, 2> squared, DepthFeatures features = {}) {
+    return {std::move(squared), std::move(features)};
+  }
+
+  DepthFeatures features_of(std::uint32_t facet) const {
+    DepthFeatures features;
     const auto add_to = [](std::vector<std::uint32_t>& list, std::uint32_t v) {
       if (std::find(list.begin(), list.end(), v) == list.end()) list.push_back(v);
     };
     for (const std::uint32_t corner : polytope_.facets()[facet].corner) {
-      add_to(found_.features.of_a, corners_[corner][0]);
-      add_to(found_.features.of_b, corners_[corner][1]);
+      add_to(features.of_a, corners_[corner][0]);
+      add_to(features.of_b, corners_[corner][1]);
     }
+    return features;
   }
 
-  void tell_surface() {
-    if (!(found_.depth.low > 0)) return;
+  // The polytope as it is, around the origin.
+  DepthProof proof_of_low(const Interval& depth) const {
+    if (!(depth.low > 0)) return {};
     DepthSurface surface;
     std::vector<std::uint32_t> number(corners_.size(), no_entry);
     for (const ExpandingPolytope::Facet& facet : polytope_.facets()) {
@@ -205,12 +214,12 @@ class DepthSearch {
         triangle[k] = n;
       }
     }
-    found_.surface = std::make_shared<const DepthSurface>(std::move(surface));
+    return surface;
   }
 
   const Placed& a_;
   const Placed& b_;
-  PolyhedronDepth& found_;
+  Cost& cost_;
   ExpandingPolytope polytope_;
   std::vector<Corner> corners_;
   std::optional<WorldDirection> normal_;
@@ -222,34 +231,27 @@ class DepthSearch {
 
 PolyhedronDepth polyhedron_polyhedron_depth(const ConvexPolyhedron& body_a, const Pose& pose_a,
                                             const ConvexPolyhedron& body_b, const Pose& pose_b) {
-  PolyhedronDepth found{polyhedron_polyhedron(body_a, pose_a, body_b, pose_b)};
-  if (!found.meet()) return found;
-  const bool is_finished = found.answer.decided_by == DecidedBy::finishing;
-  const std::uint32_t before = found.answer.cost.exact;
+  const PairAnswer answer = polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
+  PolyhedronDepth found{{}, answer.decided_by, answer.cost};
+  if (const auto* apart = std::get_if<Separation>(&answer.evidence)) {
+    found.evidence = *apart;
+    return found;
+  }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  DepthSearch search(a, b, found);
-  search.run();
-  conclude(found.answer, before + search.exact_signs(), is_finished);
+  DepthSearch search(a, b, found.cost);
+  found.evidence = search.run(std::get<CommonVertices>(answer.evidence));
+  conclude(found, answer.cost.exact + search.exact_signs(), answer.decided_by == DecidedBy::finishing);
   return found;
 }
 
-std::optional<Sign> compare_depth(const PolyhedronDepth& depth, double than) {
-  SUNDER_REQUIRE(depth.meet() && std::isfinite(than) && than >= 0);
-  if (than < depth.depth.low) return Sign::positive;
-  if (than > depth.depth.high) return Sign::negative;
-  if (!depth.is_exact) return std::nullopt;
+std::optional<Sign> compare_depth(const PolyhedraOverlap& overlap, double than) {
+  SUNDER_REQUIRE(std::isfinite(than) && than >= 0);
+  if (than < overlap.depth.low) return Sign::positive;
+  if (than > overlap.depth.high) return Sign::negative;
+  if (!overlap.exact) return std::nullopt;
+  const auto& [numerator, denominator] = overlap.exact->squared;
   const Dyadic exact(than);
-  return (depth.squared[0] - exact * exact * depth.squared[1]).sign();
-}
-
-void add_depth(ClaimsWriter& file, std::uint32_t index_a, std::uint32_t index_b, const PolyhedronDepth& depth) {
-  if (!depth.meet()) return;
-  const auto [low, high] = depth.depth;
-  if (std::isfinite(high)) {
-    const Vector3<Dyadic> d = depth.direction->exact();
-    add_depth_at_most(file, index_a, index_b, high, std::array{d.x, d.y, d.z});
-  }
-  if (low > 0) add_depth_at_least(file, index_a, index_b, low, *depth.surface);
+  return (numerator - exact * exact * denominator).sign();
 }
 
 }  // namespace sunder::solid

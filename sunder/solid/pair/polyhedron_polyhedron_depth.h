@@ -6,9 +6,9 @@
 // and where all of A - B is in one plane. Of bodies that are apart there is none.
 //
 //   P1. low <= the depth <= high, always, both proved: along `direction`, from A to B, A reaches by no more than `high`
-//       beyond where B begins, so that A moved back by that no longer overlaps B; and `surface`, a closed surface of
-//       differences of vertices around the origin, comes nowhere nearer to it than `low`.
-//   P2. Where it `is_exact`, the square of the depth is a fraction that is told, and low and high are neighbouring
+//       beyond where B begins, so that A moved back by that no longer overlaps B; and `proof_of_low`, a closed surface
+//       of differences of vertices around the origin, comes nowhere nearer to it than `low`.
+//   P2. Where it is `exact`, the square of the depth is a fraction that is told, and low and high are neighbouring
 //       doubles around the depth, or both the depth itself.
 //   P3. It is exact where the numbers of vertices have a product of at most all_are_exact; of larger bodies where the
 //       polytope that grows has a facet of the difference as its nearest one before it has most_corners corners: not
@@ -21,15 +21,13 @@
 #include <sunder/certificate/depth_claims.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/dyadic.h>
-#include <sunder/number/interval.h>
-#include <sunder/predicate/point/along.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace sunder::solid {
@@ -40,20 +38,26 @@ struct DepthFeatures {
   std::vector<std::uint32_t> of_a, of_b;
 };
 
-struct [[nodiscard]] PolyhedronDepth {
+// They meet, and are so deep in each other.
+struct PolyhedraOverlap : EnclosedDepth {
   static constexpr std::uint64_t all_are_exact = 4096;  // the product of the numbers of vertices
   static constexpr std::uint32_t most_corners = 2048;
 
-  PairAnswer answer;  // do they meet? Its cost is that of everything. Where they are apart, the rest is meaningless
-  Interval depth{};   // infinity, and the largest double, where it is beyond the range
-  bool is_exact = true;
-  std::array<Dyadic, 2> squared{Dyadic(), Dyadic(1.0)};  // is_exact: of the depth, numerator over positive denominator
-  std::optional<WorldDirection> direction{};             // from A to B, not zero
-  DepthFeatures features{};                              // is_exact; none where A - B is flat
-  std::shared_ptr<const DepthSurface> surface{};         // low > 0
+  struct Exact {
+    std::array<Dyadic, 2> squared;  // of the depth, numerator over positive denominator
+    DepthFeatures features;         // none where A - B is flat
+  };
 
-  bool meet() const { return answer.meet(); }
+  CommonVertices common;       // they meet in a point of these
+  std::optional<Exact> exact;  // where the depth is known exactly
 };
+
+using PolyhedronDepth = Answer<std::variant<Separation, PolyhedraOverlap>>;
+
+// nullptr where they are apart.
+inline const PolyhedraOverlap* overlap_of(const PolyhedronDepth& answer) {
+  return std::get_if<PolyhedraOverlap>(&answer.evidence);
+}
 
 // The front door. Asks first whether they meet. Where they do, a polytope of differences of vertices grows towards the
 // boundary of A - B, beyond the facet that is nearest to the origin, until that facet is one of A - B; exactly.
@@ -64,11 +68,7 @@ PolyhedronDepth polyhedron_polyhedron_depth(const ConvexPolyhedron& a, const Pos
                                             const ConvexPolyhedron& b, const Pose& pose_b);
 
 // positive: deeper than that; zero: exactly so deep; negative: less deep; nothing: between low and high, of what is not
-// exact. Requires bodies that meet, and a finite depth >= 0.
-std::optional<Sign> compare_depth(const PolyhedronDepth& depth, double than);
-
-// States it of two bodies of a certificate file (depth_claims.h), of those that meet: that it is at most `high`, and at
-// least `low`. One of them is left out where low is 0, or high is not finite.
-void add_depth(ClaimsWriter& file, std::uint32_t index_a, std::uint32_t index_b, const PolyhedronDepth& depth);
+// exact. Requires a finite depth >= 0.
+std::optional<Sign> compare_depth(const PolyhedraOverlap& overlap, double than);
 
 }  // namespace sunder::solid

@@ -23,43 +23,42 @@ ConvexPolyhedron ball(int n) {  // a spiral on the sphere
   return ConvexPolyhedron(points);
 }
 
-PolyhedronDepth depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
-  return polyhedron_polyhedron_depth(a, Pose(), b, Pose());
+PolyhedraOverlap depth(const ConvexPolyhedron& a, const ConvexPolyhedron& b) {
+  return std::get<PolyhedraOverlap>(polyhedron_polyhedron_depth(a, Pose(), b, Pose()).evidence);
 }
 
-void expect_exact_depth(const PolyhedronDepth& d, double value) {
-  ASSERT_TRUE(d.meet() && d.is_exact);
+void expect_exact_depth(const PolyhedraOverlap& d, double value) {
+  ASSERT_TRUE(d.exact);
   EXPECT_EQ(compare_depth(d, value), Sign::zero);
   EXPECT_EQ(d.depth.low, value);
   EXPECT_EQ(d.depth.high, value);
   EXPECT_EQ(compare_depth(d, std::nextafter(value, HUGE_VAL)), Sign::negative);
-  EXPECT_EQ(d.surface != nullptr, value > 0);
-  ASSERT_TRUE(d.direction.has_value());
+  EXPECT_EQ(std::holds_alternative<DepthSurface>(d.proof_of_low), value > 0);
 }
 
 TEST(PolyhedronPolyhedronDepthTest, Features) {
   // A corner of a turned body in the cube's face.
-  const PolyhedronDepth facet = depth(two_cube, body({{1.5, 1, 1}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
+  const PolyhedraOverlap facet = depth(two_cube, body({{1.5, 1, 1}, {9, 0, 0}, {9, 9, 0}, {9, 0, 9}}));
   expect_exact_depth(facet, 0.5);
-  EXPECT_EQ(facet.features.of_a.size(), 3u);
-  EXPECT_EQ(facet.features.of_b.size(), 1u);
-  const Vector3<Dyadic> d = facet.direction->exact();
+  EXPECT_EQ(facet.exact->features.of_a.size(), 3u);
+  EXPECT_EQ(facet.exact->features.of_b.size(), 1u);
+  const Vector3<Dyadic> d = facet.direction.exact();
   EXPECT_EQ(d.x.sign(), Sign::positive);
   EXPECT_EQ(d.y.sign(), Sign::zero);
   EXPECT_EQ(d.z.sign(), Sign::zero);
 
   // Edges along y and along z, back to back.
-  const PolyhedronDepth edges = depth(body({{1, -9, 0}, {1, 9, 0}, {-5, 0, 9}, {-5, 0, -9}}),
-                                      body({{0, 0, -9}, {0, 0, 9}, {9, 9, 0}, {9, -9, 0}}));
+  const PolyhedraOverlap edges = depth(body({{1, -9, 0}, {1, 9, 0}, {-5, 0, 9}, {-5, 0, -9}}),
+                                       body({{0, 0, -9}, {0, 0, 9}, {9, 9, 0}, {9, -9, 0}}));
   expect_exact_depth(edges, 1);
-  EXPECT_EQ(edges.features.of_a.size(), 2u);
-  EXPECT_EQ(edges.features.of_b.size(), 2u);
+  EXPECT_EQ(edges.exact->features.of_a.size(), 2u);
+  EXPECT_EQ(edges.exact->features.of_b.size(), 2u);
 
   // Along (1, 1, 1): no double.
-  const PolyhedronDepth corner =
+  const PolyhedraOverlap corner =
       depth(body({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}), box({0.5, 0.5, 0.5}, {9, 9, 9}));
-  ASSERT_TRUE(corner.is_exact);
-  EXPECT_EQ(fraction_text(corner.squared[0], corner.squared[1]), "3/4");
+  ASSERT_TRUE(corner.exact);
+  EXPECT_EQ(fraction_text(corner.exact->squared[0], corner.exact->squared[1]), "3/4");
   EXPECT_EQ(corner.depth.high, std::nextafter(corner.depth.low, 1));
 }
 
@@ -70,7 +69,7 @@ TEST(PolyhedronPolyhedronDepthTest, NestedTouchingAndApart) {
   expect_exact_depth(depth(two_cube, box({2, 2, 2}, {3, 3, 3})), 0);
   const double inside = std::nextafter(2.0, 0.0);
   expect_exact_depth(depth(two_cube, box({inside, 0, 0}, {3, 1, 1})), 2 - inside);
-  EXPECT_FALSE(depth(two_cube, box({2.5, 0, 0}, {3, 1, 1})).meet());
+  EXPECT_FALSE(polyhedron_polyhedron_depth(two_cube, Pose(), box({2.5, 0, 0}, {3, 1, 1}), Pose()).meet());
 }
 
 TEST(PolyhedronPolyhedronDepthTest, AllDimensions) {
@@ -95,7 +94,7 @@ TEST(PolyhedronPolyhedronDepthTest, AtTheEndsOfTheRange) {
   expect_exact_depth(depth(box({0, 0, 0}, {5e-324, 1, 1}), box({0, 0, 0}, {1, 1, 1})), 5e-324);
   const double most = std::numeric_limits<double>::max();
   const ConvexPolyhedron huge = box({-most, -most, -most}, {most, most, most});
-  const PolyhedronDepth beyond = depth(huge, huge);
+  const PolyhedraOverlap beyond = depth(huge, huge);
   EXPECT_EQ(beyond.depth.low, most);
   EXPECT_EQ(beyond.depth.high, std::numeric_limits<double>::infinity());
   EXPECT_EQ(compare_depth(beyond, most), Sign::positive);
@@ -104,8 +103,8 @@ TEST(PolyhedronPolyhedronDepthTest, AtTheEndsOfTheRange) {
 // Two round bodies of one centre: nearly all facets are as far. It ends, and says how much it knows.
 TEST(PolyhedronPolyhedronDepthTest, LargeBodiesOfOneCentreAreEnclosed) {
   const ConvexPolyhedron a = ball(1500), b = ball(1400);
-  const PolyhedronDepth d = depth(a, b);
-  EXPECT_FALSE(d.is_exact);
+  const PolyhedraOverlap d = depth(a, b);
+  EXPECT_FALSE(d.exact);
   EXPECT_LT(d.depth.low, d.depth.high);
   EXPECT_GT(d.depth.low, 1.98);
   EXPECT_LT(d.depth.high, 2);
@@ -113,7 +112,7 @@ TEST(PolyhedronPolyhedronDepthTest, LargeBodiesOfOneCentreAreEnclosed) {
   EXPECT_EQ(compare_depth(d, 1.9), Sign::positive);
   EXPECT_EQ(compare_depth(d, 2), Sign::negative);
   EXPECT_FALSE(compare_depth(d, (d.depth.low + d.depth.high) / 2).has_value());
-  ASSERT_NE(d.surface, nullptr);
+  ASSERT_TRUE(std::holds_alternative<DepthSurface>(d.proof_of_low));
 }
 
 // Beside each other a few steps do, however many vertices there are.
@@ -121,9 +120,10 @@ TEST(PolyhedronPolyhedronDepthTest, StepsStayFew) {
   for (const int n : {100, 1000, 10000}) {
     const ConvexPolyhedron a = ball(n);
     const PolyhedronDepth d = polyhedron_polyhedron_depth(a, Pose(), a, shift(1.1, 0.7, 0.4));
-    ASSERT_TRUE(d.meet() && d.is_exact);
-    EXPECT_LT(d.answer.cost.iterations, 80u) << n;
-    EXPECT_NEAR(d.depth.low, 2 - std::sqrt(1.1 * 1.1 + 0.7 * 0.7 + 0.4 * 0.4), 8.0 / n);
+    const PolyhedraOverlap* overlap = overlap_of(d);
+    ASSERT_TRUE(overlap != nullptr && overlap->exact);
+    EXPECT_LT(d.cost.iterations, 80u) << n;
+    EXPECT_NEAR(overlap->depth.low, 2 - std::sqrt(1.1 * 1.1 + 0.7 * 0.7 + 0.4 * 0.4), 8.0 / n);
   }
 }
 

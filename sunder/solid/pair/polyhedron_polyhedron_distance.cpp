@@ -249,9 +249,10 @@ Interval ClosestFeatures::distance() const {
 
 PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a, const Pose& pose_a,
                                                   const ConvexPolyhedron& body_b, const Pose& pose_b) {
-  PolyhedronDistance out{polyhedron_polyhedron(body_a, pose_a, body_b, pose_b), {}};
-  if (out.meet()) return out;
-  PairAnswer& answer = out.answer;
+  PairAnswer answer = polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
+  if (const auto* common = std::get_if<CommonVertices>(&answer.evidence)) {
+    return {*common, answer.decided_by, answer.cost};
+  }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   StageTally tally;
   Closest closest(a, b, answer.cost, tally);
@@ -261,17 +262,17 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
       propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest, answer.cost);
   if (!held) closest.descend();
   conclude(answer, answer.cost.exact + tally.exact, !held || answer.decided_by == DecidedBy::finishing);
-  out.closest.emplace(body_a, pose_a, body_b, pose_b, closest.features);
-  return out;
+  return {ClosestFeatures(body_a, pose_a, body_b, pose_b, closest.features), answer.decided_by, answer.cost};
 }
 
 Sign compare_distance(const PolyhedronDistance& distance, double radius) {
   SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
-  if (!distance.closest) return radius > 0 ? Sign::negative : Sign::zero;
-  const auto [low, high] = distance.distance();
+  const ClosestFeatures* closest = closest_of(distance);
+  if (closest == nullptr) return radius > 0 ? Sign::negative : Sign::zero;
+  const auto [low, high] = closest->distance();
   if (radius < low) return Sign::positive;
   if (radius > high) return Sign::negative;
-  const auto [numerator, denominator] = distance.closest->squared();
+  const auto [numerator, denominator] = closest->squared();
   const Dyadic r(radius);
   return (numerator - r * r * denominator).sign();
 }

@@ -19,15 +19,17 @@
 #include <sunder/solid/search/closest_features.h>
 
 #include <array>
-#include <optional>
+#include <variant>
 
 namespace sunder::solid {
 
-// A few vertices of A and a few of B: the nearest points lie in the insides of their hulls: at a vertex, on an edge, in
-// a facet (of which three vertices are named, or two between which there is no edge). They are the only such vertices
-// of these: the weights that make the points are unique, and positive.
+// They are apart. A few vertices of A and a few of B: the nearest points lie in the insides of their hulls: at a vertex,
+// on an edge, in a facet (of which three vertices are named, or two between which there is no edge). They are the only
+// such vertices of these: the weights that make the points are unique, and positive.
 class ClosestFeatures {
  public:
+  static constexpr Verdict verdict = Verdict::apart;
+
   // Those of these placed bodies. Keeps what it needs of them.
   ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
                   const FeatureVertices& features);
@@ -59,13 +61,16 @@ class ClosestFeatures {
   Affine3 pose_a_, pose_b_;
 };
 
-struct [[nodiscard]] PolyhedronDistance {
-  PairAnswer answer;                       // do they meet? Its cost is that of everything
-  std::optional<ClosestFeatures> closest;  // none where they meet
+using PolyhedronDistance = Answer<std::variant<CommonVertices, ClosestFeatures>>;
 
-  bool meet() const { return answer.meet(); }
-  Interval distance() const { return closest ? closest->distance() : Interval{0, 0}; }
-};
+// nullptr where they meet; and 0.
+inline const ClosestFeatures* closest_of(const PolyhedronDistance& answer) {
+  return std::get_if<ClosestFeatures>(&answer.evidence);
+}
+inline Interval distance_of(const PolyhedronDistance& answer) {
+  const ClosestFeatures* closest = closest_of(answer);
+  return closest != nullptr ? closest->distance() : Interval{0, 0};
+}
 
 // The front door. Distances are in the world, in the unit of its coordinates.
 // Asks first whether they meet. Where they do not, the search of polyhedron_polyhedron_by_gjk goes on to the nearest

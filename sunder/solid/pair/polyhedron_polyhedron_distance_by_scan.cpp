@@ -85,8 +85,10 @@ std::vector<Vector3<Number>> images(const Placed& body) {
 
 PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron& body_a, const Pose& pose_a,
                                                           const ConvexPolyhedron& body_b, const Pose& pose_b) {
-  PolyhedronDistance out{polyhedron_polyhedron_by_scan(body_a, pose_a, body_b, pose_b), {}};
-  if (out.meet()) return out;
+  PairAnswer answer = polyhedron_polyhedron_by_scan(body_a, pose_a, body_b, pose_b);
+  if (const auto* common = std::get_if<CommonVertices>(&answer.evidence)) {
+    return {*common, answer.decided_by, answer.cost};
+  }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   const auto enclosed_a = images<Interval>(a), enclosed_b = images<Interval>(b);
   const auto exact_a = images<Dyadic>(a), exact_b = images<Dyadic>(b);
@@ -102,7 +104,7 @@ PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron
       const bool is_first = least.faces != Guess::positive;
       if (!is_first && (enclosed.numerator / enclosed.denominator).low > least_enclosed.high) continue;
       Square<Dyadic> exact = square_between(exact_a, p, exact_b, q);
-      ++out.answer.cost.exact;
+      ++answer.cost.exact;
       if (exact.faces == Guess::negative) continue;
       if (!is_first &&
           (exact.numerator * least.denominator - least.numerator * exact.denominator).sign() != Sign::negative) {
@@ -118,8 +120,7 @@ PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron
   FeatureVertices found{best_a.count, best_b.count, {}};
   for (std::size_t k = 0; k < best_a.count; ++k) found.vertices[k] = best_a.vertex[k];
   for (std::size_t k = 0; k < best_b.count; ++k) found.vertices[best_a.count + k] = best_b.vertex[k];
-  out.closest.emplace(body_a, pose_a, body_b, pose_b, found);
-  return out;
+  return {ClosestFeatures(body_a, pose_a, body_b, pose_b, found), answer.decided_by, answer.cost};
 }
 
 }  // namespace sunder::solid

@@ -22,14 +22,14 @@ PolyhedronDistance distance(const ConvexPolyhedron& a, const ConvexPolyhedron& b
 
 // How many vertices of A and of B the closest features have.
 std::array<int, 2> counts(const PolyhedronDistance& d) {
-  if (!d.closest) return {0, 0};
-  return {d.closest->features().count_a, d.closest->features().count_b};
+  if (!closest_of(d)) return {0, 0};
+  return {closest_of(d)->features().count_a, closest_of(d)->features().count_b};
 }
 
 void expect_exact_distance(const PolyhedronDistance& d, double value) {
   EXPECT_EQ(compare_distance(d, value), Sign::zero);
-  EXPECT_EQ(d.distance().low, value);
-  EXPECT_EQ(d.distance().high, value);
+  EXPECT_EQ(distance_of(d).low, value);
+  EXPECT_EQ(distance_of(d).high, value);
   EXPECT_EQ(compare_distance(d, std::nextafter(value, HUGE_VAL)), Sign::negative);
   EXPECT_EQ(compare_distance(d, std::nextafter(value, 0.0)), Sign::positive);
 }
@@ -69,8 +69,8 @@ TEST(PolyhedronPolyhedronDistanceTest, NearestPointsAreRounded) {
     if (d.meet()) continue;
     ++apart;
     ++of_features[static_cast<std::size_t>(counts(d)[0] + counts(d)[1] - 1)];
-    const auto [of_a, of_b] = closest_points(*d.closest);
-    const std::array<Point3, 2> points = d.closest->nearest_points();
+    const auto [of_a, of_b] = closest_points(*closest_of(d));
+    const std::array<Point3, 2> points = closest_of(d)->nearest_points();
     for (std::size_t k = 0; k < 3; ++k) {
       ASSERT_EQ(points[0][k], nearest(of_a.at)[k]) << tests::name_of(c.family);
       ASSERT_EQ(points[1][k], nearest(of_b.at)[k]) << tests::name_of(c.family);
@@ -105,8 +105,8 @@ TEST(PolyhedronPolyhedronDistanceTest, AllDimensions) {
 TEST(PolyhedronPolyhedronDistanceTest, Meeting) {
   for (const PolyhedronDistance& d : {distance(two_cube, box({2, 2, 2}, {3, 3, 3})), distance(two_cube, two_cube)}) {
     EXPECT_TRUE(d.meet());
-    EXPECT_FALSE(d.closest);
-    EXPECT_EQ(d.distance().high, 0);
+    EXPECT_FALSE(closest_of(d));
+    EXPECT_EQ(distance_of(d).high, 0);
     EXPECT_EQ(compare_distance(d, 0), Sign::zero);
     EXPECT_EQ(compare_distance(d, 5e-324), Sign::negative);
   }
@@ -121,17 +121,17 @@ TEST(PolyhedronPolyhedronDistanceTest, OneBitApart) {
 TEST(PolyhedronPolyhedronDistanceTest, FarBeyondTheRangeOfSquares) {
   expect_exact_distance(distance(body({{0, 0, 0}}), body({{3e-320, 0, 0}})), 3e-320);
   const PolyhedronDistance tiny = distance(body({{0, 0, 0}}), body({{5e-324, 5e-324, 5e-324}}));
-  EXPECT_EQ(tiny.distance().low, 5e-324);
-  EXPECT_EQ(tiny.distance().high, 1e-323);
+  EXPECT_EQ(distance_of(tiny).low, 5e-324);
+  EXPECT_EQ(distance_of(tiny).high, 1e-323);
   const PolyhedronDistance less = polyhedron_polyhedron_distance(
       body({{0, 0, 0}}), Pose(), body({{5e-324, 0, 0}}), Pose::from_matrix({0.25, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}));
-  EXPECT_EQ(less.distance().low, 0);
-  EXPECT_EQ(less.distance().high, 5e-324);
+  EXPECT_EQ(distance_of(less).low, 0);
+  EXPECT_EQ(distance_of(less).high, 5e-324);
   EXPECT_EQ(compare_distance(less, 0), Sign::positive);
   const PolyhedronDistance beyond =
       distance(body({{-1.7e308, 0, 0}, {-1.7e308, 1, 0}}), body({{1.7e308, 1.7e308, 0}, {1.7e308, 1.7e308, 9}}));
-  EXPECT_EQ(beyond.distance().low, std::numeric_limits<double>::max());
-  EXPECT_EQ(beyond.distance().high, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(distance_of(beyond).low, std::numeric_limits<double>::max());
+  EXPECT_EQ(distance_of(beyond).high, std::numeric_limits<double>::infinity());
   EXPECT_EQ(compare_distance(beyond, std::numeric_limits<double>::max()), Sign::positive);
 }
 
@@ -156,9 +156,9 @@ TEST(PolyhedronPolyhedronDistanceTest, ProbesGrowAsLogN) {
       const PolyhedronDistance d = polyhedron_polyhedron_distance(
           ball, Pose(), ball, Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {far * 0.6, far * 0.48, far * 0.64}));
       ASSERT_FALSE(d.meet());
-      EXPECT_NE(d.answer.decided_by, DecidedBy::finishing);
-      EXPECT_LE(static_cast<double>(d.answer.cost.probes), 150 + 24 * std::log2(n)) << n << " " << far;
-      EXPECT_NEAR(d.distance().low, far - 2, 8.0 / n);
+      EXPECT_NE(d.decided_by, DecidedBy::finishing);
+      EXPECT_LE(static_cast<double>(d.cost.probes), 150 + 24 * std::log2(n)) << n << " " << far;
+      EXPECT_NEAR(distance_of(d).low, far - 2, 8.0 / n);
     }
   }
 }

@@ -16,7 +16,7 @@ namespace {
 
 class ClearanceSearch {
  public:
-  // proves: with points, where it is broken.
+  // proves: with points, where it is broken; else the answer is good for its verdict.
   ClearanceSearch(const PlacedRound& a, const PlacedRound& b, double least, bool proves, RoundClearance& found,
                   StageTally& tally)
       : a_(a), b_(b), least_(least), proves_(proves), found_(found), tally_(tally) {}
@@ -47,17 +47,15 @@ class ClearanceSearch {
     ++found_.cost.proposals;
     const RoundGap gap(a_, b_, direction, near_a_, near_b_, found_.cost, tally_);
     if (gap.against(least_) == Sign::negative) return false;
-    found_.verdict = ClearanceVerdict::kept;
-    found_.direction = direction;
+    found_.evidence = ClearanceKept{direction};
     return true;
   }
   bool breaks(NearPoints points) {
     ++found_.cost.proposals;
     ++tally_.exact;
     if (!points.nearer_than(least_)) return false;
-    found_.verdict = ClearanceVerdict::broken;
-    found_.points =
-        std::make_shared<const std::array<PointOf, 2>>(std::array{std::move(points.of_a), std::move(points.of_b)});
+    found_.evidence = ClearanceBroken{
+        std::make_shared<const std::array<PointOf, 2>>(std::array{std::move(points.of_a), std::move(points.of_b)})};
     return true;
   }
 
@@ -84,7 +82,7 @@ class ClearanceSearch {
       const auto radius = [](const PlacedRound& p) { return p.body.is_curved() ? 0 : p.radius(); };
       if (places &&
           nearness_within(places->of_a, radius(a_), places->of_b, radius(b_), least_, &tally_) == Sign::positive) {
-        found_.verdict = ClearanceVerdict::broken;
+        found_.evidence = ClearanceBroken{};
         return true;
       }
     }
@@ -109,10 +107,11 @@ class HullClearance {
 
   bool decide(Cost& cost) {
     const PolyhedronDistance cores = polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    cost.exact += cores.answer.cost.exact;
-    if (!cores.closest) return false;
-    const auto [square, over] = cores.closest->squared();
-    const ClosestPoints points = closest_points(*cores.closest);
+    cost.exact += cores.cost.exact;
+    const ClosestFeatures* closest = closest_of(cores);
+    if (closest == nullptr) return false;
+    const auto [square, over] = closest->squared();
+    const ClosestPoints points = closest_points(*closest);
     const Dyadic radii = Dyadic(a_.radius()) + Dyadic(b_.radius()), all = radii + Dyadic(least_);
     if ((all * all * over - square).sign() != Sign::positive) {
       const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
@@ -134,15 +133,18 @@ RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least,
   RoundClearance found;
   StageTally tally;
   ClearanceSearch search(a, b, least, proves, found, tally);
+  bool is_finished = false;
   const auto decide = [&] {
     if (search.run<double>({})) return;
     if (!a.body.is_curved() && !b.body.is_curved()) {
+      is_finished = true;
       if (HullClearance(a, b, least, search).decide(found.cost)) return;
     } else {
       const Point3& d = search.last_direction;
       const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
       if (search.run<DoubleDouble>(is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{})) return;
     }
+    is_finished = true;
     const RoundAnswer answer = round_round(a, b);
     found.cost.exact += answer.cost.exact;
     if (answer.meet()) {
@@ -157,31 +159,25 @@ RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least,
     // What encloses the distance most tightly, whatever is asked about it.
     const RoundDistance enclosed = round_distance(a, b);
     found.cost.exact += enclosed.cost.exact;
-    if (enclosed.distance.low >= least && search.keeps(*enclosed.direction)) return;
-    if (enclosed.points) search.breaks(NearPoints((*enclosed.points)[0], (*enclosed.points)[1]));
+    if (const auto* apart = std::get_if<CurvedApart>(&enclosed.evidence)) {
+      if (apart->distance.low >= least && search.keeps(apart->nearest->direction)) return;
+    }
+    const auto [of_p, of_q] = nearest_of(a, b, enclosed.evidence);
+    search.breaks(NearPoints(of_p, of_q));
   };
   decide();
-  found.cost.exact += tally.exact;
+  conclude(found, found.cost.exact + tally.exact, is_finished);
   return found;
 }
 
 }  // namespace
 
-std::string_view name_of(ClearanceVerdict verdict) {
-  switch (verdict) {
-    case ClearanceVerdict::kept: return "kept";
-    case ClearanceVerdict::broken: return "broken";
-    case ClearanceVerdict::undecided: break;
-  }
-  return "undecided";
-}
-
 RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, double least) {
   return decided(a, b, least, true);
 }
 
-ClearanceVerdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least) {
-  return decided(a, b, least, false).verdict;
+Verdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least) {
+  return decided(a, b, least, false).verdict();
 }
 
 RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
@@ -192,11 +188,11 @@ RoundClearance round_clearance(const RoundBody& a, const Pose& pose_a, const Rou
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, double least,
                 const RoundClearance& clearance) {
   SUNDER_REQUIRE(!clearance.undecided());
-  if (clearance.kept()) {
-    const Vector3<Dyadic> d = clearance.direction->exact();
+  if (const auto* kept = std::get_if<ClearanceKept>(&clearance.evidence)) {
+    const Vector3<Dyadic> d = kept->direction.exact();
     return pairs.add_clearance(index_a, index_b, least, {d.x, d.y, d.z});
   }
-  const auto& [of_a, of_b] = *clearance.points;
+  const auto& [of_a, of_b] = *std::get<ClearanceBroken>(clearance.evidence).points;
   pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
 }
 

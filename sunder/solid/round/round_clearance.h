@@ -2,37 +2,41 @@
 // Also called: safety margin; distance query with a threshold. How far apart they are: round_distance.h.
 #pragma once
 
-#include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/predicate/point/along.h>
 #include <sunder/solid/round/round_body.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string_view>
+#include <variant>
 
 namespace sunder::solid {
 
-enum class ClearanceVerdict : std::uint8_t {
-  kept,       // so far apart, or further; exactly so far is kept
-  broken,     // nearer
-  undecided,  // the distance is within some 2^-40 of their size of it
+// Kept: so far apart, or further; exactly so far is kept. Along this direction, from A to B.
+struct ClearanceKept {
+  static constexpr Verdict verdict = Verdict::apart;
+  WorldDirection direction;
 };
-std::string_view name_of(ClearanceVerdict);  // "undecided"
 
-// Plain data, and exact numbers where doubles cannot hold the evidence.
-struct [[nodiscard]] RoundClearance {
-  ClearanceVerdict verdict = ClearanceVerdict::undecided;
-  std::optional<WorldDirection> direction{};               // kept: from A to B, along which they are
-  std::shared_ptr<const std::array<PointOf, 2>> points{};  // broken: of A and of B, nearer than that
-  Cost cost;
-
-  bool kept() const { return verdict == ClearanceVerdict::kept; }
-  bool broken() const { return verdict == ClearanceVerdict::broken; }
-  bool undecided() const { return verdict == ClearanceVerdict::undecided; }
+// Broken: points of A and of B that are nearer to each other than that.
+struct ClearanceBroken {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const std::array<PointOf, 2>> points;  // not null
 };
+
+// The distance is within some 2^-40 of their size of it.
+struct ClearanceUndecided {
+  static constexpr Verdict verdict = Verdict::undecided;
+};
+
+using RoundClearance = Answer<std::variant<ClearanceUndecided, ClearanceKept, ClearanceBroken>>;
+
+// `apart` is kept, and `meet` broken, as bodies would meet that are wider by that.
+inline bool is_kept(const RoundClearance& found) { return found.verdict() == Verdict::apart; }
+inline bool is_broken(const RoundClearance& found) { return found.meet(); }
 
 //   C1. kept and broken are exactly right for the doubles given, and come with evidence that exact arithmetic has
 //       checked: a direction d with g - sqrt(u) - sqrt(v) >= least |d| (predicate/disc/round_shape.h), or two points.
@@ -49,7 +53,7 @@ RoundClearance round_clearance(const PlacedRound& a, const PlacedRound& b, doubl
 
 // The verdict alone, for a half to a tenth of the cost, because exact points are not made. What is decided by both is
 // decided alike. Requires and throws as round_clearance.
-ClearanceVerdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least);
+Verdict clearance_verdict(const PlacedRound& a, const PlacedRound& b, double least);
 
 // States it of two bodies of a certificate file. Requires that it is decided.
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, double least,

@@ -223,8 +223,9 @@ class Contacts {
   RoundContact of_hulls() const {
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    if (!distance.closest) return {};  // not so: a point of both cores is inside
-    const auto [of_a, of_b] = closest_points(*distance.closest);
+    const ClosestFeatures* closest = closest_of(distance);
+    if (closest == nullptr) return {};  // not so: a point of both cores is inside
+    const auto [of_a, of_b] = closest_points(*closest);
     const CommonPoint nearest = point_between(of_a, a_.radius(), of_b, b_.radius());
     if (const auto inner = inner_point(a_, b_, nearest)) return overlapping(*inner);
     return TouchingAt{nearest, way_between(of_a, of_b)};

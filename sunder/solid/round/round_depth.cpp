@@ -10,8 +10,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <span>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 namespace sunder::solid {
 
@@ -42,75 +43,72 @@ Interval radii_and_root(const Dyadic& radii, int sign, const Dyadic& square, con
   });
 }
 
+// Where `low` is 0 nothing has to prove it.
+EnclosedDepth proved(EnclosedDepth found) {
+  if (!(found.depth.low > 0)) found.proof_of_low = {};
+  return found;
+}
+
 // How the cores make a point that both have.
 DepthPoints common_point(const Placed& a, const Placed& b, const CommonVertices& evidence) {
   const CommonPoint point = sunder::common_point(evidence, a, b);
   return {{point.at, point.of_a}, {point.at, point.of_b}};
 }
 
-void of_hulls(const PlacedRound& a, const PlacedRound& b, RoundDepth& found) {
+EnclosedDepth of_hulls(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
   const Dyadic radii = Dyadic(a.radius()) + Dyadic(b.radius());
   const PolyhedronDepth cores = polyhedron_polyhedron_depth(a.body.core(), a.pose, b.body.core(), b.pose);
-  found.cost = cores.answer.cost;
-  if (!cores.meet()) {
+  cost = cores.cost;
+  const PolyhedraOverlap* overlap = overlap_of(cores);
+  if (overlap == nullptr) {
     const PolyhedronDistance apart = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-    found.cost = apart.answer.cost;
-    const auto [square, over] = apart.closest->squared();
-    found.depth = radii_and_root(radii, -1, square, over);
-    const ClosestPoints points = closest_points(*apart.closest);
+    cost = apart.cost;
+    const ClosestFeatures& closest = *closest_of(apart);
+    const auto [square, over] = closest.squared();
+    const ClosestPoints points = closest_points(closest);
     const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
-    found.direction = WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]});
-    found.points = std::make_shared<const DepthPoints>(DepthPoints{points.of_a, points.of_b});
-    return;
+    return proved({radii_and_root(radii, -1, square, over), WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}),
+                   DepthPoints{points.of_a, points.of_b}});
   }
-  found.direction = cores.direction;
-  found.surface = cores.surface;
-  if (cores.is_exact) {
-    found.depth = radii_and_root(radii, 1, cores.squared[0], cores.squared[1]);
+  EnclosedDepth found = *overlap;
+  const bool has_surface = std::holds_alternative<DepthSurface>(found.proof_of_low);
+  if (overlap->exact) {
+    const auto& [numerator, denominator] = overlap->exact->squared;
+    found.depth = radii_and_root(radii, 1, numerator, denominator);
   } else {
-    const Interval sum = Interval(cores.depth) + radii.enclosure();
-    found.depth = {std::max(sum.low, 0.0), sum.high};
+    const Interval sum = overlap->depth + radii.enclosure();
+    found.depth = {std::max(has_surface ? sum.low : radii.enclosure().low, 0.0), sum.high};
   }
-  if (!found.surface) {
-    found.points = std::make_shared<const DepthPoints>(
-        common_point(a.core, b.core, std::get<CommonVertices>(cores.answer.evidence)));
-    if (!cores.is_exact) found.depth.low = radii.enclosure().low;
-  }
+  if (!has_surface) found.proof_of_low = common_point(a.core, b.core, overlap->common);
+  return proved(std::move(found));
 }
 
 }  // namespace
 
 RoundDepth round_depth(const PlacedRound& a, const PlacedRound& b) {
+  RoundAnswer answer = round_round(a, b);
   RoundDepth found;
-  const RoundAnswer answer = round_round(a, b);
-  found.verdict = answer.verdict();
-  if (found.meet()) {
-    if (a.body.is_curved() || b.body.is_curved()) {
-      depth_of_curved(a, b, found);
-    } else {
-      of_hulls(a, b, found);
-    }
+  if (!answer.meet()) {
+    std::visit(
+        [&](auto& evidence) {
+          if constexpr (std::is_constructible_v<decltype(found.evidence), decltype(evidence)>) {
+            found.evidence = std::move(evidence);
+          }
+        },
+        answer.evidence);
+  } else if (a.body.is_curved() || b.body.is_curved()) {
+    found.evidence = depth_of_curved(a, b, found.cost);
+  } else {
+    found.evidence = of_hulls(a, b, found.cost);
   }
   found.cost.probes += answer.cost.probes;
   found.cost.iterations += answer.cost.iterations;
-  found.cost.exact += answer.cost.exact;
+  conclude(found, found.cost.exact + answer.cost.exact, answer.decided_by == DecidedBy::finishing);
   return found;
 }
 
 RoundDepth round_depth(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
   return round_depth(PlacedRound(a, pose_a), PlacedRound(b, pose_b));
-}
-
-void add_depth(ClaimsWriter& file, std::uint32_t index_a, std::uint32_t index_b, const RoundDepth& depth) {
-  if (!depth.meet()) return;
-  const auto [low, high] = depth.depth;
-  if (std::isfinite(high)) {
-    const Vector3<Dyadic> d = depth.direction->exact();
-    add_depth_at_most(file, index_a, index_b, high, std::array{d.x, d.y, d.z});
-  }
-  if (!(low > 0)) return;
-  if (depth.surface) return add_depth_at_least(file, index_a, index_b, low, *depth.surface);
-  add_depth_at_least(file, index_a, index_b, low, *depth.points);
 }
 
 }  // namespace sunder::solid

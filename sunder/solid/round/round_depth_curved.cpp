@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 // How far a body reaches along a direction: as far as the furthest of q + sqrt(square / over). Of a hull its core.
 struct Furthest {
@@ -60,7 +61,7 @@ std::vector<Furthest> reaches(const PlacedRound& body, const WorldDirection& dir
 double reach_at_most(const PlacedRound& a, const PlacedRound& b, const WorldDirection& direction, Cost& cost) {
   const Exact d = direction.exact();
   const Interval length = root(dot(d, d), Dyadic(1.0));
-  double most = -infinity;
+  double most = -unlimited;
   for (const Furthest& last : reaches(a, direction, End::greatest, cost)) {
     for (const Furthest& first : reaches(b, direction, End::least, cost)) {
       const Interval roots = root(last.square, last.over) + root(first.square, first.over);
@@ -74,10 +75,10 @@ double radius_around(const PlacedRound& body) { return body.body.is_curved() ? 0
 
 class CurvedDepth {
  public:
-  CurvedDepth(const PlacedRound& a, const PlacedRound& b, RoundDepth& found)
+  CurvedDepth(const PlacedRound& a, const PlacedRound& b, Cost& cost)
       : a_(a),
         b_(b),
-        found_(found),
+        cost_(cost),
         search_(a, b),
         scale_(search_.simplex.scale),
         radii_(Dyadic(radius_around(a)) + Dyadic(radius_around(b))),
@@ -91,14 +92,14 @@ class CurvedDepth {
     size_ = std::max(size_of(a), size_of(b)) * scale_;
   }
 
-  void run() {
-    found_.depth = {0, infinity};
+  EnclosedDepth run() {
     if (begin()) {
       grow();
       take_surface();
     }
     take_directions();
-    if (!found_.surface && radii_.sign() == Sign::positive) take_points();
+    if (!(depth_.low > 0) && radii_.sign() == Sign::positive) take_points();
+    return {depth_, *std::move(direction_), std::move(proof_)};
   }
 
  private:
@@ -125,7 +126,7 @@ class CurvedDepth {
   std::optional<std::uint32_t> furthest(const Point3& direction) {
     search_.simplex.count = 0;
     search_.direction = direction;
-    const DifferenceVertexOf<double> w = search_.probe(found_.cost);
+    const DifferenceVertexOf<double> w = search_.probe(cost_);
     const double beyond = dot(direction, w.at) / std::sqrt(dot(direction, direction));
     if (beyond < least_reach_) {
       least_reach_ = beyond;
@@ -140,7 +141,7 @@ class CurvedDepth {
     surface_.corners.push_back({of_a->number, of_b->number});
     const auto estimate = [](const Dyadic& x) -> Estimate {
       const double high = x.nearest();
-      if (!std::isfinite(high)) return {high, infinity};
+      if (!std::isfinite(high)) return {high, unlimited};
       const double low = (x - Dyadic(high)).nearest();
       return {DoubleDouble(high, low), std::fabs(low) * 0x1p-50 + 0x1p-1070};
     };
@@ -193,9 +194,9 @@ class CurvedDepth {
     while (const std::optional<std::uint32_t> facet = polytope_.nearest()) {
       const double low = polytope_.facets()[*facet].height.low;
       const double all = least_reach_ + (radii_.nearest() * scale_);
-      if (least_reach_ - low <= std::max(RoundDepth::width * all, 0x1p-42 * size_)) return;
-      if (polytope_.corner_count() >= RoundDepth::most_corners) return;
-      ++found_.cost.iterations;
+      if (least_reach_ - low <= std::max(round_depth_width * all, 0x1p-42 * size_)) return;
+      if (polytope_.corner_count() >= round_depth_most_corners) return;
+      ++cost_.iterations;
       const Vector3<Estimate>& n = polytope_.facets()[*facet].normal;
       Point3 direction{n.x.value.high, n.y.value.high, n.z.value.high};
       if (!make_tame(direction)) return;
@@ -209,7 +210,7 @@ class CurvedDepth {
   }
 
   void take_surface() {
-    double least = infinity;
+    double least = unlimited;
     std::vector<std::uint32_t> number(exact_.size(), no_entry), number_a(surface_.of_a.size(), no_entry),
         number_b(surface_.of_b.size(), no_entry);
     DepthSurface kept;
@@ -239,19 +240,19 @@ class CurvedDepth {
     }
     if (!(least > 0)) return;
     const Dyadic low = Dyadic(least).scaled(-shift_) + radii_;
-    found_.depth.low = std::min(low.enclosure().low, std::numeric_limits<double>::max());
-    if (found_.depth.low > 0) found_.surface = std::make_shared<const DepthSurface>(std::move(kept));
+    depth_.low = std::min(low.enclosure().low, std::numeric_limits<double>::max());
+    if (depth_.low > 0) proof_ = std::move(kept);
   }
 
   void take(const WorldDirection& direction) {
-    const double reach = reach_at_most(a_, b_, direction, found_.cost);
+    const double reach = reach_at_most(a_, b_, direction, cost_);
     const double high = std::max((Interval(reach) + radii_.enclosure()).high, 0.0);
-    if (found_.direction && high >= found_.depth.high) return;
-    found_.depth.high = high;
-    found_.direction = direction;
+    if (direction_ && high >= depth_.high) return;
+    depth_.high = high;
+    direction_ = direction;
   }
   void take_directions() {
-    if (make_tame(best_)) take(WorldDirection(best_));
+    take(WorldDirection(make_tame(best_) ? best_ : Point3{1, 0, 0}));
     for (const PlacedRound* body : {&a_, &b_}) {
       if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
       const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);
@@ -267,8 +268,9 @@ class CurvedDepth {
     const RoundBody bare = RoundBody::rounded(hull.body.core(), 0);
     const PlacedRound core(bare, hull.pose);
     const RoundDistance between = is_a ? round_distance(core, b_) : round_distance(a_, core);
-    if (between.direction) take(*between.direction);
-    const NearPoints points((*between.points)[0], (*between.points)[1]);
+    if (const auto* apart = std::get_if<CurvedApart>(&between.evidence)) take(apart->nearest->direction);
+    const auto [of_a, of_b] = is_a ? nearest_of(core, b_, between.evidence) : nearest_of(a_, core, between.evidence);
+    const NearPoints points(of_a, of_b);
     // The radii exceed `low` by what the points are apart, at least.
     const auto is_near = [&](double low) {
       const Dyadic rest = radii_ - Dyadic(low);
@@ -276,14 +278,16 @@ class CurvedDepth {
     };
     const double low = (radii_ - Dyadic(root(points.square, points.over).high)).enclosure().low;
     if (!(low > 0) || !is_near(low)) return;
-    found_.depth.low = low;
-    found_.points = std::make_shared<const DepthPoints>(
-        DepthPoints{points.of_a, points.of_b, a_.body.is_curved(), b_.body.is_curved()});
+    depth_.low = low;
+    proof_ = DepthPoints{points.of_a, points.of_b, a_.body.is_curved(), b_.body.is_curved()};
   }
 
   const PlacedRound& a_;
   const PlacedRound& b_;
-  RoundDepth& found_;
+  Cost& cost_;
+  Interval depth_{0, unlimited};
+  std::optional<WorldDirection> direction_;
+  DepthProof proof_;
   RoundSearch<double> search_;
   double scale_, size_ = 0;  // lengths of the search and of the polytope are times the scale, a power of two
   int shift_ = 0;
@@ -292,15 +296,14 @@ class CurvedDepth {
   std::vector<Exact> exact_;
   DepthSurface surface_;  // of all corners, without triangles
   Point3 best_{1, 0, 0};  // along which D ends soonest, of those seen
-  double least_reach_ = infinity;
+  double least_reach_ = unlimited;
 };
 
 }  // namespace
 
-void depth_of_curved(const PlacedRound& a, const PlacedRound& b, RoundDepth& found) {
+EnclosedDepth depth_of_curved(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
   SUNDER_REQUIRE(a.body.is_curved() || b.body.is_curved());
-  CurvedDepth search(a, b, found);
-  search.run();
+  return CurvedDepth(a, b, cost).run();
 }
 
 }  // namespace sunder::solid

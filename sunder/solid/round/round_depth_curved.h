@@ -5,7 +5,7 @@
 
 namespace sunder::solid {
 
-// Sets depth, direction, surface and points. Requires that the bodies meet, and that one is curved.
-void depth_of_curved(const PlacedRound& a, const PlacedRound& b, RoundDepth& found);
+// Requires that the bodies meet, and that one is curved. Adds to `cost`.
+EnclosedDepth depth_of_curved(const PlacedRound& a, const PlacedRound& b, Cost& cost);
 
 }  // namespace sunder::solid

@@ -19,10 +19,6 @@ namespace {
 constexpr double largest_double = std::numeric_limits<double>::max(),
                  infinity = std::numeric_limits<double>::infinity();
 
-std::shared_ptr<const std::array<PointOf, 2>> shared(NearPoints points) {
-  return std::make_shared<const std::array<PointOf, 2>>(std::array{std::move(points.of_a), std::move(points.of_b)});
-}
-
 // The root of a quotient, in doubles, about.
 double root_about(const Dyadic& numerator, const Dyadic& denominator) {
   if (numerator.sign() == Sign::zero) return 0;
@@ -72,23 +68,31 @@ Interval less_radii(const Dyadic& square, const Dyadic& over, const Dyadic& radi
 // The best that a search sees.
 class DistanceSearch {
  public:
-  DistanceSearch(const PlacedRound& a, const PlacedRound& b, RoundDistance& found, StageTally& tally)
-      : a_(a), b_(b), found_(found), tally_(tally) {
-    found_.distance = {0, infinity};
-  }
+  DistanceSearch(const PlacedRound& a, const PlacedRound& b, Cost& cost, StageTally& tally)
+      : a_(a), b_(b), cost_(cost), tally_(tally) {}
 
-  void run() {
-    RoundSearch<double> first(a_, b_);
-    search_nearest(first, {}, *this, found_.cost);
-    const Point3 d = best_;
-    RoundSearch<DoubleDouble> second(a_, b_);
-    best_gap_ = -infinity;
-    const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
-    search_nearest(second, is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, *this,
-                   found_.cost);
-    // Where the search ends in a tetrahedron that holds the origin, that is the nearest.
-    const bool is_last = !nearest_ || way2_of(second) < least_way2_;
-    if (auto points = near_points(is_last ? second : *nearest_, a_, b_)) take(std::move(*points));
+  // Of bodies of which round_round gave this answer, which do not meet as far as it says.
+  RoundDistanceEvidence decide(const RoundAnswer& answer) {
+    run();
+    std::array<PointOf, 2> points{std::move(points_->of_a), std::move(points_->of_b)};
+    if (distance_.high == 0) {
+      auto& [of_a, of_b] = points;
+      return ExactCommonPoint{std::make_shared<const CommonPoint>(
+          CommonPoint{std::move(of_a.at), std::move(of_a.of_body), std::move(of_b.of_body)})};
+    }
+    if (answer.undecided()) {
+      return PerhapsApart{distance_.high, std::make_shared<const std::array<PointOf, 2>>(std::move(points))};
+    }
+    if (best_exact_) take(WorldDirection(*best_exact_));
+    if (distance_.low < distance_.high) {
+      for (const WorldDirection& direction : simple_directions(a_, b_, best_)) take(direction);
+    }
+    if (!direction_) {  // they are less far apart than any double above 0, as far as is seen
+      const std::array<Dyadic, 3> d = direction_of(a_, b_, answer.evidence);
+      direction_ = WorldDirection(Vector3<Dyadic>{d[0], d[1], d[2]});
+    }
+    return CurvedApart{distance_, std::make_shared<const CurvedApart::Nearest>(
+                                      CurvedApart::Nearest{*std::move(direction_), std::move(points)})};
   }
 
   template <class Real>
@@ -118,31 +122,39 @@ class DistanceSearch {
     return std::is_same_v<Real, DoubleDouble> && length - best_gap_ < 0x1p-56 * length;
   }
 
+ private:
+  void run() {
+    RoundSearch<double> first(a_, b_);
+    search_nearest(first, {}, *this, cost_);
+    const Point3 d = best_;
+    RoundSearch<DoubleDouble> second(a_, b_);
+    best_gap_ = -infinity;
+    const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);
+    search_nearest(second, is_some ? Vector3<DoubleDouble>{d.x, d.y, d.z} : Vector3<DoubleDouble>{}, *this, cost_);
+    // Where the search ends in a tetrahedron that holds the origin, that is the nearest.
+    const bool is_last = !nearest_ || way2_of(second) < least_way2_;
+    auto points = near_points(is_last ? second : *nearest_, a_, b_);
+    take(points ? *std::move(points) : points_of_cores(a_, b_));
+  }
+
   void take(const WorldDirection& direction) {
-    const RoundGap gap(a_, b_, direction, near_a_, near_b_, found_.cost, tally_);
-    const double better = std::nextafter(found_.distance.low, infinity);
+    const RoundGap gap(a_, b_, direction, near_a_, near_b_, cost_, tally_);
+    const double better = std::nextafter(distance_.low, infinity);
     if (!std::isfinite(better) || gap.against(better) == Sign::negative) return;
     const double low =
         greatest(best_gap_ / scale_, [&](double x) { return x == 0 || gap.against(x) != Sign::negative; });
-    found_.distance.low = low;
-    found_.direction = direction;
+    distance_.low = low;
+    direction_ = direction;
   }
   void take(NearPoints points) {
     const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * points.over - points.square).sign(); };
     double high =
         greatest(root_about(points.square, points.over), [&](double x) { return compared(x) != Sign::positive; });
     if (compared(high) == Sign::negative) high = std::nextafter(high, infinity);
-    if (high >= found_.distance.high && found_.points) return;
-    found_.distance.high = high;
-    found_.points = shared(std::move(points));
-  }
-  void take_best() {
-    if (best_exact_) take(WorldDirection(*best_exact_));
+    distance_.high = high;
+    points_ = std::move(points);
   }
 
-  const Point3& best() const { return best_; }
-
- private:
   // In the precision of the search: what it has of it is rounded.
   template <class Real>
   Real reach(const RoundSearch<Real>& search) const {
@@ -154,8 +166,11 @@ class DistanceSearch {
 
   const PlacedRound& a_;
   const PlacedRound& b_;
-  RoundDistance& found_;
+  Cost& cost_;
   StageTally& tally_;
+  Interval distance_{0, infinity};
+  std::optional<WorldDirection> direction_;           // along which they are so far apart as `low`
+  std::optional<NearPoints> points_;                  // that are no further apart than `high`
   std::optional<RoundSearch<DoubleDouble>> nearest_;  // where its simplex is nearest
   double best_gap_ = -infinity, scale_ = 1;
   DoubleDouble least_way2_ = infinity;
@@ -164,45 +179,96 @@ class DistanceSearch {
   std::uint32_t near_a_ = 0, near_b_ = 0;
 };
 
-void of_hulls(const PlacedRound& a, const PlacedRound& b, RoundDistance& found) {
-  const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-  found.cost = cores.answer.cost;
-  const auto [square, over] = cores.closest->squared();
-  found.distance = less_radii(square, over, Dyadic(a.radius()) + Dyadic(b.radius()));
-  const ClosestPoints points = closest_points(*cores.closest);
-  const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
-  found.direction = WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]});
-  found.points =
-      shared(points_nearer_than(std::nextafter(found.distance.high, infinity), points, a.radius(), b.radius()));
-}
-
 }  // namespace
 
+Interval HullsApart::distance() const {
+  if (are_polyhedra()) return cores.distance();
+  const auto [square, over] = cores.squared();
+  return less_radii(square, over, Dyadic(radius_a) + Dyadic(radius_b));
+}
+
+std::array<PointOf, 2> HullsApart::points() const {
+  const ClosestPoints points = closest_points(cores);
+  if (are_polyhedra()) return {points.of_a, points.of_b};
+  NearPoints found = points_nearer_than(std::nextafter(distance().high, infinity), points, radius_a, radius_b);
+  return {std::move(found.of_a), std::move(found.of_b)};
+}
+
+WorldDirection HullsApart::direction() const {
+  const ClosestPoints points = closest_points(cores);
+  const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
+  return WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]});
+}
+
+bool is_nearer(const HullsApart& one, const HullsApart& other) {
+  const std::array<Dyadic, 2> x = one.cores.squared(), y = other.cores.squared();
+  // Is sqrt(n / d) < sqrt(m / e) + t?
+  const auto& [n, d] = x;
+  const auto& [m, e] = y;
+  const Dyadic t = Dyadic(one.radius_a) + Dyadic(one.radius_b) - (Dyadic(other.radius_a) + Dyadic(other.radius_b));
+  if (t.sign() != Sign::negative) {  // iff n / d - m / e - t^2 < 2 t sqrt(m / e)
+    const Dyadic left = n * e - m * d - t * t * d * e;
+    return left.sign() == Sign::negative || (left * left - (t * t * m * e * d * d).scaled(2)).sign() == Sign::negative;
+  }
+  // No: iff sqrt(m / e) - t <= sqrt(n / d).
+  const Dyadic left = m * d - n * e - t * t * d * e;  // is it greater than -2 t sqrt(n / d), over d e?
+  return left.sign() == Sign::positive && (left * left - (t * t * n * d * e * e).scaled(2)).sign() == Sign::positive;
+}
+
+std::optional<std::array<Point3, 2>> rounded_nearest(const RoundDistanceEvidence& evidence) {
+  const auto rounded = [](const std::array<PointOf, 2>& points) {
+    return std::array{nearest(points[0].at), nearest(points[1].at)};
+  };
+  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) {
+    return hulls->are_polyhedra() ? hulls->cores.nearest_points() : rounded(hulls->points());
+  }
+  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return rounded(curved->nearest->points);
+  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return rounded(*perhaps->points);
+  return std::nullopt;
+}
+
+Interval distance_of(const RoundDistanceEvidence& evidence) {
+  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) return hulls->distance();
+  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return curved->distance;
+  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return {0, perhaps->at_most};
+  return {0, 0};
+}
+
+std::array<PointOf, 2> nearest_of(const PlacedRound& a, const PlacedRound& b, const RoundDistanceEvidence& evidence) {
+  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) return hulls->points();
+  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return curved->nearest->points;
+  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return *perhaps->points;
+  const auto* exact = std::get_if<ExactCommonPoint>(&evidence);
+  const CommonPoint common =
+      exact != nullptr ? *exact->point : common_point(std::get<CommonVertices>(evidence), a.core, b.core);
+  return {PointOf{common.at, common.of_a}, PointOf{common.at, common.of_b}};
+}
+
 RoundDistance round_distance(const PlacedRound& a, const PlacedRound& b) {
+  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
+    const PolyhedronDistance found = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
+    if (const ClosestFeatures* closest = closest_of(found)) {
+      return {HullsApart{*closest}, found.decided_by, found.cost};
+    }
+    return {std::get<CommonVertices>(found.evidence), found.decided_by, found.cost};
+  }
   RoundDistance found;
   const RoundAnswer answer = round_round(a, b);
   StageTally tally;
+  bool is_finished = answer.decided_by == DecidedBy::finishing;
   if (answer.meet()) {
-    const CommonPoint common = common_point_of(a, b, answer.evidence);
-    found.points = std::make_shared<const std::array<PointOf, 2>>(
-        std::array{PointOf{common.at, common.of_a}, PointOf{common.at, common.of_b}});
-    found.distance = {0, 0};
+    found.evidence = ExactCommonPoint{std::make_shared<const CommonPoint>(common_point_of(a, b, answer.evidence))};
   } else if (!a.body.is_curved() && !b.body.is_curved()) {
-    of_hulls(a, b, found);
+    const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
+    found.evidence = HullsApart{*closest_of(cores), a.radius(), b.radius()};
+    found.cost = cores.cost;
+    is_finished = is_finished || cores.decided_by == DecidedBy::finishing;
   } else {
-    DistanceSearch search(a, b, found, tally);
-    search.run();
-    if (!answer.undecided()) {
-      search.take_best();
-      const Interval& d = found.distance;
-      if (d.low < d.high) {
-        for (const WorldDirection& direction : simple_directions(a, b, search.best())) search.take(direction);
-      }
-    }
+    found.evidence = DistanceSearch(a, b, found.cost, tally).decide(answer);
   }
   found.cost.probes += answer.cost.probes;
   found.cost.iterations += answer.cost.iterations;
-  found.cost.exact += answer.cost.exact + tally.exact;
+  conclude(found, found.cost.exact + answer.cost.exact + tally.exact, is_finished);
   return found;
 }
 
@@ -211,17 +277,47 @@ RoundDistance round_distance(const RoundBody& a, const Pose& pose_a, const Round
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const RoundDistance& distance) {
-  const auto [low, high] = distance.distance;
-  if (low > 0) {
-    const Vector3<Dyadic> d = distance.direction->exact();
-    pairs.add_clearance(index_a, index_b, low, {d.x, d.y, d.z});
+  const Interval bounds = distance_of(distance);
+  const auto state = [&](const PointOf& of_a, const PointOf& of_b) {
+    const NearPoints points(of_a, of_b);
+    for (double least = bounds.high; std::isfinite(least); least = std::nextafter(least, infinity)) {
+      if (least == 0 || !points.nearer_than(least)) continue;
+      return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
+    }
+  };
+  const auto state_both = [&](const WorldDirection& direction, const std::array<PointOf, 2>& points) {
+    const Vector3<Dyadic> d = direction.exact();
+    if (bounds.low > 0) pairs.add_clearance(index_a, index_b, bounds.low, {d.x, d.y, d.z});
+    state(points[0], points[1]);
+  };
+  const auto state_common = [&](const CommonPoint& common) {
+    state({common.at, common.of_a}, {common.at, common.of_b});
+  };
+  if (const auto* hulls = std::get_if<HullsApart>(&distance.evidence)) {
+    state_both(hulls->direction(), hulls->points());
+  } else if (const auto* curved = std::get_if<CurvedApart>(&distance.evidence)) {
+    state_both(curved->nearest->direction, curved->nearest->points);
+  } else if (const auto* perhaps = std::get_if<PerhapsApart>(&distance.evidence)) {
+    state((*perhaps->points)[0], (*perhaps->points)[1]);
+  } else if (const auto* exact = std::get_if<ExactCommonPoint>(&distance.evidence)) {
+    state_common(*exact->point);
+  } else {
+    state_common(pairs.common_point(index_a, index_b, std::get<CommonVertices>(distance.evidence)));
   }
-  const auto& [of_a, of_b] = *distance.points;
-  const NearPoints points(of_a, of_b);
-  for (double least = high; std::isfinite(least); least = std::nextafter(least, infinity)) {
-    if (least == 0 || !points.nearer_than(least)) continue;
-    return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
+}
+
+void add_distance(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const RoundDistanceEvidence& found) {
+  const double above = std::nextafter(distance_of(found).high, infinity);
+  const auto state = [&](const std::array<PointOf, 2>& points) {
+    if (std::isfinite(above)) pairs.add_clearance_broken(index_a, index_b, above, points[0], points[1]);
+  };
+  if (const auto* hulls = std::get_if<HullsApart>(&found)) {
+    const auto [of_a, of_b] = hulls->points();
+    if (hulls->are_polyhedra()) return pairs.add_distance(index_a, index_b, of_a, of_b);
+    return state({of_a, of_b});
   }
+  if (const auto* curved = std::get_if<CurvedApart>(&found)) return state(curved->nearest->points);
+  if (const auto* perhaps = std::get_if<PerhapsApart>(&found)) return state(*perhaps->points);
 }
 
 }  // namespace sunder::solid

@@ -15,7 +15,9 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
-Exact image(const PlacedRound& body, const Point3& p) { return coordinates<Dyadic>(Posed3{p, &body.core.pose, false}); }
+Exact image_of(const PlacedRound& body, const Point3& p) {
+  return coordinates<Dyadic>(Posed3{p, &body.core.pose, false});
+}
 
 RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near,
                        Cost& cost, StageTally& tally) {
@@ -32,17 +34,17 @@ RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction,
 
 // A point of the body that is well inside, where it has an inside.
 Exact middle_of(const PlacedRound& curved) {
-  Exact first = image(curved, curved.shape.points[0]);
+  Exact first = image_of(curved, curved.shape.points[0]);
   if (curved.kind() == RoundKind::ellipsoid) return first;
-  const Exact way = image(curved, curved.shape.points[1]) - first;
+  const Exact way = image_of(curved, curved.shape.points[1]) - first;
   return sum(first, times(Dyadic(curved.kind() == RoundKind::cone ? 0.25 : 0.5), way));
 }
 
 // Of a cylinder's or a cone's axis, or of an ellipsoid the centre: that is nearest to the point.
 ExactPoint3 on_core(const PlacedRound& curved, const Exact& near) {
-  Exact first = image(curved, curved.shape.points[0]);
+  Exact first = image_of(curved, curved.shape.points[0]);
   if (curved.kind() == RoundKind::ellipsoid) return exact_point(first);
-  const Exact way = image(curved, curved.shape.points[1]) - first;
+  const Exact way = image_of(curved, curved.shape.points[1]) - first;
   const Dyadic along = dot(near - first, way), all = dot(way, way);
   if (along.sign() != Sign::positive) return exact_point(first);
   if ((all - along).sign() != Sign::positive) return exact_point(sum(first, way));
@@ -105,6 +107,14 @@ PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weigh
   return {exact_point(sum, made.denominator), std::move(made)};
 }
 
+NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b) {
+  const auto point = [](const PlacedRound& body) {
+    return body.body.is_curved() ? held_by(body, image_of(body, body.shape.points[0]), 48)
+                                 : of_core(body, {{0, Dyadic(1.0)}});
+  };
+  return {point(a), point(b)};
+}
+
 PointOf towards(const PointOf& of_core, double radius, const PointOf& to) {
   if (radius == 0) return of_core;
   const NearPoints between(of_core, to);
@@ -143,13 +153,13 @@ std::vector<WorldDirection> simple_directions(const PlacedRound& a, const Placed
   found.emplace_back(simple_fractions(d).numerators());
   for (const PlacedRound* body : {&a, &b}) {
     if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
-    const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);
+    const Exact axis = image_of(*body, body->shape.points[1]) - image_of(*body, body->shape.points[0]);
     const Exact exact_near = coordinates<Dyadic>(d);
     found.emplace_back(dot(axis, exact_near).sign() == Sign::negative ? Exact{-axis.x, -axis.y, -axis.z} : axis);
   }
   const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-  if (cores.closest) {
-    const ClosestPoints points = closest_points(*cores.closest);
+  if (const ClosestFeatures* closest = closest_of(cores)) {
+    const ClosestPoints points = closest_points(*closest);
     const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
     found.emplace_back(Exact{way[0], way[1], way[2]});
   }

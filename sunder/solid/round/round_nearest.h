@@ -60,6 +60,9 @@ PointOf held_by(const PlacedRound& curved, const Vector3<Dyadic>& near, int bits
 // The point of a hull's core that these weights make.
 PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weights);
 
+// A point of each core: where a search makes none that are nearer.
+NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b);
+
 // As far as the radius from a point of a core towards the other point, or a little less; that point, where it is as
 // near.
 PointOf towards(const PointOf& of_core, double radius, const PointOf& to);

@@ -172,7 +172,7 @@ TEST(RoundQuick, BoxesWithTheSameAxesFarAway) {
     const Pose pose_b = tests::moved(pose_a, turned, 1);
     const ConvexPolyhedron core_a(corners[0]), core_b(corners[1]);
     const PolyhedronDistance distance = polyhedron_polyhedron_distance(core_a, pose_a, core_b, pose_b);
-    if (!distance.closest) continue;
+    if (distance.meet()) continue;
     const bool is_meet = compare_distance(distance, of_a + of_b) != Sign::positive;
     Tally tally;
     see(RoundBody::rounded(core_a, of_a), pose_a, RoundBody::rounded(core_b, of_b), pose_b, is_meet, tally);
@@ -281,7 +281,7 @@ TEST(RoundQuick, ABallWithinRoundingsOfACylinder) {
 TEST(ClearanceVerdictTest, ToTheLastBit) {
   const RoundBody a = RoundBody::ball({0, 0, 0}, 1), b = RoundBody::ball({3, 4, 0}, 2);
   const auto closer = [](const RoundBody& p, const RoundBody& q, double least) {
-    return clearance_verdict(PlacedRound(p, Pose()), PlacedRound(q, Pose()), least) == ClearanceVerdict::broken;
+    return clearance_verdict(PlacedRound(p, Pose()), PlacedRound(q, Pose()), least) == Verdict::meet;
   };
   EXPECT_FALSE(closer(a, b, std::nextafter(2, 0)));
   EXPECT_FALSE(closer(a, b, 2));
@@ -305,12 +305,12 @@ TEST(ClearanceVerdictTest, AgreesWithTheExactDistance) {
     const Pose pose_a = some_pose(1, random), pose_b = some_pose(2, random);
     const double of_a = k % 3 == 0 ? 0.25 : 0, of_b = k % 2 == 0 ? 0.125 : 0;
     const PolyhedronDistance distance = polyhedron_polyhedron_distance(core_a, pose_a, core_b, pose_b);
-    const double about = distance.distance().low - of_a - of_b;
+    const double about = distance_of(distance).low - of_a - of_b;
     const double least = about > 0 && k % 4 != 0 ? about * random.uniform(0.9, 1.1) : 0.5;
     const bool is_closer = compare_distance(distance, least + of_a + of_b) == Sign::negative;
     const RoundBody a = RoundBody::rounded(core_a, of_a), b = RoundBody::rounded(core_b, of_b);
-    const ClearanceVerdict found = clearance_verdict(PlacedRound(a, pose_a), PlacedRound(b, pose_b), least);
-    EXPECT_EQ(found, is_closer ? ClearanceVerdict::broken : ClearanceVerdict::kept) << k;
+    const Verdict found = clearance_verdict(PlacedRound(a, pose_a), PlacedRound(b, pose_b), least);
+    EXPECT_EQ(found, is_closer ? Verdict::meet : Verdict::apart) << k;
     yes += is_closer ? 1 : 0;
   }
   EXPECT_GT(yes, 60);

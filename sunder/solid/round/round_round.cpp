@@ -45,12 +45,13 @@ class RoundFinish {
   void hulls() {
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    count(distance.answer);
-    if (const auto* common = std::get_if<CommonVertices>(&distance.answer.evidence)) return cores(*common);
-    const auto [square, over] = distance.closest->squared();
+    count(distance);
+    if (const auto* common = std::get_if<CommonVertices>(&distance.evidence)) return cores(*common);
+    const ClosestFeatures& features = *closest_of(distance);
+    const auto [square, over] = features.squared();
     const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
     ++tally_.exact;
-    const ClosestPoints closest = closest_points(*distance.closest);
+    const ClosestPoints closest = closest_points(features);
     if ((reach * reach * over - square).sign() == Sign::negative) {
       return apart(way_between(closest.of_a, closest.of_b));
     }
@@ -77,10 +78,11 @@ class RoundFinish {
     }
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    count(distance.answer);
-    if (!distance.closest) return false;
-    const auto [square, over] = distance.closest->squared();
-    const ClosestPoints closest = closest_points(*distance.closest);
+    count(distance);
+    const ClosestFeatures* features = closest_of(distance);
+    if (features == nullptr) return false;
+    const auto [square, over] = features->squared();
+    const ClosestPoints closest = closest_points(*features);
     const std::array<Dyadic, 3> way = way_between(closest.of_a, closest.of_b);
     const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
     ++tally_.exact;
@@ -180,9 +182,10 @@ class RoundFinish {
       }
       const PolyhedronDistance distance =
           polyhedron_polyhedron_distance(as_body, Pose(), body->body.core(), body->pose);
-      count(distance.answer);
-      if (!distance.closest || compare_distance(distance, body->radius()) == Sign::positive) return false;
-      made = closest_points(*distance.closest).of_b.of_body;
+      count(distance);
+      const ClosestFeatures* closest = closest_of(distance);
+      if (closest == nullptr || compare_distance(distance, body->radius()) == Sign::positive) return false;
+      made = closest_points(*closest).of_b.of_body;
     }
     meet(std::move(common));
     return true;
@@ -282,9 +285,10 @@ class RoundFinish {
     } else {
       const PolyhedronDistance distance =
           polyhedron_polyhedron_distance(own.body.core(), own.pose, other.body.core(), other.pose);
-      count(distance.answer);
-      if (distance.closest && compare_distance(distance, other.radius()) != Sign::positive) {
-        const ClosestPoints closest = closest_points(*distance.closest);
+      count(distance);
+      const ClosestFeatures* features = closest_of(distance);
+      if (features != nullptr && compare_distance(distance, other.radius()) != Sign::positive) {
+        const ClosestPoints closest = closest_points(*features);
         point = point_between(closest.of_a, 0, closest.of_b, other.radius());
       }
     }
@@ -294,7 +298,8 @@ class RoundFinish {
     meet(std::move(*point));
     return true;
   }
-  void count(const PairAnswer& of) {
+  template <class AnyAnswer>
+  void count(const AnyAnswer& of) {
     answer_.cost.probes += of.cost.probes;
     answer_.cost.iterations += of.cost.iterations;
     tally_.exact += of.cost.exact;

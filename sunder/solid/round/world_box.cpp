@@ -2,15 +2,17 @@
 #include <sunder/number/interval.h>
 #include <sunder/number/rounded.h>
 #include <sunder/predicate/point/along.h>
-#include <sunder/scene/world_box.h>
+#include <sunder/solid/round/world_box.h>
 #include <sunder/solid/search/support.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-namespace sunder::scene {
+namespace sunder::solid {
 
 namespace {
 
@@ -30,14 +32,14 @@ Interval coordinate(std::size_t k, const Posed3& point) {
 }
 
 // Encloses coordinate k of an end of a cylinder's or a cone's axis.
-Interval end_of(const solid::PlacedRound& body, std::size_t end, std::size_t k) {
+Interval end_of(const PlacedRound& body, std::size_t end, std::size_t k) {
   return coordinate(k, {body.shape.points[end], &body.core.pose, body.core.tame});
 }
 
 Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
 
 // At least how far the body reaches along axis k beyond its core, of a cone beyond its base's middle.
-double reach(const solid::PlacedRound& body, std::size_t k) {
+double reach(const PlacedRound& body, std::size_t k) {
   const auto square = [](const Interval& x) { return x * x; };
   switch (body.kind()) {
     case RoundKind::hull: break;
@@ -60,7 +62,7 @@ double reach(const solid::PlacedRound& body, std::size_t k) {
 }
 
 // From the core's box to the body's.
-void widen(const solid::PlacedRound& body, Box3& box) {
+void widen(const PlacedRound& body, Box3& box) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Interval beyond = reach(body, k);
     if (body.kind() != RoundKind::cone) {
@@ -76,9 +78,9 @@ void widen(const solid::PlacedRound& body, Box3& box) {
 
 }  // namespace
 
-WorldBox world_box(const solid::Placed& body) { return world_box(body, {}); }
+WorldBox world_box(const Placed& body) { return world_box(body, {}); }
 
-WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
+WorldBox world_box(const Placed& body, const WorldBox& near) {
   WorldBox box;
   Cost cost;
   StageTally tally;
@@ -86,10 +88,10 @@ WorldBox world_box(const solid::Placed& body, const WorldBox& near) {
     const WorldDirection direction(axis(k));
     Along along(direction, body.pose, body.tame);
     const double* const row = &body.pose.linear[3 * k];
-    const std::uint32_t low = solid::support_near(body.graph, {-row[0], -row[1], -row[2]}, near.lowest[k], cost.probes);
-    const std::uint32_t high = solid::support_near(body.graph, {row[0], row[1], row[2]}, near.highest[k], cost.probes);
-    box.lowest[k] = solid::extreme_vertex_from(body, along, solid::End::least, low, cost, tally);
-    box.highest[k] = solid::extreme_vertex_from(body, along, solid::End::greatest, high, cost, tally);
+    const std::uint32_t low = support_near(body.graph, {-row[0], -row[1], -row[2]}, near.lowest[k], cost.probes);
+    const std::uint32_t high = support_near(body.graph, {row[0], row[1], row[2]}, near.highest[k], cost.probes);
+    box.lowest[k] = extreme_vertex_from(body, along, End::least, low, cost, tally);
+    box.highest[k] = extreme_vertex_from(body, along, End::greatest, high, cost, tally);
     box.low[k] = coordinate(k, body[box.lowest[k]]).low;
     box.high[k] = coordinate(k, body[box.highest[k]]).high;
   }
@@ -103,7 +105,7 @@ namespace {
 // translation, and a half is at most twice the greatest coordinate. The rest is for the rounding of `size` and of the
 // last two sums. A sum of two coordinates is zero, or hardly smaller than the least of them: so nothing underflows
 // where images are tame.
-Box3 rough_box_in_doubles(const solid::Placed& body) {
+Box3 rough_box_in_doubles(const Placed& body) {
   const Point3 &low = body.graph.low, &high = body.graph.high;
   Point3 m, h;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -129,7 +131,7 @@ Box3 rough_box_in_doubles(const solid::Placed& body) {
 
 }  // namespace
 
-Box3 rough_world_box(const solid::Placed& body) {
+Box3 rough_world_box(const Placed& body) {
   if (body.tame && body.graph.sizes.greatest <= 0x1p1021) return rough_box_in_doubles(body);  // sums do not overflow
   Box3 box;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -145,16 +147,36 @@ Box3 rough_world_box(const solid::Placed& body) {
   return box;
 }
 
-WorldBox world_box(const solid::PlacedRound& body) {
+WorldBox world_box(const PlacedRound& body) {
   WorldBox box = world_box(body.core);
   widen(body, box);
   return box;
 }
 
-Box3 rough_world_box(const solid::PlacedRound& body) {
+Box3 rough_world_box(const PlacedRound& body) {
   Box3 box = rough_world_box(body.core);
   widen(body, box);
   return box;
+}
+
+WorldBox world_box(const RoundBody& body, const Pose& pose) {
+  return body.is_polyhedron() ? world_box(Placed(body.core(), pose)) : world_box(PlacedRound(body, pose));
+}
+
+Box3 rough_world_box(const RoundBody& body, const Pose& pose) {
+  return body.is_polyhedron() ? rough_world_box(Placed(body.core(), pose)) : rough_world_box(PlacedRound(body, pose));
+}
+
+double reach_beyond_core(const RoundBody& body) {
+  return body.kind() == RoundKind::ellipsoid ? std::numeric_limits<double>::infinity() : body.radius();
+}
+
+std::optional<RoundEvidence> apart_by_boxes(const RoundBody& a, const WorldBox& box_a, const RoundBody& b,
+                                            const WorldBox& box_b) {
+  const std::optional<Separation> boxes = apart_by_boxes(box_a, box_b);
+  if (!boxes) return std::nullopt;
+  if (a.is_polyhedron() && b.is_polyhedron()) return *boxes;
+  return SeparatingDirection{boxes->direction.given};
 }
 
 std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b) {
@@ -169,4 +191,4 @@ std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b) {
   return std::nullopt;
 }
 
-}  // namespace sunder::scene
+}  // namespace sunder::solid

@@ -1,7 +1,7 @@
 #include <sunder/base/random.h>
 #include <sunder/certificate/check.h>
 #include <sunder/predicate/point/orient.h>
-#include <sunder/scene/world_box.h>
+#include <sunder/solid/round/world_box.h>
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,8 @@
 #include <limits>
 #include <vector>
 
-namespace sunder::scene {
+namespace sunder::solid {
 namespace {
-
-using solid::ConvexPolyhedron;
-using solid::Placed;
-using solid::Pose;
 
 Pose random_pose(Random& random, double scale) {
   const auto u = [&] { return random.uniform(-1, 1); };
@@ -135,4 +131,4 @@ TEST(WorldBox, CertificatesHold) {
 }
 
 }  // namespace
-}  // namespace sunder::scene
+}  // namespace sunder::solid
