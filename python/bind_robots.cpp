@@ -156,7 +156,8 @@ class Robot {
         joints, values, threads, {cell_.place(), question_}, [](auto k, const scene::SweptAnswer& answer, Found& out) {
           out.verdicts.push_back({answer.some_meet(), !answer.some_meet() && !answer.none_meet()});
           for (const scene::SweptPair& pair : answer.pairs) {
-            out.add(k, pair, !pair.undecided(), {pair.time.low, pair.time.high, pair.all_the_way ? 1.0 : 0.0});
+            const Interval time = pair.meet() ? pair.time() : Interval{0, 0};
+            out.add(k, pair, !pair.undecided(), {time.low, time.high, pair.all_the_way() ? 1.0 : 0.0});
           }
         });
   }

@@ -67,8 +67,6 @@ Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) 
                                  pair.answer.evidence);
 }
 
-std::string_view Answer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
-
 Answer meeting_pairs(std::span<const Body> bodies, const Question& question) {
   return Scene(bodies, question).answer();
 }

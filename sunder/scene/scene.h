@@ -78,16 +78,24 @@ struct Counts {
   std::uint64_t undecided = 0;      // of these, those where it is not known whether they meet
   std::uint64_t meeting = 0;        // of these, found to meet
   std::uint64_t touching_only = 0;  // of those, touching where touching is allowed
+
+  bool some_meet() const { return meeting > touching_only; }
+  bool none_meet() const { return !some_meet() && undecided == 0; }  // all are known to be apart, or allowed
 };
 
-struct [[nodiscard]] Answer {
-  std::vector<PartPair> pairs;  // all that the method was asked about; with every_pair all but the allowed
-  Counts counts;
+// What is listed of all pairs, in the order of S3, and how many there are of each kind.
+template <class Pair, class CountsOfPairs>
+struct [[nodiscard]] PairsAnswer {
+  std::vector<Pair> pairs;
+  CountsOfPairs counts;
 
-  bool some_meet() const { return counts.meeting > counts.touching_only; }
-  bool none_meet() const { return !some_meet() && counts.undecided == 0; }  // all are known to be apart, or allowed
-  std::string_view verdict() const;                                         // "some", "none", "undecided"
+  bool some_meet() const { return counts.some_meet(); }
+  bool none_meet() const { return counts.none_meet(); }
+  std::string_view verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
 };
+
+// Listed is all that the method was asked about; with every_pair all but the allowed.
+using Answer = PairsAnswer<PartPair, Counts>;
 
 // Requires indices of bodies in `allowed` to be in range. Throws Error: bad_pose where a part with a radius is at a
 // pose that scales or shears.

@@ -81,15 +81,14 @@ class Sweep {
       if (every_pair_) list_apart(i, j, direction_of(a, way_a, b, way_b, swept));
       return;
     }
-    SweptPair& pair = list(i, j, true);
-    pair.verdict = swept.verdict();
+    SweptPair& pair = list(i, j);
     if (swept.undecided()) {
       ++answer_.counts.undecided;
       return;
     }
     ++answer_.counts.meeting;
-    pair.first = std::make_shared<const solid::RoundFirstContact>(round_round_first_contact(a, way_a, b, way_b, swept));
-    pair.time = pair.first->time;
+    pair.evidence = MeetOnTheWay{
+        std::make_shared<const solid::RoundFirstContact>(round_round_first_contact(a, way_a, b, way_b, swept))};
   }
 
   void look_at_ends(std::uint32_t i, std::uint32_t j) {
@@ -102,29 +101,24 @@ class Sweep {
       is_undecided = is_undecided || found.undecided();
       if (!found.meet()) continue;
       ++answer_.counts.meeting;
-      SweptPair& pair = list(i, j, false);
-      pair.time = {static_cast<double>(at), static_cast<double>(at)};
-      pair.at_an_end = std::make_shared<const PartPair>(std::move(found));
+      list(i, j).evidence = MeetAtAnEnd{static_cast<double>(at), std::make_shared<const PartPair>(std::move(found))};
       return;
     }
     if (!is_undecided) return;
     ++answer_.counts.undecided;
-    list(i, j, false).verdict = Verdict::undecided;
+    list(i, j).evidence = UndecidedPair{.all_the_way = false};
   }
 
-  SweptPair& list(std::uint32_t i, std::uint32_t j, bool all_the_way) {
+  SweptPair& list(std::uint32_t i, std::uint32_t j) {
     const PartPair named = members_.pair(i, j);
     SweptPair& pair = answer_.pairs.emplace_back();
     pair.body_a = named.body_a, pair.body_b = named.body_b;
     pair.part_a = named.part_a, pair.part_b = named.part_b;
-    pair.all_the_way = all_the_way;
     return pair;
   }
 
   void list_apart(std::uint32_t i, std::uint32_t j, std::array<Dyadic, 3> direction) {
-    SweptPair& pair = list(i, j, true);
-    pair.verdict = Verdict::apart;
-    pair.direction = std::make_shared<const std::array<Dyadic, 3>>(std::move(direction));
+    list(i, j).evidence = ApartOnTheWay{std::make_shared<const std::array<Dyadic, 3>>(std::move(direction))};
   }
 
   // From A to B. Requires boxes that are apart.
@@ -149,7 +143,16 @@ class Sweep {
 
 }  // namespace
 
-std::string_view SweptAnswer::verdict() const { return some_meet() ? "some" : none_meet() ? "none" : "undecided"; }
+bool SweptPair::all_the_way() const {
+  if (const auto* open = std::get_if<UndecidedPair>(&evidence)) return open->all_the_way;
+  return !std::holds_alternative<MeetAtAnEnd>(evidence);
+}
+
+Interval SweptPair::time() const {
+  SUNDER_REQUIRE(meet());
+  if (const auto* end = std::get_if<MeetAtAnEnd>(&evidence)) return {end->time, end->time};
+  return std::get<MeetOnTheWay>(evidence).first->time;
+}
 
 SweptAnswer meeting_on_the_way(std::span<const Body> begin, std::span<const Body> end, const Question& question) {
   SUNDER_REQUIRE(begin.size() == end.size());

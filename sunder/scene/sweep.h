@@ -19,26 +19,46 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string_view>
-#include <vector>
+#include <variant>
 
 namespace sunder::scene {
+
+// They meet on the way, at this first contact.
+struct MeetOnTheWay {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const solid::RoundFirstContact> first;  // not null
+};
+
+// Asked at both ends only: they meet at this one, 0 or 1.
+struct MeetAtAnEnd {
+  static constexpr Verdict verdict = Verdict::meet;
+  double time = 0;
+  std::shared_ptr<const PartPair> pair;  // as they are there; not null
+};
+
+// They are apart all the way, as along this direction from A to B.
+struct ApartOnTheWay {
+  static constexpr Verdict verdict = Verdict::apart;
+  std::shared_ptr<const std::array<Dyadic, 3>> direction;  // not null
+};
+
+// It is undecided whether they meet on the way; of those asked at both ends only, there.
+struct UndecidedPair {
+  static constexpr Verdict verdict = Verdict::undecided;
+  bool all_the_way = true;
+};
 
 struct SweptPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  Verdict verdict = Verdict::meet;
-  bool all_the_way = true;  // false: asked at its ends only
-  Interval time{0, 0};      // meet: encloses the first time; of one asked at its ends, that end. Else meaningless
+  std::variant<UndecidedPair, MeetOnTheWay, MeetAtAnEnd, ApartOnTheWay> evidence{};
 
-  // The evidence, one of these; of undecided ones none. Meet: the first contact; of one asked at its ends the pair at
-  // that end. Apart: the direction from A to B, all the way.
-  std::shared_ptr<const solid::RoundFirstContact> first{};
-  std::shared_ptr<const PartPair> at_an_end{};
-  std::shared_ptr<const std::array<Dyadic, 3>> direction{};
+  Verdict verdict() const { return verdict_of(evidence); }
+  bool meet() const { return verdict() == Verdict::meet; }
+  bool undecided() const { return verdict() == Verdict::undecided; }
 
-  bool meet() const { return verdict == Verdict::meet; }
-  bool undecided() const { return verdict == Verdict::undecided; }
+  bool all_the_way() const;  // false: asked at its ends only
+  Interval time() const;     // encloses the first time; of one asked at its ends, that end. Requires that they meet
 };
 
 struct SweptCounts {
@@ -50,18 +70,14 @@ struct SweptCounts {
   std::uint64_t meeting = 0;
   std::uint64_t undecided = 0;  // all the way; or at an end, of those asked there, that meet at no end
   std::uint64_t looks = 0;      // at boxes, in the tree that finds those near each other (near/box_tree.h)
-};
 
-struct [[nodiscard]] SweptAnswer {
-  std::vector<SweptPair>
-      pairs;  // those that meet or are undecided, in the order of S3; with every_pair also apart ones
-  SweptCounts counts;
-
-  bool some_meet() const { return counts.meeting > 0; }
+  bool some_meet() const { return meeting > 0; }
   // All are known to be apart, or allowed.
-  bool none_meet() const { return counts.meeting == 0 && counts.undecided == 0 && counts.at_ends_only == 0; }
-  std::string_view verdict() const;  // "some", "none", "undecided"
+  bool none_meet() const { return meeting == 0 && undecided == 0 && at_ends_only == 0; }
 };
+
+// Listed are those that meet or are undecided; with every_pair also apart ones.
+using SweptAnswer = PairsAnswer<SweptPair, SweptCounts>;
 
 // question: its method is not looked at, nor what it says of contacts. With every_pair all that are apart all the way
 // are listed, too, with their directions. Requires the same bodies with the same parts in both placements, and indices

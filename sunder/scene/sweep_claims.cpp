@@ -92,7 +92,8 @@ void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
       const auto number = [&](bool is_end, std::uint32_t body, std::uint32_t part) {
         return parts.number_of(is_end ? k + 1 : k, (is_end ? at.end : at.begin)[body], body, part);
       };
-      const bool begins = pair.all_the_way || pair.time.low == 0, ends = pair.all_the_way || !begins;
+      const auto* end = std::get_if<MeetAtAnEnd>(&pair.evidence);
+      const bool begins = end == nullptr || end->time == 0, ends = end == nullptr || !begins;
       solid::ClaimedMotion& of = numbers.emplace_back();
       of.a = number(!begins, pair.body_a, pair.part_a);
       of.b = number(!begins, pair.body_b, pair.part_b);
@@ -109,14 +110,15 @@ void write_motion_certificate(std::span<const Body> bodies, std::size_t count,
       for (const std::size_t placement : {k, k + 1}) {
         if (const auto joints = said.joints_of(placement)) file.note(*joints);
       }
-      if (pair.first) {
-        add_claims(pairs, of, *pair.first);
-      } else if (pair.direction) {
-        pairs.add_motion_apart(of.a, of.b, of.to_a, of.to_b, *pair.direction);
+      if (const auto* meet = std::get_if<MeetOnTheWay>(&pair.evidence)) {
+        add_claims(pairs, of, *meet->first);
+      } else if (const auto* apart = std::get_if<ApartOnTheWay>(&pair.evidence)) {
+        pairs.add_motion_apart(of.a, of.b, of.to_a, of.to_b, *apart->direction);
       } else {
-        const std::span<const Body> there = pair.time.low == 0 ? at.begin : at.end;
-        add_at_an_end(pairs, *pair.at_an_end, there[pair.body_a].parts[pair.part_a],
-                      there[pair.body_b].parts[pair.part_b], of.a, of.b);
+        const MeetAtAnEnd& end = std::get<MeetAtAnEnd>(pair.evidence);
+        const std::span<const Body> there = end.time == 0 ? at.begin : at.end;
+        add_at_an_end(pairs, *end.pair, there[pair.body_a].parts[pair.part_a], there[pair.body_b].parts[pair.part_b],
+                      of.a, of.b);
       }
     }
   }

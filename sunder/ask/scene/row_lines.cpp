@@ -23,11 +23,12 @@ using scene::PartDistance;
 using scene::PartPair;
 using scene::SweptPair;
 
-bool is_apart(const SweptPair& pair) { return !pair.meet() && !pair.undecided(); }
+bool is_apart(const SweptPair& pair) { return pair.verdict() == Verdict::apart; }
 
 std::string time_text(const SweptPair& pair) {
-  if (!pair.all_the_way) return fmt::format("at the {}", pair.time.low == 0 ? "beginning" : "end");
-  return fmt::format("from {}{:.6g} of the way on", pair.time.low == pair.time.high ? "" : "about ", pair.time.high);
+  const Interval time = pair.time();
+  if (!pair.all_the_way()) return fmt::format("at the {}", time.low == 0 ? "beginning" : "end");
+  return fmt::format("from {}{:.6g} of the way on", time.low == time.high ? "" : "about ", time.high);
 }
 
 std::string short_distance_text(const PartDistance& pair) {
@@ -255,12 +256,13 @@ void RowLines::add_json(const PartDistance& pair, std::optional<double> margin, 
 void RowLines::add_json(const SweptPair& pair, JsonLine& json) const {
   open_pair(pair, json);
   json.member("answer", pair.meet() ? "meet" : "undecided").member("said_of", of(pair).said_of());
-  json.member("all_the_way", pair.all_the_way);
+  json.member("all_the_way", pair.all_the_way());
   if (pair.meet()) {
-    json.key("time").open('{').member("low", pair.time.low).member("high", pair.time.high).close('}');
+    const Interval time = pair.time();
+    json.key("time").open('{').member("low", time.low).member("high", time.high).close('}');
   }
-  if (pair.first) {
-    const Point3 p = nearest(pair.first->contact.point.at);
+  if (const auto* meet = std::get_if<scene::MeetOnTheWay>(&pair.evidence)) {
+    const Point3 p = nearest(meet->first->contact.point.at);
     json.key("evidence").open('{').member("point", std::array{p.x + 0.0, p.y + 0.0, p.z + 0.0}).close('}');
   }
   json.close('}');
