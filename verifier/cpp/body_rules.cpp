@@ -107,18 +107,6 @@ bool is_behind(const Reach& ends, const Integers& direction, const Integers& pla
   });
 }
 
-// Requires that the point is the image of the one that the claim says.
-void require_image(const Numbers& given, const HullBody& body, const Numbers& point) {
-  const Common from = common(given);
-  const Integers v = turned(body, from.integers);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Number& p = point[axis];
-    Numbers values{{v[axis], from.d, from.e + body.linear.e}, {-p.n, p.d, p.e}};
-    if (body.is_image()) values.push_back({body.translation.rows[0][axis], 1, body.translation.e});
-    require(sum(values).n == 0, "holds", "the point of " + body.quoted + " comes from elsewhere");
-  }
-}
-
 // Requires, of a body with a radius, that it reaches from the point of its core, mean / d * 2^e, to the point. Is it
 // then nearer to that than the body reaches?
 bool reaches(const WeightList& list, const Numbers& from, const HullBody& body, const Integers& mean, const Integer& d,
@@ -126,7 +114,8 @@ bool reaches(const WeightList& list, const Numbers& from, const HullBody& body, 
   const std::size_t size = body.size() + length(point) + length(from) + length(list.values);
   take_steps(8, size, size);
   const bool is_mapped = body.around == Around::ellipsoid;
-  if (is_mapped) require_image(from, body, point);
+  require(!is_mapped || differs(body, projective(from), point) == no_index, "holds",
+          "the point of " + body.quoted + " comes from elsewhere");
   Numbers values;  // all times d
   for (const Number& n : is_mapped ? from : point) values.push_back({n.n * d, n.d, n.e});
   for (const Integer& n : mean) values.push_back({n, 1, e});
@@ -193,11 +182,18 @@ Integers way_to(const HullBody& body, std::size_t k, std::size_t origin = 0) {
   return body.is_way(k) ? body.rows()[k] : minus(body.rows()[k], body.rows()[origin]);
 }
 
+// Requires by that rule that along the direction nothing of A is beyond the point p, nothing of B before q.
+void require_between(const char* rule, const Integers& direction, const HullBody& a, const HullBody& b,
+                     const Integers& p, const Integers& q, const char* otherwise) {
+  const Integers back = opposite(direction);
+  const bool a_ends = is_behind(reach(a, direction), direction, p);
+  require(a_ends && is_behind(reach(b, back), back, q), rule, (a_ends ? b : a).quoted + otherwise);
+}
+
 void check_slab(const HullBody& a, const HullBody& b, const Numbers& from_a, const Numbers& to_b) {
-  const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q), back = opposite(way);
+  const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
   require(!all_zero(way), "slab", "the two points are the same");
-  const bool a_ends = is_behind(reach(a, way), way, p), b_begins = a_ends && is_behind(reach(b, back), back, q);
-  require(a_ends && b_begins, "slab", (a_ends ? b : a).quoted + " extends beyond its point along the direction");
+  require_between("slab", way, a, b, p, q, " extends beyond its point along the direction");
 }
 
 void check_clear(const Numbers& given, const HullBody& a, const HullBody& b, const Number& least) {
@@ -335,12 +331,7 @@ void check_not_before(const Numbers& given, const HullBody& a, const HullBody& b
   const Integers direction = common(given).integers;  // along a positive multiple
   const Integers of_a = projective(moved_back(point, time, a, to_a)),
                  of_b = projective(moved_back(point, time, b, to_b));
-  const auto require_behind = [](const HullBody& body, const Integers& way, const Integers& place) {
-    const Reach end = end_of("not_before", body, way);
-    require(is_behind(end, way, place), "not_before", body.quoted + " extends beyond the point");
-  };
-  require_behind(a, direction, of_a);
-  require_behind(b, opposite(direction), of_b);
+  require_between("not_before", direction, a, b, of_a, of_b, " extends beyond the point");
   require(dot(direction, way_between(of_a, of_b)) > 0, "not_before",
           "along the direction " + a.quoted + " and " + b.quoted + " do not come nearer");
 }

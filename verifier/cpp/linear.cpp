@@ -87,6 +87,16 @@ Integers way_between(const Integers& p, const Integers& q) {
   return way;
 }
 
+std::size_t differs(const Placed& body, const Integers& place, const Numbers& point) {
+  const Integers image = turned(body, place);
+  for (std::size_t r = 0; r < point.size(); ++r) {
+    Numbers terms{{-point[r].n * place.back(), point[r].d, point[r].e}, {image[r], 1, body.linear.e}};
+    if (body.is_image()) terms.push_back({body.translation.rows[0][r] * place.back(), 1, body.translation.e});
+    if (sum(terms).n != 0) return r;
+  }
+  return no_index;
+}
+
 Integers Elimination::rest(const Integers& row) const {
   Integers result;
   for (const Integer& n : row) result.push_back(n * unit_);

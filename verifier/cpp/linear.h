@@ -36,6 +36,9 @@ std::vector<Integers> from_mean(const std::vector<Integers>& rows, const Indices
 // From one point x, .., w to another, times a positive number.
 Integers way_between(const Integers& p, const Integers& q);
 
+// In which coordinate a point is not the image of the point x, .., w of a body; no_index: in none.
+std::size_t differs(const Placed& body, const Integers& place, const Numbers& point);
+
 // The place after k on a ring of so many.
 inline std::size_t after(std::size_t k, std::size_t size) { return k + 1 < size ? k + 1 : 0; }
 

@@ -2,6 +2,13 @@
 #include <verifier/cpp/contacts.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace sunder_verifier {
 namespace {
@@ -22,98 +29,65 @@ PlanarBox box_of(const PlanarDisc& disc) {
   return {disc.x - disc.r, disc.y - disc.r, disc.x + disc.r, disc.y + disc.r};
 }
 
-// A range of the order.
+// A range of the order, and its halves.
 struct Node {
   PlanarBox box;
-  Integer length;          // of the box's longer side
-  std::int64_t group = 0;  // where it is of one group
-  bool is_of_one_group = true;
-  std::size_t member = 0;                     // where it is one
-  std::size_t lower = 0, upper = 0;           // its halves
-  bool is_one() const { return lower == 0; }  // the root, node 0, is no half
+  Integer length;                     // of the box's longer side
+  std::optional<std::int64_t> group;  // where it is of one group
+  std::size_t member = 0;             // where it is one
+  std::unique_ptr<const Node> lower, upper;
 };
 
 template <class Member>
-class Cover {
- public:
-  Cover(const Indices& order, const MemberTable<Member>& members, const Groups& groups)
-      : order_(order), members_(members), groups_(groups) {
-    if (!order.empty()) build(0, order.size());
+std::unique_ptr<const Node> tree_of(std::span<const std::size_t> order, const MemberTable<Member>& members,
+                                    const Groups& groups) {
+  auto node = std::make_unique<Node>();
+  if (order.size() == 1) {
+    node->member = order[0];
+    node->box = box_of(members[order[0]]);
+    node->group = groups.empty() ? static_cast<std::int64_t>(order[0]) : groups[order[0]];
+  } else {
+    const std::size_t half = order.size() / 2;
+    node->lower = tree_of(order.first(half), members, groups);
+    node->upper = tree_of(order.subspan(half), members, groups);
+    node->box = hull(node->lower->box, node->upper->box);
+    if (node->lower->group == node->upper->group) node->group = node->lower->group;
   }
+  node->length = std::max<Integer>(node->box.high_x - node->box.low_x, node->box.high_y - node->box.low_y);
+  return node;
+}
 
-  // Calls take(i, j, kind), i < j, for each two members of different groups that meet.
-  template <class Take>
-  void visit(const Take& take) const {
-    std::vector<std::pair<std::size_t, std::size_t>> left;
-    if (!nodes_.empty()) left.emplace_back(0, 0);
-    while (!left.empty()) {
-      const auto [p, q] = left.back();
-      left.pop_back();
-      take_steps(1, members_.bits, members_.bits);
-      const Node &a = nodes_[p], &b = nodes_[q];
-      if (are_done(a, b)) continue;
-      if (p == q) {
-        left.emplace_back(a.lower, a.lower);
-        left.emplace_back(a.lower, a.upper);
-        left.emplace_back(a.upper, a.upper);
-      } else if (!a.is_one() && (b.is_one() || a.length >= b.length)) {
-        left.emplace_back(a.lower, q);
-        left.emplace_back(a.upper, q);
-      } else if (!b.is_one()) {
-        left.emplace_back(p, b.lower);
-        left.emplace_back(p, b.upper);
-      } else {
-        const auto [i, j] = std::minmax(a.member, b.member);
-        const std::string kind = kind_of(members_[i], members_[j]);
-        if (!kind.empty()) take(i, j, kind);
-      }
-    }
-  }
-
- private:
-  // They are of one group, or apart.
-  static bool are_done(const Node& a, const Node& b) {
-    return (a.is_of_one_group && b.is_of_one_group && a.group == b.group) || !meet(a.box, b.box);
-  }
-
-  std::size_t build(std::size_t begin, std::size_t end) {
-    const std::size_t number = nodes_.size();
-    nodes_.emplace_back();
-    if (end - begin == 1) {
-      Node& node = nodes_[number];
-      node.member = order_[begin];
-      node.box = box_of(members_[node.member]);
-      node.group = groups_.empty() ? static_cast<std::int64_t>(node.member) : groups_[node.member];
+// Calls take(i, j, kind), i < j, for each two members of different groups that meet.
+template <class Member, class Take>
+void visit_meetings(const Indices& order, const MemberTable<Member>& members, const Groups& groups, const Take& take) {
+  if (order.empty()) return;
+  const auto root = tree_of<Member>(order, members, groups);
+  std::vector<std::pair<const Node*, const Node*>> left{{root.get(), root.get()}};
+  while (!left.empty()) {
+    const Node &a = *left.back().first, &b = *left.back().second;
+    left.pop_back();
+    take_steps(1, members.bits, members.bits);
+    if ((a.group && a.group == b.group) || !meet(a.box, b.box)) continue;
+    if (&a == &b) {
+      left.insert(left.end(),
+                  {{a.lower.get(), a.lower.get()}, {a.lower.get(), a.upper.get()}, {a.upper.get(), a.upper.get()}});
+    } else if (a.lower && (!b.lower || a.length >= b.length)) {
+      left.insert(left.end(), {{a.lower.get(), &b}, {a.upper.get(), &b}});
+    } else if (b.lower) {
+      left.insert(left.end(), {{&a, b.lower.get()}, {&a, b.upper.get()}});
     } else {
-      const std::size_t middle = begin + (end - begin) / 2;
-      const std::size_t lower = build(begin, middle), upper = build(middle, end);
-      join(nodes_[number], nodes_[lower], nodes_[upper]);
-      nodes_[number].lower = lower;
-      nodes_[number].upper = upper;
+      const auto [i, j] = std::minmax(a.member, b.member);
+      const std::string kind = kind_of(members[i], members[j]);
+      if (!kind.empty()) take(i, j, kind);
     }
-    Node& node = nodes_[number];
-    const PlanarBox& box = node.box;
-    node.length = std::max<Integer>(box.high_x - box.low_x, box.high_y - box.low_y);
-    return number;
   }
-
-  static void join(Node& node, const Node& a, const Node& b) {
-    node.box = hull(a.box, b.box);
-    node.group = a.group;
-    node.is_of_one_group = a.is_of_one_group && b.is_of_one_group && a.group == b.group;
-  }
-
-  const Indices& order_;
-  const MemberTable<Member>& members_;
-  const Groups& groups_;
-  std::vector<Node> nodes_;
-};
+}
 
 template <class Member>
 Contacts covered(const Indices& order, const MemberTable<Member>& members, const Groups& groups,
                  const AllowedContacts& allowed) {
   return counted_one_by_one([&](const VisitContact& visit) {
-    Cover(order, members, groups).visit([&](std::size_t i, std::size_t j, const std::string& kind) {
+    visit_meetings(order, members, groups, [&](std::size_t i, std::size_t j, const std::string& kind) {
       if (counts(kind, allowed)) visit(i, j, kind.c_str());
     });
   });

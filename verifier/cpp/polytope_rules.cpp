@@ -139,14 +139,10 @@ void check_keeps(const WeightList& weights, const Numbers& at, const RowBody& bo
     });
   }
   if (body.is_image()) take_steps(d * d, length(point), body.linear.bits);
-  const Integers image = turned(body, place);
-  for (std::size_t r = 0; r < d; ++r) {
-    Numbers terms{{-point[r].n * place[d], point[r].d, point[r].e}, {image[r], 1, body.linear.e}};
-    if (body.is_image()) terms.push_back({body.translation.rows[0][r] * place[d], 1, body.translation.e});
-    require(
-        sum(terms).n == 0, "keeps",
-        "the weighted point of " + body.quoted + " differs from the stated point in coordinate " + std::to_string(r));
-  }
+  const std::size_t axis = differs(body, place, point);
+  require(
+      axis == no_index, "keeps",
+      "the weighted point of " + body.quoted + " differs from the stated point in coordinate " + std::to_string(axis));
 }
 
 std::size_t rank(const std::vector<Integers>& rows) {
@@ -242,11 +238,9 @@ void check_tops_only(const WeightList& multipliers, const RowBody& given, const 
 }
 
 void check_another(const Numbers& objective, const Numbers& point, const Numbers& as_good) {
-  const Integers up = common(objective).integers, p = projective(point), q = projective(as_good);
-  bool is_same = true;
-  for (std::size_t c = 0; c < up.size(); ++c) is_same = is_same && p[c] * q.back() == q[c] * p.back();
-  require(!is_same, "another", "it is the same point");
-  require(dot(up, p) * q.back() == dot(up, q) * p.back(), "another", "it is not as far along the objective");
+  const Integers way = way_between(projective(point), projective(as_good));
+  require(!all_zero(way), "another", "it is the same point");
+  require(dot(common(objective).integers, way) == 0, "another", "it is not as far along the objective");
 }
 
 void check_normal_fan(const std::vector<IndexLists>& fans, const RowBody& given, const Points& vertices) {

@@ -51,6 +51,13 @@ bool is_each_once(Indices named) {
   return std::adjacent_find(named.begin(), named.end()) == named.end();
 }
 
+// Indices below `size`, each once, and so many at least.
+Indices each_once(const Told& t, std::size_t size, std::size_t least, const char* otherwise) {
+  Indices named = read_indices(t.value, size, t.where);
+  if (named.size() < least || !is_each_once(named)) refuse_form(t.where + otherwise);
+  return named;
+}
+
 // Of a list.
 Indices indices(const Json& list, std::size_t size, const std::string& of_entry) {
   Indices result;
@@ -81,6 +88,26 @@ auto each(const Json& list, const std::string& where, const Read& read) {
 std::string word(const Told& t) {
   if (!t.value.is_string()) refuse_form(t.where + " is not a string");
   return std::string(t.value.text());
+}
+
+// Which of some words it is.
+std::size_t choice(const Told& t, const std::array<const char*, 3>& words) {
+  const auto found = std::find(words.begin(), words.end(), word(t));
+  if (found == words.end()) refuse_form(t.where + " is none of " + words[0] + ", " + words[1] + ", " + words[2]);
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+// A double whose sign is so much at least.
+Value signed_double(const Told& t, int least, const char* otherwise) {
+  Number number = number_of(read_double(t.value, t.where));
+  if (number.n.sign() < least) refuse_form(t.where + otherwise);
+  return number;
+}
+
+Numbers doubles(const Told& t, std::size_t count) {
+  Numbers result;
+  for (const Double& d : read_doubles(as_list(t.value, t.where), count, t.where)) result.push_back(number_of(d));
+  return result;
 }
 
 Value read_groups_of(const Told& t) {
@@ -126,14 +153,16 @@ const HullBody& body(const Told& t) { return t.tables.bodies[read_index(t.value,
 // As in "statements[0]", of "statements[0].b".
 std::string without_last_name(const std::string& where) { return where.substr(0, where.rfind('.')); }
 
-Value read_body(const Told& t) {
-  const HullBody& result = body(t);
-  const Value* const other = t.scope.find("a");
-  if (other != nullptr && as<HullBody>(*other).dimension() != result.dimension()) {
+// Of the second of two: it has as many dimensions as the first.
+template <class Body>
+Value of_one_dimension(const Told& t, const Body& body, std::size_t d) {
+  if (t.scope.find("a") != nullptr && dimension(t.scope) != d) {
     refuse_form(without_last_name(t.where) + " is of bodies of different dimensions");
   }
-  return &result;
+  return &body;
 }
+
+Value read_body(const Told& t) { return of_one_dimension(t, body(t), body(t).dimension()); }
 
 Value body_that(const Told& t, bool (*is_so)(const HullBody&), const char* otherwise) {
   Value result = read_body(t);
@@ -183,9 +212,7 @@ Value read_places(const Told& t) {
 
 // A normal, a point, and how far above it, times the normal.
 Value read_plane(const Told& t) {
-  Numbers values;
-  for (const Double& d : read_doubles(as_list(t.value, t.where), 7, t.where)) values.push_back(number_of(d));
-  const auto [row, d, e] = common(values);
+  const auto [row, d, e] = common(doubles(t, 7));
   if (row[0] == 0 && row[1] == 0 && row[2] == 0) refuse_form(t.where + " has no direction");
   const std::int64_t up = std::max<std::int64_t>(-e, 0), down = std::max<std::int64_t>(e, 0);
   const Integer level = row[0] * row[3] + row[1] * row[4] + row[2] * row[5];
@@ -363,18 +390,8 @@ Shape shape_named(const std::string& shape) {
   static const std::map<std::string, Shape> shapes{
       {"point",
        [](const Told& t) -> Value { return read_numbers(as_list(t.value, t.where), dimension(t.scope), t.where); }},
-      {"above zero",
-       [](const Told& t) -> Value {
-         Number number = number_of(read_double(t.value, t.where));
-         if (number.n <= 0) refuse_form(t.where + " is not positive");
-         return number;
-       }},
-      {"not negative",
-       [](const Told& t) -> Value {
-         Number number = number_of(read_double(t.value, t.where));
-         if (number.n < 0) refuse_form(t.where + " is negative");
-         return number;
-       }},
+      {"above zero", [](const Told& t) { return signed_double(t, 1, " is not positive"); }},
+      {"not negative", [](const Told& t) { return signed_double(t, 0, " is negative"); }},
       {"time",
        [](const Told& t) -> Value {
          Number time = read_number(t.value, t.where);
@@ -382,14 +399,7 @@ Shape shape_named(const std::string& shape) {
          if (ends[0] < 0 || ends[0] > ends[1]) refuse_form(t.where + " is not from 0 to 1");
          return time;
        }},
-      {"objective",
-       [](const Told& t) -> Value {
-         Numbers objective;
-         for (const Double& d : read_doubles(as_list(t.value, t.where), dimension(t.scope), t.where)) {
-           objective.push_back(number_of(d));
-         }
-         return objective;
-       }},
+      {"objective", [](const Told& t) -> Value { return doubles(t, dimension(t.scope)); }},
       {"count", [](const Told& t) -> Value { return read_index(t.value, most_number + 1, t.where); }},
       {"index", [](const Told& t) -> Value { return read_index(t.value, count_in(t), t.where); }},
       {"edge", [](const Told& t) -> Value { return read_index(t.value, edges_in(of(t)), t.where); }},
@@ -397,11 +407,7 @@ Shape shape_named(const std::string& shape) {
       {"dimension",
        [](const Told& t) -> Value { return read_index(t.value, as<RowBody>(of(t)).dimension + 1, t.where); }},
       {"order",
-       [](const Told& t) -> Value {
-         Indices order = read_indices(t.value, count_in(t), t.where);
-         if (order.size() != count_in(t) || !is_each_once(order)) refuse_form(t.where + " does not name each once");
-         return order;
-       }},
+       [](const Told& t) -> Value { return each_once(t, count_in(t), count_in(t), " does not name each once"); }},
       {"kind",
        [](const Told& t) -> Value {
          std::string kind = word(t);
@@ -410,18 +416,12 @@ Shape shape_named(const std::string& shape) {
        }},
       {"allowed",
        [](const Told& t) -> Value {
-         const std::string allowed = word(t);
-         if (allowed != "nothing" && allowed != "shared-endpoint" && allowed != "touch") {
-           refuse_form(t.where + " is none of nothing, shared-endpoint, touch");
-         }
-         return AllowedContacts{allowed != "nothing", allowed == "touch"};
+         const std::size_t which = choice(t, {"nothing", "shared-endpoint", "touch"});
+         return AllowedContacts{which > 0, which > 1};
        }},
       {"validity",
        [](const Told& t) -> Value {
-         static const std::array<std::string, 3> names{"valid", "simple", "valid-with-self-touch"};
-         const auto name = std::find(names.begin(), names.end(), word(t));
-         if (name == names.end()) refuse_form(t.where + " is none of valid, simple, valid-with-self-touch");
-         return static_cast<ValidRule>(name - names.begin());
+         return static_cast<ValidRule>(choice(t, {"valid", "simple", "valid-with-self-touch"}));
        }},
       {"groups", read_groups_of},
       {"contacts", [](const Told& t) -> Value { return contacts(t, true); }},
@@ -446,15 +446,7 @@ Shape shape_named(const std::string& shape) {
       {"points in space", [](const Told& t) -> Value { return body_of_points(t, false, true); }},
       {"placed points in space", [](const Told& t) -> Value { return body_of_points(t, true, true); }},
       {"points in any dimension", [](const Told& t) -> Value { return body_of_points(t, false, false); }},
-      {"polytope",
-       [](const Told& t) -> Value {
-         const RowBody& result = polytope(t);
-         const Value* const other = t.scope.find("a");
-         if (other != nullptr && as<RowBody>(*other).dimension != result.dimension) {
-           refuse_form(without_last_name(t.where) + " is of bodies of different dimensions");
-         }
-         return &result;
-       }},
+      {"polytope", [](const Told& t) { return of_one_dimension(t, polytope(t), polytope(t).dimension); }},
       {"half-spaces",
        [](const Told& t) -> Value {
          const RowBody& result = polytope(t);
@@ -463,11 +455,7 @@ Shape shape_named(const std::string& shape) {
          return &result;
        }},
       {"members",
-       [](const Told& t) -> Value {
-         Indices members = read_indices(t.value, t.tables.bodies.size(), t.where);
-         if (members.empty() || !is_each_once(members)) refuse_form(t.where + " is empty, or names one twice");
-         return members;
-       }},
+       [](const Told& t) -> Value { return each_once(t, t.tables.bodies.size(), 1, " is empty, or names one twice"); }},
       {"places", read_places},
       {"some places",
        [](const Told& t) -> Value {
@@ -504,9 +492,7 @@ Shape shape_named(const std::string& shape) {
        }},
       {"parts",
        [](const Told& t) -> Value {
-         const Indices named = read_indices(t.value, t.tables.polygons.rings.size(), t.where);
-         if (named.empty() || !is_each_once(named)) refuse_form(t.where + " names none, or one twice");
-         return t.tables.parts_of(named);
+         return t.tables.parts_of(each_once(t, t.tables.polygons.rings.size(), 1, " names none, or one twice"));
        }},
       {"two parts",
        [](const Told& t) -> Value {
@@ -514,11 +500,7 @@ Shape shape_named(const std::string& shape) {
          return shape_named("parts")(t);
        }},
       {"circle",
-       [](const Told& t) -> Value {
-         Indices rings = read_indices(t.value, count_in(t), t.where);
-         if (rings.size() < 2 || !is_each_once(rings)) refuse_form(t.where + " is not of two rings or more, each once");
-         return rings;
-       }},
+       [](const Told& t) -> Value { return each_once(t, count_in(t), 2, " is not of two rings or more, each once"); }},
       {"matching points",
        [](const Told& t) -> Value {
          Points points = each(t.value, t.where, [](const Json& entry, const std::string& where) {

@@ -110,66 +110,6 @@ void require_no_lines(const Segments& edges, const std::vector<std::size_t>& goi
   }
 }
 
-class Validity {
- public:
-  Validity(const SweepEvents& events, const PartTable& parts, ValidRule rule)
-      : parts_(parts), rule_(rule), regions_(events, parts), seen_(parts.rings.size()) {}
-
-  void check() {
-    while (regions_.next()) {
-      look_at_edges();
-      for (auto label = regions_.sweep.labels.begin() + 1; label != regions_.sweep.labels.end(); ++label) {
-        require(filling(parts_, *label).fits, "valid", "a ring is misplaced");
-      }
-      look_at_rings();
-    }
-    const bool all_seen = std::find(seen_.begin(), seen_.end(), false) == seen_.end();
-    const bool all_filled = std::none_of(parts_.polygons.rings.begin(), parts_.polygons.rings.end(),
-                                         [](const auto& p) { return p.empty(); });
-    require(all_seen && all_filled, "valid", "a ring is one point, or a part has none");
-    const bool all_whole =
-        std::all_of(regions_.pieces.begin(), regions_.pieces.end(), [](std::size_t n) { return n == 1; });
-    require(all_whole, "valid", "a part falls apart");
-  }
-
- private:
-  // What goes on, no two along one line; and rings come to the point once, or do not cross there.
-  void look_at_edges() {
-    const Segments& edges = parts_.polygons.edges;
-    const LabelledSweep& sweep = regions_.sweep;
-    const std::vector<std::size_t>& going = sweep.going;
-    const bool has_points = going.size() < static_cast<std::size_t>(sweep.row_end - sweep.row);
-    require(rule_ != ValidRule::simple || !has_points, "valid", "a vertex is repeated");
-    std::vector<std::size_t> ends;
-    for (const std::size_t s : sweep.here) ends.push_back(parts_.ring_of[s]);
-    for (const std::size_t s : going) ends.push_back(parts_.ring_of[s]);
-    at_ = as_set(ends);
-    std::sort(ends.begin(), ends.end());
-    bool twice = ends.size() == 2 * at_.size();
-    for (std::size_t k = 0; twice && k < at_.size(); ++k) twice = ends[2 * k] == ends[2 * k + 1];
-    require(twice || rule_ == ValidRule::with_self_touch, "valid", "a ring comes twice to a point");
-    require_no_lines(edges, going, "valid");
-    if (rule_ != ValidRule::with_self_touch) return;
-    std::vector<std::size_t> ways = going;
-    ways.insert(ways.end(), sweep.here.rbegin(), sweep.here.rend());
-    require(is_nested(parts_, ways), "valid", "a ring crosses itself");
-  }
-
-  void look_at_rings() {
-    for (std::size_t k = 0; k < at_.size(); ++k) {
-      seen_[at_[k]] = true;
-      const bool is_second = k > 0 && parts_.part[at_[k]] == parts_.part[at_[k - 1]];
-      require(rule_ != ValidRule::simple || !is_second, "valid", "two rings of a part touch");
-    }
-  }
-
-  const PartTable& parts_;
-  const ValidRule rule_;
-  Regions regions_;
-  std::vector<bool> seen_;
-  Set at_;  // rings
-};
-
 // Where a point is seen from a ring.
 struct AtRing {
   SweepPoint place;
@@ -208,7 +148,39 @@ bool is_before(const WayAlong& p, const WayAlong& q) {
 }
 
 void check_valid(const SweepEvents& events, const PartTable& parts, ValidRule rule) {
-  Validity(events, parts, rule).check();
+  Regions regions(events, parts);
+  const LabelledSweep& sweep = regions.sweep;
+  std::vector<bool> seen(parts.rings.size());
+  while (regions.next()) {
+    const bool has_points = sweep.going.size() < static_cast<std::size_t>(sweep.row_end - sweep.row);
+    require(rule != ValidRule::simple || !has_points, "valid", "a vertex is repeated");
+    std::vector<std::size_t> ways = sweep.going;  // around the point
+    ways.insert(ways.end(), sweep.here.rbegin(), sweep.here.rend());
+    Indices rings;
+    for (const std::size_t s : ways) rings.push_back(parts.ring_of[s]);
+    std::sort(rings.begin(), rings.end());
+    const Set at = as_set(rings);
+    bool is_twice = rings.size() == 2 * at.size();
+    for (std::size_t k = 0; is_twice && k < at.size(); ++k) is_twice = rings[2 * k] == rings[2 * k + 1];
+    require(is_twice || rule == ValidRule::with_self_touch, "valid", "a ring comes twice to a point");
+    require_no_lines(parts.polygons.edges, sweep.going, "valid");
+    require(rule != ValidRule::with_self_touch || is_nested(parts, ways), "valid", "a ring crosses itself");
+    for (auto label = sweep.labels.begin() + 1; label != sweep.labels.end(); ++label) {
+      require(filling(parts, *label).fits, "valid", "a ring is misplaced");
+    }
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      seen[at[k]] = true;
+      const bool is_second = k > 0 && parts.part[at[k]] == parts.part[at[k - 1]];
+      require(rule != ValidRule::simple || !is_second, "valid", "two rings of a part touch");
+    }
+  }
+  const bool all_seen = std::find(seen.begin(), seen.end(), false) == seen.end();
+  const bool all_filled =
+      std::none_of(parts.polygons.rings.begin(), parts.polygons.rings.end(), [](const auto& p) { return p.empty(); });
+  require(all_seen && all_filled, "valid", "a ring is one point, or a part has none");
+  const bool all_whole =
+      std::all_of(regions.pieces.begin(), regions.pieces.end(), [](std::size_t n) { return n == 1; });
+  require(all_whole, "valid", "a part falls apart");
 }
 
 void check_falls_apart(const SweepEvents& events, const PartTable& parts) {

@@ -7,6 +7,7 @@
 #include <sunder/planar/polygons/polygon_contacts_in_order.h>
 #include <sunder/planar/polygons/polygons_all.h>
 #include <sunder/planar/polygons/polygons_claims.h>
+#include <sunder/planar/polygons/polygons_common_point.h>
 
 #include <fmt/ranges.h>
 
@@ -58,10 +59,7 @@ planar::SweepEvents sweep_of(const Talk& talk, const PolygonsInput& input, std::
 
 // A point that shows the contact, and in words what it is.
 Point2 place_of(const PolygonsInput& input, const PolygonsContact& c) {
-  if (c.kind == planar::ContactKind::none)
-    return input.polygons[c.i_inside ? c.i : c.j].vertices()[c.i_inside ? c.of_i : c.of_j];
-  return planar::common_point_rounded(planar::sorted(input.polygons[c.i].edge(c.of_i)),
-                                      planar::sorted(input.polygons[c.j].edge(c.of_j)));
+  return nearest(planar::found_point(input.polygons[c.i], input.polygons[c.j], c));
 }
 
 std::string shown_by(const PolygonsContact& c) {
@@ -168,9 +166,8 @@ class PolygonsSet {
     return {call_.certificate};
   }
 
-  SetFacts facts(const Result& result) const {
+  SetFacts facts(const Result&) const {
     SetFacts facts;
-    if (result.some() && call_.lists()) facts.not_proved = {"where they meet"};
     for (std::uint32_t f = 0; f < input_.files.size(); ++f) {
       const std::string name = io::one_line(input_.names[f]);
       const io::LineFile& file = input_.files[f];

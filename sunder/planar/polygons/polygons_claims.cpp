@@ -16,6 +16,16 @@ void begin(ClaimsWriter& file, const PolygonsAsked& asked, std::string_view verd
   begin_set_statement(file, "polygons", asked.polygons, asked.allowed, asked.groups, verdict);
 }
 
+// The end of a statement `some`.
+void end_some(ClaimsWriter& file, const PolygonsContact& found, const ExactPoint2& point) {
+  file.index("i", found.i);
+  file.index("j", found.j);
+  file.fractions("point", std::array{point.x, point.y}, point.denominator);
+  file.begin_claims();
+  file.claim("common_point");
+  file.end_statement();
+}
+
 }  // namespace
 
 void write_row(ClaimsWriter& file, const Polygon& polygon) {
@@ -42,13 +52,7 @@ std::optional<SweepEvents> polygon_events(std::span<const Polygon> polygons, std
 
 void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsContact& found) {
   begin(file, asked, "some");
-  file.index("i", found.i);
-  file.index("j", found.j);
-  const ExactPoint2 p = common_point(asked.polygons[found.i], asked.polygons[found.j], found);
-  file.fractions("point", std::array{p.x, p.y}, p.denominator);
-  file.begin_claims();
-  file.claim("common_point");
-  file.end_statement();
+  end_some(file, found, common_point(asked.polygons[found.i], asked.polygons[found.j], found));
   if (asked.allowed == Allowed::touch) return;
   const std::array<const Polygon*, 2> pair{&asked.polygons[found.i], &asked.polygons[found.j]};
   file.begin_statement("two_polygons");
@@ -77,6 +81,12 @@ void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEven
   file.end_list();
   write_sweep(file, has_kinds ? "these_kinds" : "these_count", events);
   file.end_statement();
+  visit([&](const PolygonsContact& c) {
+    file.begin_statement("polygons");
+    file.text("allowed", name_of(Allowed::nothing));
+    file.text("verdict", "some");
+    end_some(file, c, found_point(asked.polygons[c.i], asked.polygons[c.j], c));
+  });
 }
 
 void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t overlapping,

@@ -37,7 +37,8 @@ std::optional<SweepEvents> polygon_events(std::span<const Polygon> polygons,
 // point is computed here, in time linear in the edges of both polygons, for each edge at that point.
 void write_some(ClaimsWriter& file, const PolygonsAsked& asked, const PolygonsContact& found);
 void write_none(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events);
-// Exactly these meet, and so. `visit` calls for each contact that counts, by i, then j.
+// Exactly these meet, and so; and of each two where. `visit` calls for each contact that counts, by i, then j, each time
+// that it is called.
 using VisitContacts = std::function<void(const std::function<void(const PolygonsContact& contact)>& take)>;
 void write_these(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, const VisitContacts& visit);
 void write_count(ClaimsWriter& file, const PolygonsAsked& asked, const SweepEvents& events, std::uint64_t overlapping,

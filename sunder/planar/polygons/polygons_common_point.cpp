@@ -124,9 +124,16 @@ std::optional<ExactPoint2> inside_both_near(const Polygon& a, const Polygon& b, 
 
 }  // namespace
 
+ExactPoint2 found_point(const Polygon& a, const Polygon& b, const PolygonsContact& found) {
+  if (found.kind == ContactKind::none) {
+    return exactly(found.i_inside ? a.vertices()[found.of_i] : b.vertices()[found.of_j]);
+  }
+  return common_point(sorted(a.edge(found.of_i)), sorted(b.edge(found.of_j)));
+}
+
 ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsContact& found) {
   if (found.kind == ContactKind::none) {
-    const ExactPoint2 vertex = exactly(found.i_inside ? a.vertices()[found.of_i] : b.vertices()[found.of_j]);
+    const ExactPoint2 vertex = found_point(a, b, found);
     return inside_both_near(a, b, vertex).value_or(vertex);
   }
   const Segment s = sorted(a.edge(found.of_i)), t = sorted(b.edge(found.of_j));

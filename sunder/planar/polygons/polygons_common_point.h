@@ -1,4 +1,4 @@
-// A point that shows that two polygons meet.
+// Points that show that two polygons meet.
 #pragma once
 
 #include <sunder/planar/polygons/polygons_any.h>
@@ -11,5 +11,8 @@ namespace sunder::planar {
 // was found about them by any method but the scan: a is polygon i of it, and b is j. Cost: linear, for each edge that
 // holds the place where they overlap.
 ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsContact& found);
+
+// Of two that meet, that which was found: the vertex inside, or a common point of the edges named. Requires likewise.
+ExactPoint2 found_point(const Polygon& a, const Polygon& b, const PolygonsContact& found);
 
 }  // namespace sunder::planar

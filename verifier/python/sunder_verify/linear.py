@@ -27,6 +27,11 @@ def mean_of(steps, rule, weights, body, row_of):
     return mean, d, e
 
 
+def way_between(p, q):
+    """From one point x, .., w to another, times both w."""
+    return [y * p[-1] - x * q[-1] for x, y in zip(p[:-1], q)]
+
+
 def sum_of(rows):
     return [sum(axis) for axis in zip(*rows)]
 

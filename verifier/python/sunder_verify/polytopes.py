@@ -1,5 +1,5 @@
 """The rules about polytopes of R^d, of points or of half-spaces: docs/claims.md, "Polytopes"."""
-from .linear import Basis, aligned, mean_of, weighted_sum
+from .linear import Basis, aligned, mean_of, way_between, weighted_sum
 from .reader import bits, common, length, projective, require
 from .tables import dot, products_of
 
@@ -12,11 +12,9 @@ def keeps(steps, weights, at, body, point):
         v, w, e = mean_of(steps, "keeps", weights, body, lambda k: (
             *(x << (body.exponent - up) for x in body.rows[k]), 1 << -up, up))
     else:
-        *v, w = projective(at)
-        e = 0
-        steps.take(len(body), length(at), body.bits)
-        for k, row in enumerate(body.rows):
-            require(dot(row, v) <= row[d] * w, "keeps", "half-space %d of %s does not hold its point" % (k, body.name))
+        (*v, w), e = projective(at), 0
+        words = "half-space ", " of %s does not hold its point" % body.name
+        ends_at(steps, "keeps", body, (*v, w), length(at), words)
     *p, q = projective(point)
     image = v
     if body.linear:
@@ -27,6 +25,19 @@ def keeps(steps, weights, at, body, point):
     for axis, (m, n) in enumerate(zip(image, p)):
         m, wanted = aligned(m * q, e, n * w, 0)
         require(m == wanted, "keeps", "the weighted point of %s differs from the stated point in coordinate %d" % (body.name, axis))
+
+
+def ends_at(steps, rule, given, place, size, words):
+    """All half-spaces hold a point x, .., w, or go on along a direction, with w = 0; those at whose boundary it is, or
+    along it. `words` stand before and after the number of one that does not."""
+    steps.take(len(given), size, given.bits)
+    found = set()
+    for k, row in enumerate(given.rows):
+        excess = dot(row[:-1], place) - row[-1] * place[-1]
+        if excess == 0:
+            found.add(k)
+        require(excess <= 0, rule, str(k).join(words))
+    return found
 
 
 def planes_of(steps, body, planes):
@@ -119,9 +130,7 @@ def spans(steps, multipliers, given, dimension, points):
     require(len(points) == dimension + 1, "spans", "the number of points is not the dimension plus one")
     places = [projective(point) for point in points]
     for point, place in zip(points, places):
-        steps.take(len(given), length(point), given.bits)
-        for k, row in enumerate(given.rows):
-            require(dot(row[:-1], place) <= row[-1] * place[-1], "spans", "half-space %d does not hold a point" % k)
+        ends_at(steps, "spans", given, place, length(point), ("half-space ", " does not hold a point"))
     require(rank(steps, places) == len(places), "spans", "the points are in a flat of less dimensions")
     normal, b, _, _ = combined(steps, "spans", multipliers, given)
     require(not any(normal) and b == 0, "spans", "the combined rows are not zero")
@@ -140,9 +149,7 @@ def recedes(steps, direction, given, rule="recedes"):
     """A direction leads on in all half-spaces."""
     way = common(direction)[0]
     require(any(way), rule, "there is no direction")
-    steps.take(len(given), bits(way), given.bits)
-    for k, row in enumerate(given.rows):
-        require(dot(way, row) <= 0, rule, "the direction leaves half-space %d" % k)
+    ends_at(steps, rule, given, (*way, 0), bits(way), ("the direction leaves half-space ", ""))
 
 
 def rises(steps, direction, given, objective):
@@ -167,6 +174,6 @@ def tops(steps, multipliers, given, objective, point, is_only=False):
 
 def another(steps, given, objective, point, as_good):
     """Another point, as far along the objective."""
-    up, (*p, w), (*q, v) = common(objective)[0], projective(point), projective(as_good)
-    require([x * v for x in p] != [x * w for x in q], "another", "it is the same point")
-    require(dot(up, p) * v == dot(up, q) * w, "another", "it is not as far along the objective")
+    way = way_between(projective(point), projective(as_good))
+    require(any(way), "another", "it is the same point")
+    require(dot(common(objective)[0], way) == 0, "another", "it is not as far along the objective")

@@ -9,7 +9,7 @@ import collections
 import itertools
 import math
 
-from .linear import Basis, aligned, mean_of, sign, sign_of, weighted_sum
+from .linear import Basis, aligned, mean_of, sign, sign_of, way_between, weighted_sum
 from .reader import Refused, bits, common, length, projective, require
 from .tables import Boxes, Discs, Segments, dot, goes_round_once, turn
 
@@ -72,27 +72,25 @@ def parted(steps, direction, a, b, is_weak=False):
     require(further > 0 or not is_flat, "parted", "all of %s and %s is as far along the direction" % (a.name, b.name))
 
 
+def ends_between(steps, rule, d, a, b, p, q, words):
+    """Along a direction nothing of A is beyond the point p, nothing of B before q; points are x, .., w."""
+    for body, way, place in (a, d, p), (b, [-n for n in d], q):
+        require(is_behind(steps, body, way, place), rule, body.name + words)
+
+
 def slab(steps, a, b, from_a, to_b):
     """Along the way from a point of A to one of B, nothing of A is beyond the first, nothing of B before the second."""
     p, q = projective(from_a), projective(to_b)
-    d = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]  # a positive multiple of the way
+    d = way_between(p, q)
     require(any(d), "slab", "the two points are the same")
-    for body, end, way in (a, p, d), (b, q, [-n for n in d]):
-        require(is_behind(steps, body, way, end), "slab", "%s extends beyond its point along the direction" % body.name)
+    ends_between(steps, "slab", d, a, b, p, q, " extends beyond its point along the direction")
 
 
-def clear(steps, direction, a, b, least):
-    """From A to B it is so far along a direction, which is in units of its length."""
+def clear(steps, direction, a, b, far, rule="clear", way=-1, words="are less far apart than stated"):
+    """From A to B it is so far along a direction, in units of its length; or, with way = 1, so far back."""
     d = common(direction)[0]
-    further, _ = gap(steps, "clear", d, a, b, least)
-    require(any(d) and further >= 0, "clear", "along the direction they are less far apart than stated")
-
-
-def leaves(steps, direction, a, b, most):
-    """Along a direction A reaches by no more than `most` beyond where B begins."""
-    d = common(direction)[0]
-    further, _ = gap(steps, "leaves", d, a, b, most, 1)
-    require(any(d) and further >= 0, "leaves", "along the direction they overlap by more than the stated depth")
+    further, _ = gap(steps, rule, d, a, b, far, way)
+    require(any(d) and further >= 0, rule, "along the direction they " + words)
 
 
 def no_further(steps, before, after, a, b, first, last):
@@ -131,7 +129,7 @@ def nearer(steps, from_a, to_b, least):
     """Two points are less far apart."""
     steps.take(16, length(from_a) + length(to_b), length(from_a) + length(to_b))
     (n, _, unit), p, q = least, projective(from_a), projective(to_b)
-    way = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
+    way = way_between(p, q)
     square, limit = aligned(dot(way, way), 0, (n * p[-1] * q[-1]) ** 2, 2 * unit)
     require(square < limit, "nearer", "the points are not nearer than the stated distance")
 
@@ -207,12 +205,9 @@ def holds_at(steps, weights, origin, body, to, time, point):
 def not_before(steps, direction, a, b, to_a, to_b, time, point):
     """Along a direction, where A and B have the point at that time, A ends and B begins; and they come nearer."""
     d = common(direction)[0]
-    places = [projective(moved_back(steps, point, time, body, to)) for body, to in ((a, to_a), (b, to_b))]
-    for body, place, way in (a, places[0], d), (b, places[1], [-n for n in d]):
-        require(is_behind(steps, body, way, place), "not_before", "%s extends beyond the point" % body.name)
-    p, q = places
-    between = [y * p[-1] - x * q[-1] for x, y in zip(p, q[:-1])]
-    require(dot(d, between) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))
+    p, q = (projective(moved_back(steps, point, time, body, to)) for body, to in ((a, to_a), (b, to_b)))
+    ends_between(steps, "not_before", d, a, b, p, q, " extends beyond the point")
+    require(dot(d, way_between(p, q)) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))
 
 
 def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts, others):

@@ -3,7 +3,7 @@
 The plane is pulled back to where the rows of the body are: a map keeps what lies between what.
 """
 from .hulls import is_between, minus
-from .linear import aligned
+from .linear import aligned, way_between
 from .reader import bits, require
 from .tables import around, cross, dot
 
@@ -43,11 +43,6 @@ def touches(steps, of, plane, corners):
     steps.take(4 * above.count(0), of.bits, of.bits)
     for k, h in enumerate(above):
         require(h or is_between(ends[0], ends[-1], of.rows[k]), "touches", "point %d is on the plane, too" % k)
-
-
-def way_between(p, q):
-    """From one point x, y, z, w to another, times both w."""
-    return [b * p[3] - a * q[3] for a, b in zip(p[:3], q)]
 
 
 def corner_of(of, normal, level, i, j):

@@ -2,8 +2,8 @@
 import math
 
 from .linear import Basis, Surface
+from .polytopes import ends_at
 from .reader import length, projective, require
-from .tables import dot
 
 
 def normal_fan(steps, fans, given, vertices):
@@ -13,13 +13,8 @@ def normal_fan(steps, fans, given, vertices):
     steps.take(sum(map(len, fans)) * d ** 3, size, size)
     known, sides = {}, set()
     for v, (point, fan) in enumerate(zip(vertices, fans)):
-        steps.take(len(given), length(point), given.bits)
-        place, on = projective(point), set()
-        for k, row in enumerate(given.rows):
-            excess = dot(row[:-1], place) - row[-1] * place[-1]
-            require(excess <= 0, "normal_fan", "half-space %d does not hold vertex %d" % (k, v))
-            if excess == 0:
-                on.add(k)
+        place = projective(point)
+        on = ends_at(steps, "normal_fan", given, place, length(point), ("half-space ", " does not hold vertex %d" % v))
         steps.take(16, length(point), length(point))
         shared = math.gcd(*place)
         before = known.setdefault(tuple(x // shared for x in place), v)
