@@ -85,7 +85,7 @@ class SolidPair : public PairQuestion {
       const solid::PolyhedronDepth found = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
       depth_ = std::get<solid::PolyhedraOverlap>(found.evidence);
       facts_.push_back({"depth", depth_json(), depth_text()});
-      if (depth_.is_exact) not_proved_.emplace_back("the square of the depth");
+      if (depth_->exact) not_proved_.emplace_back("the square of the depth");
       if (deepest()) not_proved_.emplace_back("which features touch after that");
     }
     if (least_ == 0) return;
