@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -168,11 +169,12 @@ class Arcs {
   // Seen from the point, no arc of the chain is further than the other one in that direction.
   void require_within(const Chain& chain, const Chain& other) const {
     take(chain.ends.size() + other.ends.size() + 1);
-    std::vector<std::pair<const End*, bool>> all;  // and whether it is the other one's
-    for (const End& end : chain.ends) all.emplace_back(&end, false);
-    for (const End& end : other.ends) all.emplace_back(&end, true);
-    std::inplace_merge(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(chain.ends.size()), all.end(),
-                       [](const auto& p, const auto& q) { return is_before(p.first->way, q.first->way); });
+    using Marked = std::pair<const End*, bool>;  // whether it is the other one's
+    std::vector<Marked> own, others, all;
+    for (const End& end : chain.ends) own.emplace_back(&end, false);
+    for (const End& end : other.ends) others.emplace_back(&end, true);
+    std::merge(own.begin(), own.end(), others.begin(), others.end(), std::back_inserter(all),
+               [](const Marked& p, const Marked& q) { return is_before(p.first->way, q.first->way); });
     std::size_t i = 0, k = 0;
     for (std::size_t m = 0; m < all.size(); ++m) {
       const auto& [end, is_other] = all[m];
