@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <variant>
 #include <vector>
 
 namespace sunder::solid {
@@ -128,6 +130,29 @@ TEST(WorldBox, CertificatesHold) {
   EXPECT_GT(parted, 1000);
   EXPECT_GT(near_miss, 500);
   for (const int count : directions) EXPECT_GT(count, 50);
+}
+
+// Vertices are named of two polyhedra alone: of another body they are of its core, and not where it ends.
+TEST(WorldBox, PartsBodiesOfAnyKind) {
+  const std::vector<Point3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const RoundBody simplex = ConvexPolyhedron(corners), ball = RoundBody::ball({0, 0, 0}, 1);
+  const Pose here, there = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, -5, 0});
+  for (const RoundBody& a : {simplex, ball}) {
+    for (const RoundBody& b : {simplex, ball}) {
+      const WorldBox of_a = world_box(a, here), of_b = world_box(b, there);
+      const std::optional<RoundEvidence> apart = apart_by_boxes(a, of_a, b, of_b);
+      ASSERT_TRUE(apart);
+      const auto* vertices = std::get_if<Separation>(&*apart);
+      EXPECT_EQ(vertices != nullptr, a.is_polyhedron() && b.is_polyhedron());
+      const Point3 d =
+          vertices != nullptr ? vertices->direction.given : std::get<SeparatingDirection>(*apart).direction;
+      EXPECT_EQ(d, (Point3{0, -1, 0}));
+      EXPECT_FALSE(apart_by_boxes(a, of_a, b, world_box(b, here)));
+    }
+  }
+  EXPECT_EQ(reach_beyond_core(simplex), 0);
+  EXPECT_EQ(reach_beyond_core(RoundBody::cylinder({0, 0, 0}, {0, 0, 1}, 2)), 2);
+  EXPECT_TRUE(std::isinf(reach_beyond_core(RoundBody::ellipsoid({0, 0, 0}, {1, 2, 3}))));
 }
 
 }  // namespace
