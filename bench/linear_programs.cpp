@@ -113,10 +113,10 @@ int main(int argc, char** argv) {
         std::size_t sink = 0, finished = 0;
         double probes = 0;
         const double front = microseconds(programs, [&](const Program& p) {
-          sink += linear_program(p.half_spaces, p.objective).multipliers.parts.size();
+          sink += named_point(linear_program(p.half_spaces, p.objective).evidence) != nullptr ? 1 : 0;
         });
         const double seidel = microseconds(programs, [&](const Program& p) {
-          sink += linear_program_by_seidel(p.half_spaces, p.objective).multipliers.parts.size();
+          sink += named_point(linear_program_by_seidel(p.half_spaces, p.objective).evidence) != nullptr ? 1 : 0;
         });
         const double region =
             microseconds(programs, [&](const Program& p) { sink += half_space_region(p.half_spaces).dimension; });
@@ -141,9 +141,11 @@ int main(int argc, char** argv) {
           }
           write(file, rows);
           write(file, programs[k].objective);
-          std::vector<double> answer{static_cast<double>(answers[k].outcome)};
-          for (const sunder::Dyadic& x : answers[k].point.numbers) {
-            answer.push_back(sunder::nearest_ratio(x, answers[k].point.denominator));
+          std::vector<double> answer{static_cast<double>(answers[k].verdict())};
+          if (const sunder::ExactPointN* point = named_point(answers[k].evidence)) {
+            for (const sunder::Dyadic& x : point->numbers) {
+              answer.push_back(sunder::nearest_ratio(x, point->denominator));
+            }
           }
           write(file, answer);
         }

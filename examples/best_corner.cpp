@@ -5,6 +5,7 @@
 #include <sunder/planar/region/linear_program.h>
 
 #include <iostream>
+#include <variant>
 
 int main() {
   const sunder::planar::Constraints given({{-1, 0, 0}, {0, -1, 0}, {3, 1, 10}, {1, 3, 12}, {1, 1, 100}});
@@ -15,6 +16,8 @@ int main() {
     std::cout << "  half-planes " << before << " and " << after << " meet at about " << at.x << ", " << at.y << '\n';
   }
   const auto best = linear_program(given, {1, 2});
-  std::cout << "the best corner is that of half-planes " << best.before << " and " << best.after << '\n';
-  return region.sides.size() == 4 && best.feasible() ? 0 : 1;
+  const auto* const corner = std::get_if<sunder::planar::OneOptimum>(&best.evidence);  // null: not just one is best
+  if (corner == nullptr) return 1;
+  std::cout << "the best corner is that of half-planes " << corner->before << " and " << corner->after << '\n';
+  return region.sides.size() == 4 ? 0 : 1;
 }

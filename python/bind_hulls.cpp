@@ -19,7 +19,6 @@ using polytope::ConvexHull;
 using polytope::ExactEvidence;
 using polytope::HalfSpaceRegion;
 using polytope::LinearProgramAnswer;
-using polytope::Optimum;
 using polytope::Polytope;
 using polytope::RegionKind;
 using polytope::RegionVertices;
@@ -57,9 +56,9 @@ nb::list rows_of(const std::vector<std::vector<Dyadic>>& rows) {
   return result;
 }
 
-std::optional<nb::tuple> place_of(const ExactPointN& place) {
-  if (place.numbers.empty()) return std::nullopt;
-  return fractions_of(place.numbers, place.denominator);
+std::optional<nb::tuple> place_of(const ExactPointN* place) {
+  if (place == nullptr) return std::nullopt;
+  return fractions_of(place->numbers, place->denominator);
 }
 
 std::optional<nb::tuple> direction_of(const std::vector<Dyadic>& direction) {
@@ -136,11 +135,11 @@ PythonProgram program_of(const SharedPolytope& given, const ArrayLike& along, co
 }
 
 std::optional<nb::object> value_of(const PythonProgram& of) {
-  const ExactPointN& point = of.answer.point;
-  if (!of.answer.feasible() || of.answer.outcome == Optimum::unbounded) return std::nullopt;
+  const ExactPointN* const point = named_point(of.answer.evidence);
+  if (point == nullptr || of.answer.verdict() == Optimum::unbounded) return std::nullopt;
   Dyadic sum;
-  for (std::size_t c = 0; c < of.objective.size(); ++c) sum = sum + point.numbers[c] * of.objective[c];
-  return fraction_of(sum, point.denominator);
+  for (std::size_t c = 0; c < of.objective.size(); ++c) sum = sum + point->numbers[c] * of.objective[c];
+  return fraction_of(sum, point->denominator);
 }
 
 }  // namespace
@@ -254,20 +253,32 @@ void bind_hulls(nb::module_& polytope) {
                                     "The best common point of half-spaces; true if feasible.")
       .def("__bool__", [](const PythonProgram& of) { return of.answer.feasible(); })
       .def_prop_ro(
-          "outcome", [](const PythonProgram& of) { return name_of(of.answer.outcome); },
+          "outcome", [](const PythonProgram& of) { return name_of(of.answer.verdict()); },
           "\"one\" or \"many\" points are best; \"all\", of a zero objective; \"unbounded\"; or \"infeasible\".")
       .def_prop_ro(
-          "point", [](const PythonProgram& of) { return place_of(of.answer.point); },
+          "point", [](const PythonProgram& of) { return place_of(named_point(of.answer.evidence)); },
           "A best point, or a common one, as fractions; None where there is none.")
       .def_prop_ro("value", &value_of, "The greatest value, as a fraction; None where there is none.")
       .def_prop_ro(
-          "other", [](const PythonProgram& of) { return place_of(of.answer.other); },
+          "other",
+          [](const PythonProgram& of) {
+            const auto* many = std::get_if<polytope::ManyOptima>(&of.answer.evidence);
+            return place_of(many != nullptr ? &many->other : nullptr);
+          },
           "Of \"many\": another best point; else None.")
       .def_prop_ro(
-          "direction", [](const PythonProgram& of) { return direction_of(of.answer.direction); },
+          "direction",
+          [](const PythonProgram& of) {
+            const auto* far = std::get_if<polytope::NoBound>(&of.answer.evidence);
+            return far != nullptr ? direction_of(far->direction) : std::nullopt;
+          },
           "Of \"unbounded\": a way that leads further for ever; else None.")
       .def_prop_ro(
-          "multipliers", [](const PythonProgram& of) { return weights_of(of.answer.multipliers); },
+          "multipliers",
+          [](const PythonProgram& of) {
+            const Weights* multipliers = named_multipliers(of.answer.evidence);
+            return weights_of(multipliers != nullptr ? *multipliers : Weights());
+          },
           "Of half-spaces that make the objective, and bound it at the point; or that contradict each other.")
       .def_prop_ro("decided_by", [](const PythonProgram& of) { return name_of(of.answer.decided_by); });
 

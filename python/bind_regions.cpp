@@ -144,7 +144,7 @@ void bind_regions(nb::module_& planar) {
   const auto exact_point = [](const Program& p) { return p.point ? nb::object(fractions_of(*p.point)) : nb::none(); };
   nb::class_<Program, Answer>(planar, "LinearProgramAnswer", "The points of a region furthest in a direction.")
       .def_prop_ro(
-          "outcome", [](const Program& p) { return name_of(p.answer.outcome); },
+          "outcome", [](const Program& p) { return name_of(p.answer.verdict()); },
           "\"one\", \"many\", \"all\", \"unbounded\" or \"infeasible\".")
       .def_prop_ro("feasible", [](const Program& p) { return p.answer.feasible(); })
       .def_prop_ro("point", point, "An optimal point (of an unbounded program, a common point), rounded to doubles.")

@@ -10,6 +10,7 @@
 #include <sunder/certificate/asked_pair.h>
 #include <sunder/certificate/check.h>
 #include <sunder/certificate/claims.h>
+#include <sunder/certificate/optimum.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/certificate/pair_claims.h>
 

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace bench {
@@ -19,7 +20,7 @@ using sunder::planar::Constraints;
 using sunder::planar::ConvexPolygon;
 using sunder::planar::Discs;
 using sunder::planar::LinearProgramAnswer;
-using sunder::planar::Optimum;
+using sunder::planar::OneOptimum;
 using sunder::planar::RegionKind;
 
 std::shared_ptr<const Constraints> constraints_of(const RegionInput& input) {
@@ -58,7 +59,8 @@ Asked ask_discs(const RegionInput& input) {
 }
 
 std::uint64_t pair_of(const LinearProgramAnswer& answer) {
-  return answer.outcome == Optimum::one ? bench::pair_of(answer.before, answer.after) : 0;
+  const auto* const corner = std::get_if<OneOptimum>(&answer.evidence);
+  return corner != nullptr ? bench::pair_of(corner->before, corner->after) : 0;
 }
 
 sunder::planar::Objective objective_of(const Objective& o) { return {o.x, o.y}; }

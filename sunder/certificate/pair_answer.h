@@ -1,4 +1,4 @@
-// The answer to a question about two objects: the evidence, and how it came about.
+// The answer to a question: the evidence, and how it came about.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -19,8 +19,8 @@ enum class DecidedBy : std::uint8_t {
 
 std::string_view name_of(DecidedBy);  // "finishing"
 
-// The answer to whether two objects meet: the evidence is a variant of plain data, which names no object, and the verdict
-// is that of what it holds.
+// The evidence is a variant of plain data, which names no object, and the verdict is that of what it holds: of two objects
+// a Verdict (then meet() and undecided() are there), of a linear program an Optimum (optimum.h).
 template <class EvidenceOf>
 struct [[nodiscard]] Answer {
   using Evidence = EvidenceOf;
@@ -29,7 +29,7 @@ struct [[nodiscard]] Answer {
   DecidedBy decided_by = DecidedBy::filter;  // of undecided ones: what was tried last
   Cost cost{};
 
-  Verdict verdict() const { return verdict_of(evidence); }
+  auto verdict() const { return verdict_of(evidence); }
   bool meet() const { return verdict() == Verdict::meet; }
   bool undecided() const { return verdict() == Verdict::undecided; }
 };

@@ -25,7 +25,6 @@ using planar::Constraints;
 using planar::HalfPlanes;
 using planar::LinearProgramAnswer;
 using planar::Objective;
-using planar::Optimum;
 using planar::PolygonSides;
 using planar::Region;
 using planar::RegionKind;
@@ -109,20 +108,22 @@ bool same_point(const ExactPoint2& p, const ExactPoint2& q) {
 template <class Given>
 void expect_true_region(const Given& given, const Objective& objective, const LinearProgramAnswer& answer,
                         const LinearProgramAnswer& scan) {
-  ASSERT_EQ(name_of(answer.outcome), name_of(scan.outcome));
-  ASSERT_TRUE(check(given, objective, answer)) << name_of(scan.outcome);
-  if (scan.outcome == Optimum::one) {
+  ASSERT_EQ(name_of(answer.verdict()), name_of(scan.verdict()));
+  ASSERT_TRUE(check(given, objective, answer)) << name_of(scan.verdict());
+  if (scan.verdict() == Optimum::one) {
     ASSERT_TRUE(same_point(point_of(given, answer), point_of(given, scan)));
   }
-  if (scan.outcome != Optimum::many || !is_set(scan.side)) return;
-  ASSERT_EQ(is_set(answer.before), is_set(scan.before));
-  ASSERT_EQ(is_set(answer.after), is_set(scan.after));
+  if (scan.verdict() != Optimum::many) return;
+  const auto &edge = std::get<planar::ManyOptima>(answer.evidence),
+             &truth = std::get<planar::ManyOptima>(scan.evidence);
+  ASSERT_EQ(is_set(edge.before), is_set(truth.before));
+  ASSERT_EQ(is_set(edge.after), is_set(truth.after));
   const auto corner = [&](std::uint32_t i, std::uint32_t j) { return exact_corner(given[i], given[j]); };
-  if (is_set(scan.before)) {
-    ASSERT_TRUE(same_point(corner(answer.before, answer.side), corner(scan.before, scan.side)));
+  if (is_set(truth.before)) {
+    ASSERT_TRUE(same_point(corner(edge.before, edge.side), corner(truth.before, truth.side)));
   }
-  if (is_set(scan.after)) {
-    ASSERT_TRUE(same_point(corner(answer.side, answer.after), corner(scan.side, scan.after)));
+  if (is_set(truth.after)) {
+    ASSERT_TRUE(same_point(corner(edge.side, edge.after), corner(truth.side, truth.after)));
   }
 }
 
@@ -138,7 +139,7 @@ Optimum program_by_all(const Given& given, const Objective& objective) {
   expect_true_region(given, objective, linear_program_by_region(given, region, objective), scan);
   expect_true_region(given, objective,
                      linear_program_by_region(planar::PreparedRegion<Given>(given, region), objective), scan);
-  return scan.outcome;
+  return scan.verdict();
 }
 
 // With or against a normal, along its line, of small whole numbers, or any.

@@ -309,7 +309,7 @@ TEST_F(SetCertificates, LinearPrograms) {
     const std::string own = text(half);
     expect_accepted(own);
     expect_true_if_accepted(own, text(others), "half_planes",
-                            std::string(name_of(linear_program_by_scan(others, objective).outcome)));
+                            std::string(name_of(linear_program_by_scan(others, objective).verdict())));
   }
   expect_hits(rounds, 4);
 }

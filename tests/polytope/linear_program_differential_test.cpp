@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
@@ -36,13 +37,13 @@ TEST(LinearProgramDifferential, MethodsAgreeWithTheScan) {
     const std::string what = std::string(tests::name_of(set.family)) + ", " + std::to_string(k);
     const LinearProgramAnswer truth = linear_program_by_scan(set.half_spaces, set.objective);
     ASSERT_TRUE(check(set.half_spaces, set.objective, truth)) << what;
-    ++outcomes[set.half_spaces.dimension()][static_cast<std::size_t>(truth.outcome)];
+    ++outcomes[set.half_spaces.dimension()][static_cast<std::size_t>(truth.verdict())];
     for (const auto& method : {linear_program, linear_program_by_seidel}) {
       const LinearProgramAnswer answer = method(set.half_spaces, set.objective);
-      ASSERT_EQ(name_of(answer.outcome), name_of(truth.outcome)) << what;
+      ASSERT_EQ(name_of(answer.verdict()), name_of(truth.verdict())) << what;
       ASSERT_TRUE(check(set.half_spaces, set.objective, answer)) << what;
-      if (truth.outcome == Optimum::one) {
-        ASSERT_TRUE(are_equal(answer.point, truth.point)) << what;
+      if (truth.verdict() == Optimum::one) {
+        ASSERT_TRUE(are_equal(*named_point(answer.evidence), *named_point(truth.evidence))) << what;
       }
       finished += answer.decided_by == DecidedBy::finishing ? 1 : 0;
     }
@@ -53,6 +54,13 @@ TEST(LinearProgramDifferential, MethodsAgreeWithTheScan) {
   EXPECT_LT(finished, count / 4);  // of two methods
 }
 
+Weights* multipliers_in(ProgramEvidence& evidence) {
+  if (auto* one = std::get_if<OneOptimum>(&evidence)) return &one->multipliers;
+  if (auto* many = std::get_if<ManyOptima>(&evidence)) return &many->multipliers;
+  if (auto* none = std::get_if<NoPoint>(&evidence)) return &none->multipliers;
+  return nullptr;
+}
+
 // An answer with a number that is another one is refused, or as true.
 TEST(LinearProgramDifferential, SpoiltAnswersAreRefused) {
   tests::HalfSpaceSets sets(tests::chosen_seed(21006));
@@ -60,21 +68,22 @@ TEST(LinearProgramDifferential, SpoiltAnswersAreRefused) {
   for (int k = 0; k < tests::scaled_count(1000, 100); ++k) {
     const tests::HalfSpaceSet set = sets.next();
     LinearProgramAnswer answer = linear_program(set.half_spaces, set.objective);
-    if (answer.multipliers.parts.empty()) continue;
+    Weights* const multipliers = multipliers_in(answer.evidence);
+    if (multipliers == nullptr || multipliers->parts.empty()) continue;
     ++tried;
-    Weights::Part& part = answer.multipliers.parts.front();
+    Weights::Part& part = multipliers->parts.front();
     part.numerator = part.numerator + part.numerator;
-    if (answer.feasible() || answer.multipliers.parts.size() > 1) {  // one alone may be any multiple
+    if (answer.feasible() || multipliers->parts.size() > 1) {  // one alone may be any multiple
       EXPECT_FALSE(check(set.half_spaces, set.objective, answer));
     }
-    answer.multipliers.parts.erase(answer.multipliers.parts.begin());
+    multipliers->parts.erase(multipliers->parts.begin());
     EXPECT_FALSE(check(set.half_spaces, set.objective, answer));
-    if (answer.outcome == Optimum::many) {
+    if (answer.verdict() == Optimum::many) {
       answer = linear_program(set.half_spaces, set.objective);
-      answer.other = answer.point;
+      const ManyOptima many = std::get<ManyOptima>(answer.evidence);
+      answer.evidence = ManyOptima{many.point, many.point, many.multipliers};
       EXPECT_FALSE(check(set.half_spaces, set.objective, answer));
-      answer.outcome = Optimum::one;
-      answer.other = {};
+      answer.evidence = OneOptimum{many.point, many.multipliers};
       EXPECT_FALSE(check(set.half_spaces, set.objective, answer));
     }
   }
@@ -101,13 +110,13 @@ TEST(LinearProgramDifferential, InThePlane) {
     const planar::Constraints constraints(std::move(rows));
     const auto truth = planar::linear_program(constraints, planar::Objective{set.objective[0], set.objective[1]});
     const LinearProgramAnswer answer = linear_program(body, set.objective);
-    ASSERT_EQ(name_of(answer.outcome), planar::name_of(truth.outcome)) << k;
-    ++outcomes[static_cast<std::size_t>(answer.outcome)];
-    if (answer.outcome == Optimum::one) {
+    ASSERT_EQ(name_of(answer.verdict()), name_of(truth.verdict())) << k;
+    ++outcomes[static_cast<std::size_t>(answer.verdict())];
+    if (answer.verdict() == Optimum::one) {
       const ExactPoint2 p = planar::point_of(constraints, truth);
       const bool is_negative = p.denominator.sign() == Sign::negative;
       const auto of = [&](const Dyadic& x) { return is_negative ? -x : x; };
-      EXPECT_TRUE(are_equal(answer.point, {{of(p.x), of(p.y)}, of(p.denominator)})) << k;
+      EXPECT_TRUE(are_equal(*named_point(answer.evidence), {{of(p.x), of(p.y)}, of(p.denominator)})) << k;
     }
     const planar::Region known = planar::half_plane_intersection(constraints, {});
     const HalfSpaceRegion region = half_space_region(body);
@@ -134,11 +143,11 @@ TEST(LinearProgramDifferential, RowsLookedAtGrowAsN) {
       const tests::HalfSpaceSet set = sets.next(tests::HalfSpaceFamily::tangents, d, n);
       const std::vector<double> along(d, 1.0);
       const LinearProgramAnswer answer = linear_program(set.half_spaces, along);
-      EXPECT_EQ(answer.outcome, Optimum::one);
+      EXPECT_EQ(answer.verdict(), Optimum::one);
       EXPECT_EQ(answer.decided_by, DecidedBy::evidence);
       EXPECT_LE(answer.cost.probes, 12 * d * n) << d << " " << n;
       const LinearProgramAnswer by_seidel = linear_program_by_seidel(set.half_spaces, along);
-      EXPECT_TRUE(are_equal(answer.point, by_seidel.point));
+      EXPECT_TRUE(are_equal(*named_point(answer.evidence), *named_point(by_seidel.evidence)));
       double factorial = 1;
       for (std::size_t k = 2; k <= d; ++k) factorial *= static_cast<double>(k);
       EXPECT_LE(static_cast<double>(by_seidel.cost.probes), 4 * factorial * static_cast<double>(n)) << d << " " << n;

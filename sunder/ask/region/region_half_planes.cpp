@@ -130,9 +130,9 @@ class HalfPlanesQuestion final : public RegionQuestion {
     Report report = RegionQuestion::report();
     if (is_empty_) report.tell("  certain positive multiples of them add up to 0 <= a negative number\n");
     if (!objective_) return report;
-    Json best{{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.outcome)}};
+    Json best{{"objective", {objective_->p, objective_->q}}, {"outcome", name_of(best_.verdict())}};
     for (const auto& [key, k] : tight()) {
-      if (k != planar::no_half_plane && best_.outcome != planar::Optimum::all) best[key] = k;
+      if (k != planar::no_half_plane) best[key] = k;
     }
     if (best_.feasible()) {
       const Point2 p = best_point();
@@ -144,7 +144,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   std::string picture() const {
     picture::RegionPicture picture{constraints_, region_, file_.name};
-    if (objective_ && best_.feasible() && best_.outcome != planar::Optimum::unbounded) {
+    if (objective_ && best_.feasible() && best_.verdict() != Optimum::unbounded) {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};
     }
@@ -182,15 +182,27 @@ class HalfPlanesQuestion final : public RegionQuestion {
   }
   Point2 best_point() const { return nearest(point_of(constraints_, best_)); }
 
-  std::array<std::pair<const char*, std::uint32_t>, 3> tight() const {
-    return {{{"before", best_.before}, {"side", best_.side}, {"after", best_.after}}};
+  // The half-planes that the evidence names, or no_half_plane.
+  using Named3 = std::array<std::pair<const char*, std::uint32_t>, 3>;
+  Named3 tight() const {
+    return std::visit(
+        [](const auto& held) -> Named3 {
+          if constexpr (requires { held.from; }) {
+            return {{{"before", held.from.before}, {"side", held.side}, {"after", held.from.after}}};
+          } else if constexpr (requires { held.side; }) {
+            return {{{"before", held.before}, {"side", held.side}, {"after", held.after}}};
+          } else {  // of the objective zero, which holds none
+            return {{{"", planar::no_half_plane}, {"", planar::no_half_plane}, {"", planar::no_half_plane}}};
+          }
+        },
+        best_.evidence);
   }
 
   std::string best_text() const {
     const std::string aim = form_text(objective_->p, objective_->q);
     if (!best_.feasible()) return "";
-    if (best_.outcome == planar::Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
-    if (best_.outcome == planar::Optimum::all) {
+    if (best_.verdict() == Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
+    if (best_.verdict() == Optimum::all) {
       return fmt::format("{} is zero everywhere: every common point is an optimum; they are {}\n", aim,
                          shape_of(region_.kind));
     }
@@ -198,7 +210,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
     std::string text = fmt::format(
         "{} is greatest, {}, {} about {}\n", aim,
         std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
-        best_.outcome == planar::Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
+        best_.verdict() == Optimum::one ? "at" : "at more points than one, such as", place_text(best_point()));
     for (const auto& [key, k] : tight()) {
       if (k != planar::no_half_plane) text += fmt::format("    held by {}\n", thing_text(k));
     }

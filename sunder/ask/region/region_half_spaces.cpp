@@ -127,7 +127,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
       best_ = method_(half_spaces_, objective_);
       is_empty_ = !best_.feasible();
       cost_ = best_.cost;
-      rows_ = rows_of(best_.multipliers);
+      if (const Weights* multipliers = named_multipliers(best_.evidence)) rows_ = rows_of(*multipliers);
     }
   }
 
@@ -165,8 +165,8 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
 
  private:
   Json best_json() const {
-    Json best{{"objective", objective_}, {"outcome", name_of(best_.outcome)}, {"rows", rows_}};
-    if (best_.feasible()) best["point"] = point_of(best_.point);
+    Json best{{"objective", objective_}, {"outcome", name_of(best_.verdict())}, {"rows", rows_}};
+    if (!is_empty_) best["point"] = point_of(best_point());
     return best;
   }
 
@@ -220,25 +220,26 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   // From the exact point: of rounded coordinates nothing may be left where products cancel. Infinite beyond doubles.
   double best_value() const {
     Dyadic sum;
-    for (std::size_t c = 0; c < d_; ++c) sum = sum + Dyadic(objective_[c]) * best_.point.numbers[c];
-    return nearest_ratio(sum, best_.point.denominator);
+    for (std::size_t c = 0; c < d_; ++c) sum = sum + Dyadic(objective_[c]) * best_point().numbers[c];
+    return nearest_ratio(sum, best_point().denominator);
   }
+  const ExactPointN& best_point() const { return *named_point(best_.evidence); }
 
   std::string best_text() const {
     const std::string aim = form_text(objective_);
-    if (best_.outcome == polytope::Optimum::unbounded) {
+    if (const auto* far = std::get_if<polytope::NoBound>(&best_.evidence)) {
       return fmt::format("{} is as great as one likes, from {} on along the direction of about {}\n", aim,
-                         numbers_text(point_of(best_.point)), numbers_text(direction_about(best_.direction)));
+                         numbers_text(point_of(far->point)), numbers_text(direction_about(far->direction)));
     }
-    if (best_.outcome == polytope::Optimum::all) {
+    if (best_.verdict() == Optimum::all) {
       return fmt::format("{} is zero everywhere: every common point is an optimum, such as about {}\n", aim,
-                         numbers_text(point_of(best_.point)));
+                         numbers_text(point_of(best_point())));
     }
     const double value = best_value();
     return fmt::format("{} is greatest, {}, {} about {}\n", aim,
                        std::isfinite(value) ? fmt::format("about {:.10g}", value) : "beyond the range of doubles",
-                       best_.outcome == polytope::Optimum::one ? "at" : "at more points than one, such as",
-                       numbers_text(point_of(best_.point))) +
+                       best_.verdict() == Optimum::one ? "at" : "at more points than one, such as",
+                       numbers_text(point_of(best_point()))) +
            rows_text("held by ");
   }
 

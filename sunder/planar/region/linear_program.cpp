@@ -1,11 +1,35 @@
 #include <sunder/base/contract.h>
-#include <sunder/base/names.h>
 #include <sunder/planar/region/linear_program.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <variant>
 
 namespace sunder::planar {
 
-std::string_view name_of(Optimum outcome) {
-  return name_in<Optimum::infeasible>({"one", "many", "all", "unbounded", "infeasible"}, outcome);
+namespace {
+
+// Are these, where there are such, numbers of half-planes?
+bool are_below(std::uint32_t size, std::initializer_list<std::uint32_t> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(),
+                     [size](std::uint32_t k) { return k == no_half_plane || k < size; });
+}
+
+AnyPoint named_by(const OneOptimum& one) { return {one.before, one.side != no_half_plane ? one.side : one.after}; }
+AnyPoint named_by(const ManyOptima& many) {
+  if (many.before != no_half_plane) return {many.before, many.side};
+  return {many.side, many.after};
+}
+AnyPoint named_by(const AnyPoint& any) { return any; }
+AnyPoint named_by(const NoBound& far) { return far.from; }
+AnyPoint named_by(const NoPoint&) { return {}; }
+
+}  // namespace
+
+AnyPoint named_point(const ProgramEvidence& evidence) {
+  SUNDER_REQUIRE(!std::holds_alternative<NoPoint>(evidence));
+  return std::visit([](const auto& held) { return named_by(held); }, evidence);
 }
 
 template <class Given>
@@ -15,17 +39,9 @@ LinearProgramAnswer linear_program(const Given& given, const Objective& objectiv
 
 template <class Given>
 ExactPoint2 point_of(const Given& given, const LinearProgramAnswer& answer) {
-  SUNDER_REQUIRE(answer.outcome != Optimum::infeasible);
-  const auto corner = [&](std::uint32_t i, std::uint32_t j) { return exact_corner(given[i], given[j]); };
-  const bool of_side =
-      answer.side != no_half_plane && (answer.outcome == Optimum::one || answer.outcome == Optimum::many);
-  if (of_side) {
-    if (answer.before != no_half_plane) return corner(answer.before, answer.side);
-    if (answer.after != no_half_plane) return corner(answer.side, answer.after);
-    return exact_point_on(given[answer.side]);
-  }
-  if (answer.after != no_half_plane) return corner(answer.before, answer.after);
-  if (answer.before != no_half_plane) return exact_point_on(given[answer.before]);
+  const auto [before, after] = named_point(answer.evidence);
+  if (after != no_half_plane) return exact_corner(given[before], given[after]);
+  if (before != no_half_plane) return exact_point_on(given[before]);
   return {0.0, 0.0, 1.0};
 }
 
@@ -35,24 +51,49 @@ template <class Given>
 class OptimumChecker {
  public:
   using Half = typename Given::Half;
-  OptimumChecker(const Given& given, const Objective& objective, const LinearProgramAnswer& answer)
-      : given_(given), objective_(objective), answer_(answer), no_objective_(objective.p == 0 && objective.q == 0) {
+  OptimumChecker(const Given& given, const Objective& objective)
+      : given_(given), no_objective_(objective.p == 0 && objective.q == 0) {
     if (!no_objective_) up_ = through_origin<Half>(objective.p, objective.q);
   }
 
-  bool holds() const {
-    const auto& [outcome, before, side, after, backward, cost] = answer_;
-    for (const std::uint32_t k : {before, side, after}) {
-      if (k != no_half_plane && k >= given_.size()) return false;
+  bool holds(const OneOptimum& one) const {
+    const auto& [before, after, side] = one;
+    if (no_objective_ || !is_set(before) || !is_set(after) || !are_below(given_.size(), {before, after, side})) {
+      return false;
     }
-    switch (outcome) {
-      case Optimum::infeasible: return contradict(before, side, after);
-      case Optimum::unbounded: return !no_objective_ && common_point(before, after) && never_leaves(side, backward);
-      case Optimum::many: return !no_objective_ && is_edge();
-      case Optimum::all: return no_objective_ && side == no_half_plane && common_point(before, after);
-      case Optimum::one: return is_corner();
+    if (!is_set(side)) {
+      return turn(given_[before], up_) == Sign::positive && turn(up_, given_[after]) == Sign::positive &&
+             holds_corner(before, after);
     }
-    return false;
+    return is_up(side) && turn_of(side, after) == Sign::positive && holds_corner(before, side) &&
+           corner_side(given_[before], given_[side], given_[after]) == Sign::zero;
+  }
+
+  bool holds(const ManyOptima& many) const {
+    const auto& [side, before, after] = many;
+    if (no_objective_ || !are_below(given_.size(), {before, after, side})) return false;
+    if (!is_set(side) || !is_up(side)) return false;
+    if (is_set(before) ? !holds_corner(before, side) : !stays(side, true)) return false;
+    if (is_set(after) ? !holds_corner(side, after) : !stays(side, false)) return false;
+    if (!is_set(before) && !is_set(after)) return holds_line(side);
+    return !is_set(before) || !is_set(after) ||
+           corner_side(given_[before], given_[side], given_[after]) == Sign::negative;
+  }
+
+  bool holds(const AnyPoint& any) const { return no_objective_ && is_common(any); }
+
+  bool holds(const NoBound& far) const {
+    return !no_objective_ && are_below(given_.size(), {far.side}) && is_common(far.from) &&
+           never_leaves(far.side, far.backward);
+  }
+
+  bool holds(const NoPoint& contradiction) const {
+    const auto& [before, after, side] = contradiction;
+    if (!is_set(before) || !is_set(after) || !are_below(given_.size(), {before, after, side})) return false;
+    if (!is_set(side)) return opposite(before, after) && gap(given_[before], given_[after]) == Sign::negative;
+    return turn_of(before, side) == Sign::positive && turn_of(side, after) == Sign::positive &&
+           turn_of(after, before) == Sign::positive &&
+           corner_side(given_[before], given_[side], given_[after]) == Sign::positive;
   }
 
  private:
@@ -60,13 +101,6 @@ class OptimumChecker {
   Sign turn_of(std::uint32_t i, std::uint32_t j) const { return turn(given_[i], given_[j]); }
   bool opposite(std::uint32_t i, std::uint32_t j) const {
     return turn_of(i, j) == Sign::zero && facing(given_[i], given_[j]) == Sign::negative;
-  }
-
-  bool contradict(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
-    if (!is_set(i) || !is_set(k)) return false;
-    if (!is_set(j)) return opposite(i, k) && gap(given_[i], given_[k]) == Sign::negative;
-    return turn_of(i, j) == Sign::positive && turn_of(j, k) == Sign::positive && turn_of(k, i) == Sign::positive &&
-           corner_side(given_[i], given_[j], given_[k]) == Sign::positive;
   }
 
   // Is the corner of i and j common to all, j turning less than a half turn from i?
@@ -89,7 +123,9 @@ class OptimumChecker {
     return true;
   }
 
-  bool common_point(std::uint32_t i, std::uint32_t j) const {
+  bool is_common(const AnyPoint& point) const {
+    const auto& [i, j] = point;
+    if (!are_below(given_.size(), {i, j})) return false;
     if (is_set(j)) {
       if (!is_set(i)) return false;
       return turn_of(i, j) == Sign::negative ? holds_corner(j, i) : holds_corner(i, j);
@@ -110,37 +146,14 @@ class OptimumChecker {
     for (std::uint32_t k = 0; k < given_.size(); ++k) {
       if (facing(given_[k], up_) == Sign::positive) return false;
     }
-    return true;
+    return !backward;
   }
 
   bool is_up(std::uint32_t i) const {
     return turn(given_[i], up_) == Sign::zero && facing(given_[i], up_) == Sign::positive;
   }
 
-  bool is_corner() const {
-    const auto& [outcome, before, side, after, backward, cost] = answer_;
-    if (no_objective_ || !is_set(before) || !is_set(after)) return false;
-    if (!is_set(side)) {
-      return turn(given_[before], up_) == Sign::positive && turn(up_, given_[after]) == Sign::positive &&
-             holds_corner(before, after);
-    }
-    return is_up(side) && turn_of(side, after) == Sign::positive && holds_corner(before, side) &&
-           corner_side(given_[before], given_[side], given_[after]) == Sign::zero;
-  }
-
-  bool is_edge() const {
-    const auto& [outcome, before, side, after, backward, cost] = answer_;
-    if (!is_set(side) || !is_up(side)) return false;
-    if (is_set(before) ? !holds_corner(before, side) : !stays(side, true)) return false;
-    if (is_set(after) ? !holds_corner(side, after) : !stays(side, false)) return false;
-    if (!is_set(before) && !is_set(after)) return holds_line(side);
-    return !is_set(before) || !is_set(after) ||
-           corner_side(given_[before], given_[side], given_[after]) == Sign::negative;
-  }
-
   const Given& given_;
-  Objective objective_;
-  const LinearProgramAnswer& answer_;
   bool no_objective_;
   Half up_{};
 };
@@ -149,7 +162,8 @@ class OptimumChecker {
 
 template <class Given>
 bool check(const Given& given, const Objective& objective, const LinearProgramAnswer& answer) {
-  return OptimumChecker(given, objective, answer).holds();
+  const OptimumChecker checker(given, objective);
+  return std::visit([&](const auto& held) { return checker.holds(held); }, answer.evidence);
 }
 
 template LinearProgramAnswer linear_program(const Constraints&, const Objective&);

@@ -13,49 +13,68 @@
 // take O(N) expected. by_region is the remark.
 #pragma once
 
+#include <sunder/certificate/optimum.h>
 #include <sunder/planar/region/region.h>
 #include <sunder/planar/region/side_table.h>
 
 #include <cstdint>
 #include <span>
-#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sunder::planar {
 
-enum class Optimum : std::uint8_t {
-  one,         // point
-  many,        // more than one: a segment, ray or line
-  all,         // p = q = 0: all common points, be they one or more (the kind of the region tells)
-  unbounded,   // common points are as far as one likes
-  infeasible,  // no common point
-};
-
-std::string_view name_of(Optimum);  // "infeasible"
-
 inline constexpr std::uint32_t no_half_plane = 0xffffffffu;
 
-// Its three half-planes, where set (not no_half_plane), by outcome:
-//   one: the corner of before and after, whose normals turn, less than a half turn, from one side of (p, q) to the
-//     other; or where `side` is set, whose normal is in the direction (p, q): the corner of before and side, through
-//     which the line of after goes.
-//   many: the points of the line of `side`, whose normal is in the direction (p, q), from its corner with before to
-//     that with after; it is unbounded on a side where that is not set.
-//   all: a common point, below; `side` is not set.
-//   unbounded: a common point, below, and a direction in which one never leaves: that of the line of `side`, or where
-//     `backward`, its opposite; where `side` is not set, (p, q).
-//   infeasible: before, side, after have no common point, and follow each other counter-clockwise; where `side` is not
-//     set, before and after have none.
-// The common point: the corner of before and after; where after is not set, all lines are parallel to that of before,
-// and each of its points is one; where both are not set, there are no half-planes.
-struct [[nodiscard]] LinearProgramAnswer {
-  Optimum outcome = Optimum::infeasible;
-  std::uint32_t before = no_half_plane, side = no_half_plane, after = no_half_plane;
-  bool backward = false;  // meaningless unless unbounded
-  Cost cost;              // probes: signs that were asked for; exact: those that needed exact arithmetic
+// The evidence, one for each outcome (certificate/optimum.h): numbers of half-planes. Those that may be no_half_plane
+// begin as it.
 
-  bool feasible() const { return outcome != Optimum::infeasible; }
+// The corner of before and after, whose normals turn, less than a half turn, from one side of (p, q) to the other; or
+// where there is a side, whose normal is in the direction (p, q): the corner of before and side, through which the line
+// of after goes.
+struct OneOptimum {
+  static constexpr Optimum verdict = Optimum::one;
+  std::uint32_t before = 0, after = 0, side = no_half_plane;
 };
+
+// The points of the line of `side`, whose normal is in the direction (p, q), from its corner with before to that with
+// after; where there is none of these, without end there.
+struct ManyOptima {
+  static constexpr Optimum verdict = Optimum::many;
+  std::uint32_t side = 0, before = no_half_plane, after = no_half_plane;
+};
+
+// p = q = 0. A common point: the corner of before and after; where there is no after, all lines are parallel to that of
+// before, and each of its points is one; where there is no before either, there are no half-planes. (How many common
+// points there are, the kind of the region tells.)
+struct AnyPoint {
+  static constexpr Optimum verdict = Optimum::all;
+  std::uint32_t before = no_half_plane, after = no_half_plane;
+};
+
+// A common point, and a direction in which one never leaves: that of the line of `side`, or its opposite; where there is
+// no side, (p, q).
+struct NoBound {
+  static constexpr Optimum verdict = Optimum::unbounded;
+  AnyPoint from;
+  std::uint32_t side = no_half_plane;
+  bool backward = false;  // the opposite
+};
+
+// Before, side, after follow each other counter-clockwise, and have no common point; where there is no side, before and
+// after have none.
+struct NoPoint {
+  static constexpr Optimum verdict = Optimum::infeasible;
+  std::uint32_t before = 0, after = 0, side = no_half_plane;
+};
+
+using ProgramEvidence = std::variant<OneOptimum, ManyOptima, AnyPoint, NoBound, NoPoint>;
+
+// Cost: probes: signs that were asked for; exact: those that needed exact arithmetic.
+using LinearProgramAnswer = ProgramAnswer<ProgramEvidence>;
+
+// A point that is best, of `unbounded` a common one. Requires other evidence than NoPoint.
+AnyPoint named_point(const ProgramEvidence& evidence);
 
 // The direction; both numbers finite.
 struct Objective {

@@ -17,19 +17,19 @@ class Support {
       : given_(given), region_(region), prepared_(prepared), up_(through_origin<Half>(objective.p, objective.q)) {}
 
   LinearProgramAnswer answer() {
-    LinearProgramAnswer answer = answer_of_kind();
-    answer.cost = {probes_, 0, tally_.exact};
+    LinearProgramAnswer answer{evidence()};
+    answer.cost.probes = probes_;
+    conclude(answer, tally_.exact);
     return answer;
   }
 
   // For the objective zero.
   static LinearProgramAnswer any_point(const Region& region) {
-    if (region.empty()) return contradiction(region);
+    if (region.empty()) return {contradiction(region)};
     const auto& s = region.sides;
     const bool has_corner = region.kind != RegionKind::half_plane && region.kind != RegionKind::strip &&
                             region.kind != RegionKind::line && region.kind != RegionKind::plane;
-    return {
-        Optimum::all, s.empty() ? no_half_plane : s[0], no_half_plane, has_corner ? s[1] : no_half_plane, false, {}};
+    return {AnyPoint{s.empty() ? no_half_plane : s[0], has_corner ? s[1] : no_half_plane}};
   }
 
  private:
@@ -44,10 +44,10 @@ class Support {
     return first_where(low, high, [&](std::uint32_t p) { return turn_to_up(p) == Sign::negative; });
   }
 
-  LinearProgramAnswer answer_of_kind() {
+  ProgramEvidence evidence() {
     switch (region_.kind) {
       case RegionKind::empty: return contradiction(region_);
-      case RegionKind::plane: return {Optimum::unbounded, no_half_plane, no_half_plane, no_half_plane, false, {}};
+      case RegionKind::plane: return NoBound{};
       case RegionKind::half_plane:
       case RegionKind::strip:
       case RegionKind::line: return without_corner();
@@ -60,37 +60,35 @@ class Support {
     return closed();
   }
 
-  static LinearProgramAnswer contradiction(const Region& region) {
+  static NoPoint contradiction(const Region& region) {
     const auto& s = region.sides;
-    return {Optimum::infeasible, s.front(), s.size() == 3 ? s[1] : no_half_plane, s.back(), false, {}};
+    return {s.front(), s.back(), s.size() == 3 ? s[1] : no_half_plane};
   }
 
-  LinearProgramAnswer without_corner() {
+  ProgramEvidence without_corner() {
     const std::vector<std::uint32_t>& sides = region_.sides;
     for (std::size_t p = 0; p < sides.size(); ++p) {
-      if (is_up(p)) return {Optimum::many, no_half_plane, sides[p], no_half_plane, false, {}};
+      if (is_up(p)) return ManyOptima{sides[p]};
     }
     const Sign turn = turn_to_up(0);
-    return {Optimum::unbounded,     sides[0], turn == Sign::zero ? no_half_plane : sides[0], no_half_plane,
-            turn == Sign::negative, {}};
+    return NoBound{{sides[0]}, turn == Sign::zero ? no_half_plane : sides[0], turn == Sign::negative};
   }
 
-  // The answer where the objective's direction is that of side p, or between those of it and the next.
-  LinearProgramAnswer at(std::size_t p) {
+  // The evidence where the objective's direction is that of side p, or between those of it and the next.
+  ProgramEvidence at(std::size_t p) {
     const std::size_t n = region_.sides.size();
     const bool is_closed = region_.kind != RegionKind::ray && region_.kind != RegionKind::unbounded;
     const std::uint32_t next = p + 1 < n ? number(p + 1) : is_closed ? number(0) : no_half_plane;
-    if (!is_up(p)) return {Optimum::one, number(p), no_half_plane, next, false, {}};
+    if (!is_up(p)) return OneOptimum{number(p), next};
     const std::uint32_t previous = p > 0 ? number(p - 1) : is_closed ? number(n - 1) : no_half_plane;
-    LinearProgramAnswer answer{Optimum::many, previous, number(p), next, false, {}};
     const bool is_flat =
         region_.kind == RegionKind::point || region_.kind == RegionKind::segment || region_.kind == RegionKind::ray;
     if (is_flat && previous != no_half_plane && next != no_half_plane) {
       ++probes_;
       const Sign end = corner_side(given_[previous], side(p), given_[next], &tally_);
-      if (end == Sign::zero) answer.outcome = Optimum::one;
+      if (end == Sign::zero) return OneOptimum{previous, next, number(p)};
     }
-    return answer;
+    return ManyOptima{number(p), previous, next};
   }
 
   // Among the sides of nearly the objective's angle: the position of the last side that is not after it, where the next
@@ -105,7 +103,7 @@ class Support {
   }
 
   // Sides begin at the x axis.
-  LinearProgramAnswer closed() {
+  ProgramEvidence closed() {
     if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
     const bool down = points_down(up_);
     const std::uint32_t n = size();
@@ -118,13 +116,12 @@ class Support {
   }
 
   // Sides lie within a half turn, and where the objective is not between them, it is in the gap.
-  LinearProgramAnswer open() {
+  ProgramEvidence open() {
     const std::size_t n = region_.sides.size();
     if (is_up(0)) return at(0);
     if (is_up(n - 1)) return at(n - 1);
     const bool forward = turn_to_up(n - 1) == Sign::positive, backward = turn_to_up(0) == Sign::negative;
-    const LinearProgramAnswer far{Optimum::unbounded, number(0), number(forward ? n - 1 : 0), number(1), !forward, {}};
-    if (forward || backward) return far;
+    if (forward || backward) return NoBound{{number(0), number(1)}, number(forward ? n - 1 : 0), !forward};
     if (const std::optional<std::size_t> p = position_by_table()) return at(*p);
     return at(first_after_up(1, size() - 1) - 1);
   }

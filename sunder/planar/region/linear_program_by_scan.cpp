@@ -1,6 +1,8 @@
 // Every corner of two lines that is common to all. (The oracle.)
 #include <sunder/planar/region/linear_program.h>
 
+#include <optional>
+
 namespace sunder::planar {
 
 namespace {
@@ -15,22 +17,21 @@ class ProgramScan {
   }
 
   LinearProgramAnswer answer() {
-    LinearProgramAnswer answer;
-    if (!finds_contradiction(answer)) {
-      if (is_zero_) {
-        name_common_point(answer);
-        answer.outcome = Optimum::all;
-      } else if (!finds_corner(answer) && !finds_edge(answer)) {
-        name_common_point(answer);
-        name_way(answer);
-        answer.outcome = Optimum::unbounded;
-      }
-    }
-    answer.cost = {probes_, 0, tally_.exact};
+    LinearProgramAnswer answer{evidence(), DecidedBy::scan};
+    answer.cost.probes = probes_;
+    answer.cost.exact = tally_.exact;
     return answer;
   }
 
  private:
+  ProgramEvidence evidence() {
+    if (const std::optional<NoPoint> contradiction = find_contradiction()) return *contradiction;
+    if (is_zero_) return find_common_point();
+    if (const std::optional<OneOptimum> corner = find_corner()) return *corner;
+    if (const std::optional<ProgramEvidence> edge = find_edge()) return *edge;
+    return find_way();
+  }
+
   Sign turn_of(const Half& i, const Half& j) { return ++probes_, turn(i, j, &tally_); }
   Sign turn_of(std::uint32_t i, std::uint32_t j) { return turn_of(Half(given_[i]), Half(given_[j])); }
   Sign side_of(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
@@ -58,64 +59,60 @@ class ProgramScan {
     return true;
   }
 
-  bool finds_contradiction(LinearProgramAnswer& answer) {
+  std::optional<NoPoint> find_contradiction() {
     for (std::uint32_t i = 0; i < size_; ++i) {
       for (std::uint32_t j = 0; j < size_; ++j) {
         if (faces(given_[i], given_[j], Sign::negative) && gap(given_[i], given_[j], &tally_) == Sign::negative) {
-          answer = {Optimum::infeasible, i, no_half_plane, j, false, {}};
-          return true;
+          return NoPoint{i, j};
         }
         if (turn_of(i, j) != Sign::positive) continue;
         for (std::uint32_t k = 0; k < size_; ++k) {
           if (turn_of(j, k) != Sign::positive || turn_of(k, i) != Sign::positive) continue;
           if (side_of(i, j, k) != Sign::positive) continue;
-          answer = {Optimum::infeasible, i, j, k, false, {}};
-          return true;
+          return NoPoint{i, k, j};
         }
       }
     }
-    return false;
+    return std::nullopt;
   }
 
-  void name_common_point(LinearProgramAnswer& answer) {
+  AnyPoint find_common_point() {
+    AnyPoint point;
     for (std::uint32_t i = 0; i < size_; ++i) {
-      if (holds_line(i)) answer.before = i;
+      if (holds_line(i)) point.before = i;
       for (std::uint32_t j = 0; j < size_; ++j) {
-        if (!holds_corner(i, j)) continue;
-        answer.before = i;
-        answer.after = j;
-        return;
+        if (holds_corner(i, j)) return {i, j};
       }
     }
+    return point;
   }
 
-  bool finds_corner(LinearProgramAnswer& answer) {
+  std::optional<OneOptimum> find_corner() {
     for (std::uint32_t i = 0; i < size_; ++i) {
       if (turn_of(given_[i], up_) != Sign::positive) continue;
       for (std::uint32_t j = 0; j < size_; ++j) {
-        if (turn_of(up_, given_[j]) != Sign::positive || !holds_corner(i, j)) continue;
-        answer = {Optimum::one, i, no_half_plane, j, false, {}};
-        return true;
+        if (turn_of(up_, given_[j]) == Sign::positive && holds_corner(i, j)) return OneOptimum{i, j};
       }
     }
-    return false;
+    return std::nullopt;
   }
 
-  bool finds_edge(LinearProgramAnswer& answer) {
+  std::optional<ProgramEvidence> find_edge() {
     for (std::uint32_t side = 0; side < size_; ++side) {
       if (!faces(given_[side], up_, Sign::positive)) continue;
-      LinearProgramAnswer edge{Optimum::many, no_half_plane, side, no_half_plane, false, {}};
+      ManyOptima edge{side};
       for (std::uint32_t k = 0; k < size_; ++k) {
         if (holds_corner(k, side)) edge.before = k;
         if (holds_corner(side, k)) edge.after = k;
       }
       const bool has_before = edge.before != no_half_plane, has_after = edge.after != no_half_plane;
       if (!has_before && !has_after && !holds_line(side)) continue;
-      if (has_before && has_after && side_of(edge.before, side, edge.after) == Sign::zero) edge.outcome = Optimum::one;
-      answer = edge;
-      return true;
+      if (has_before && has_after && side_of(edge.before, side, edge.after) == Sign::zero) {
+        return OneOptimum{edge.before, edge.after, side};
+      }
+      return edge;
     }
-    return false;
+    return std::nullopt;
   }
 
   bool never_leaves(Sign sign, std::uint32_t side) {
@@ -125,13 +122,15 @@ class ProgramScan {
     return true;
   }
 
-  void name_way(LinearProgramAnswer& answer) {
+  NoBound find_way() {
+    NoBound far{find_common_point()};
     for (std::uint32_t side = 0; side < size_; ++side) {
       const Sign turn = turn_of(given_[side], up_);
       if (turn == Sign::zero || !never_leaves(turn, side)) continue;
-      answer.side = side;
-      answer.backward = turn == Sign::negative;
+      far.side = side;
+      far.backward = turn == Sign::negative;
     }
+    return far;
   }
 
   const Given& given_;

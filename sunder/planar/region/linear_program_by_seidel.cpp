@@ -120,35 +120,24 @@ class ProgramSearch {
 
   // The answer from the optimum of all. Cost: constant; O(N) signs where a normal is in the objective's direction.
   LinearProgramAnswer answer_of(const Basis& basis) {
-    LinearProgramAnswer answer;
-    answer.before = basis.before;
-    answer.after = basis.after;
-    if (basis.contradicts) {
-      answer.side = basis.third;
-    } else if (turn_of(given_[basis.before], up_) != Sign::zero) {
-      answer.outcome = Optimum::one;
-    } else {
-      answer = edge_of(basis.before);
-    }
-    return with_cost(answer);
+    if (basis.contradicts) return with_cost(NoPoint{basis.before, basis.after, basis.third});
+    if (turn_of(given_[basis.before], up_) != Sign::zero) return with_cost(OneOptimum{basis.before, basis.after});
+    return with_cost(edge_of(basis.before));
   }
 
   // The answer where has_corner(nearest) is false.
   LinearProgramAnswer answer_without_corner(const Nearest& nearest) {
     const auto [before, after] = nearest;
-    if (before == no_half_plane && after == no_half_plane)
-      return with_cost({Optimum::unbounded, no_half_plane, no_half_plane, no_half_plane, false, {}});
+    if (before == no_half_plane && after == no_half_plane) return with_cost(NoBound{});
     if (before == no_half_plane) {
       const Left left = left_of_line(after);
       const bool is_opposite = turn_of(given_[after], up_) == Sign::zero;
-      return with_cost({Optimum::unbounded, after, is_opposite ? no_half_plane : after, left.to, !is_opposite, {}});
+      return with_cost(NoBound{{after, left.to}, is_opposite ? no_half_plane : after, !is_opposite});
     }
     const Left left = left_of_line(before);
-    if (left.opposite != no_half_plane) {
-      return with_cost({Optimum::infeasible, before, no_half_plane, left.opposite, false, {}});
-    }
+    if (left.opposite != no_half_plane) return with_cost(NoPoint{before, left.opposite});
     if (turn_of(given_[before], up_) == Sign::zero) return with_cost(edge_of(before));
-    return with_cost({Optimum::unbounded, before, before, left.from, false, {}});
+    return with_cost(NoBound{{before, left.from}, before});
   }
 
  private:
@@ -191,18 +180,19 @@ class ProgramSearch {
   }
 
   // The optimal points, on a line with common points whose normal is in the direction of the objective.
-  LinearProgramAnswer edge_of(std::uint32_t line) {
+  ProgramEvidence edge_of(std::uint32_t line) {
     const Left left = left_of_line(line);
-    LinearProgramAnswer answer{Optimum::many, left.from, line, left.to, false, {}};
     const bool has_both = left.from != no_half_plane && left.to != no_half_plane;
     if (has_both && corner_of(given_[left.from], given_[line], given_[left.to]) == Sign::zero) {
-      answer.outcome = Optimum::one;
+      return OneOptimum{left.from, left.to, line};
     }
-    return answer;
+    return ManyOptima{line, left.from, left.to};
   }
 
-  LinearProgramAnswer with_cost(LinearProgramAnswer answer) const {
-    answer.cost = {probes_, 0, tally_.exact};
+  LinearProgramAnswer with_cost(const ProgramEvidence& evidence) const {
+    LinearProgramAnswer answer{evidence};
+    answer.cost.probes = probes_;
+    conclude(answer, tally_.exact);
     return answer;
   }
 
@@ -221,17 +211,7 @@ void shuffle(std::vector<std::uint32_t>& order, std::size_t fixed, Random& rando
 
 // For the objective zero: the answer for any other one, as a common point.
 LinearProgramAnswer any_common_point(LinearProgramAnswer answer) {
-  if (!answer.feasible()) return answer;
-  const auto set = [](std::uint32_t i) { return i != no_half_plane; };
-  if (answer.outcome != Optimum::unbounded && set(answer.side)) {
-    // A corner of the optimal line, or the line itself.
-    const std::uint32_t other = set(answer.before) ? answer.before : answer.after;
-    answer.before = set(other) ? other : answer.side;
-    answer.after = set(other) ? answer.side : no_half_plane;
-  }
-  answer.outcome = Optimum::all;
-  answer.side = no_half_plane;
-  answer.backward = false;
+  if (answer.feasible()) answer.evidence = named_point(answer.evidence);
   return answer;
 }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace sunder::planar {
@@ -27,42 +28,41 @@ bool is_set(std::uint32_t i) { return i != no_half_plane; }
 
 // The end of an optimal edge.
 template <class Given>
-ExactPoint2 end_of(const Given& given, const LinearProgramAnswer& answer, bool first) {
-  return first ? exact_corner(given[answer.before], given[answer.side])
-               : exact_corner(given[answer.side], given[answer.after]);
+ExactPoint2 end_of(const Given& given, const ManyOptima& edge, bool first) {
+  return first ? exact_corner(given[edge.before], given[edge.side]) : exact_corner(given[edge.side], given[edge.after]);
 }
 
 template <class Given>
 void expect_same(const Given& given, const LinearProgramAnswer& answer, const LinearProgramAnswer& scan) {
-  ASSERT_EQ(name_of(answer.outcome), name_of(scan.outcome));
-  if (scan.outcome == Optimum::one) {
+  ASSERT_EQ(name_of(answer.verdict()), name_of(scan.verdict()));
+  if (scan.verdict() == Optimum::one) {
     ASSERT_TRUE(same_point(point_of(given, answer), point_of(given, scan)));
   }
-  if (scan.outcome != Optimum::many || !is_set(scan.side)) return;
-  ASSERT_TRUE(is_set(answer.side));
-  ASSERT_EQ(is_set(answer.before), is_set(scan.before));
-  ASSERT_EQ(is_set(answer.after), is_set(scan.after));
-  if (is_set(scan.before)) {
-    ASSERT_TRUE(same_point(end_of(given, answer, true), end_of(given, scan, true)));
+  if (scan.verdict() != Optimum::many) return;
+  const auto &edge = std::get<ManyOptima>(answer.evidence), &truth = std::get<ManyOptima>(scan.evidence);
+  ASSERT_EQ(is_set(edge.before), is_set(truth.before));
+  ASSERT_EQ(is_set(edge.after), is_set(truth.after));
+  if (is_set(truth.before)) {
+    ASSERT_TRUE(same_point(end_of(given, edge, true), end_of(given, truth, true)));
   }
-  if (is_set(scan.after)) {
-    ASSERT_TRUE(same_point(end_of(given, answer, false), end_of(given, scan, false)));
+  if (is_set(truth.after)) {
+    ASSERT_TRUE(same_point(end_of(given, edge, false), end_of(given, truth, false)));
   }
-  ASSERT_EQ(tighter(given[answer.side], given[scan.side]), Sign::zero);
+  ASSERT_EQ(tighter(given[edge.side], given[truth.side]), Sign::zero);
 }
 
 // L1, L2: all methods, which must agree.
 template <class Given>
 LinearProgramAnswer optimum_by_all(const Given& given, const Objective& objective) {
   const LinearProgramAnswer scan = linear_program_by_scan(given, objective);
-  EXPECT_TRUE(check(given, objective, scan)) << name_of(scan.outcome);
+  EXPECT_TRUE(check(given, objective, scan)) << name_of(scan.verdict());
   const Region region = half_plane_intersection(given);
   const std::array answers{linear_program(given, objective), linear_program_by_seidel(given, objective),
                            linear_program_by_sampling(given, objective),
                            linear_program_by_region(given, region, objective),
                            linear_program_by_region(PreparedRegion<Given>(given, region), objective)};
   for (const LinearProgramAnswer& answer : answers) {
-    EXPECT_TRUE(check(given, objective, answer)) << name_of(answer.outcome) << " " << &answer - answers.data();
+    EXPECT_TRUE(check(given, objective, answer)) << name_of(answer.verdict()) << " " << &answer - answers.data();
     expect_same(given, answer, scan);
   }
   return scan;
@@ -75,23 +75,23 @@ LinearProgramAnswer of(const std::vector<Constraint>& given, const Objective& ob
 TEST(LinearProgramTest, EachOutcome) {
   const std::vector<Constraint> triangle{{1, 1, 4}, {-1, 0, 0}, {0, -1, 0}};
   const LinearProgramAnswer corner = of(triangle, {2, 1});
-  EXPECT_EQ(corner.outcome, Optimum::one);
+  EXPECT_EQ(corner.verdict(), Optimum::one);
   EXPECT_EQ(nearest(point_of(Constraints(triangle), corner)), (Point2{4, 0}));
-  EXPECT_EQ(of(triangle, {1, 1}).outcome, Optimum::many);
-  EXPECT_EQ(of(triangle, {0, 0}).outcome, Optimum::all);
-  EXPECT_EQ(of({{1, 1, 4}, {-1, 0, 0}}, {1, 1}).outcome, Optimum::many);
-  EXPECT_EQ(of({{1, 1, 4}}, {1, 1}).outcome, Optimum::many);
-  EXPECT_EQ(of({{1, 1, 4}}, {1, 0}).outcome, Optimum::unbounded);
-  EXPECT_EQ(of({{1, 1, 4}}, {-1, -1}).outcome, Optimum::unbounded);
-  EXPECT_EQ(of({}, {-1, -1}).outcome, Optimum::unbounded);
-  EXPECT_EQ(of({}, {0, 0}).outcome, Optimum::all);
-  EXPECT_EQ(of({{1, 1, -4}, {-1, 0, 0}, {0, -1, 0}}, {1, 1}).outcome, Optimum::infeasible);
-  EXPECT_EQ(of({{1, 1, -4}, {-1, -1, 3}}, {0, 0}).outcome, Optimum::infeasible);
+  EXPECT_EQ(of(triangle, {1, 1}).verdict(), Optimum::many);
+  EXPECT_EQ(of(triangle, {0, 0}).verdict(), Optimum::all);
+  EXPECT_EQ(of({{1, 1, 4}, {-1, 0, 0}}, {1, 1}).verdict(), Optimum::many);
+  EXPECT_EQ(of({{1, 1, 4}}, {1, 1}).verdict(), Optimum::many);
+  EXPECT_EQ(of({{1, 1, 4}}, {1, 0}).verdict(), Optimum::unbounded);
+  EXPECT_EQ(of({{1, 1, 4}}, {-1, -1}).verdict(), Optimum::unbounded);
+  EXPECT_EQ(of({}, {-1, -1}).verdict(), Optimum::unbounded);
+  EXPECT_EQ(of({}, {0, 0}).verdict(), Optimum::all);
+  EXPECT_EQ(of({{1, 1, -4}, {-1, 0, 0}, {0, -1, 0}}, {1, 1}).verdict(), Optimum::infeasible);
+  EXPECT_EQ(of({{1, 1, -4}, {-1, -1, 3}}, {0, 0}).verdict(), Optimum::infeasible);
   // An edge that is a point: a segment upright, a point with four sides.
-  EXPECT_EQ(of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {0, -1, 1}}, {0, 1}).outcome, Optimum::one);
+  EXPECT_EQ(of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 1}, {0, -1, 1}}, {0, 1}).verdict(), Optimum::one);
   const std::vector<Constraint> point{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
-  EXPECT_EQ(of(point, {0, 1}).outcome, Optimum::one);
-  EXPECT_EQ(of(point, {0, 0}).outcome, Optimum::all);  // of which there is one
+  EXPECT_EQ(of(point, {0, 1}).verdict(), Optimum::one);
+  EXPECT_EQ(of(point, {0, 0}).verdict(), Optimum::all);  // of which there is one
 }
 
 Objective objective_for(const std::vector<Constraint>& given, Random& random, int turn) {
@@ -116,13 +116,13 @@ TEST(LinearProgramTest, MethodsAgreeWithTheScan) {
   for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
     const std::vector<Constraint> given = sets.constraints();
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(sets.family())));
-    ++outcomes[optimum_by_all(Constraints(given), objective_for(given, sets.random(), i)).outcome];
+    ++outcomes[optimum_by_all(Constraints(given), objective_for(given, sets.random(), i)).verdict()];
     const std::vector<HalfPlane> arrows = sets.arrows();
     std::vector<Constraint> differences;
     for (const HalfPlane& h : arrows) differences.push_back({h.b.y - h.a.y, h.a.x - h.b.x, 0});
     const Objective objective = objective_for(differences, sets.random(), i);
     if (!std::isfinite(objective.p) || !std::isfinite(objective.q)) continue;
-    ++outcomes[optimum_by_all(HalfPlanes(arrows), objective).outcome];
+    ++outcomes[optimum_by_all(HalfPlanes(arrows), objective).verdict()];
   }
   if (count < 2000) return;
   for (const auto& [outcome, times] : outcomes)
@@ -153,7 +153,7 @@ TEST(LinearProgramTest, SamplingAgreesWithSeidelOnLargeSets) {
     expect_same(constraints, sampling, seidel);
     const Region region = half_plane_intersection(constraints);
     expect_same(constraints, linear_program_by_region(constraints, region, objective), seidel);
-    ++outcomes[seidel.outcome];
+    ++outcomes[seidel.verdict()];
   }
   if (tests::scaled_count(60) >= 60) {
     EXPECT_GE(outcomes.size(), 3u);
@@ -257,6 +257,34 @@ TEST(LinearProgramTest, SignsGrowAsNAndAsLogN) {
   }
 }
 
+// Three numbers as the evidence of an outcome, and those of evidence.
+struct Numbers {
+  std::uint32_t before = no_half_plane, side = no_half_plane, after = no_half_plane;
+  bool backward = false;
+  friend bool operator==(const Numbers&, const Numbers&) = default;
+};
+ProgramEvidence evidence_of(Optimum outcome, const Numbers& numbers) {
+  const auto [before, side, after, backward] = numbers;
+  switch (outcome) {
+    case Optimum::one: return OneOptimum{before, after, side};
+    case Optimum::many: return ManyOptima{side, before, after};
+    case Optimum::all: return AnyPoint{before, after};
+    case Optimum::unbounded: return NoBound{{before, after}, side, backward};
+    case Optimum::infeasible: break;
+  }
+  return NoPoint{before, after, side};
+}
+Numbers numbers_of(const ProgramEvidence& evidence) {
+  if (const auto* any = std::get_if<AnyPoint>(&evidence)) return {any->before, no_half_plane, any->after};
+  if (const auto* far = std::get_if<NoBound>(&evidence)) {
+    return {far->from.before, far->side, far->from.after, far->backward};
+  }
+  if (const auto* one = std::get_if<OneOptimum>(&evidence)) return {one->before, one->side, one->after};
+  if (const auto* many = std::get_if<ManyOptima>(&evidence)) return {many->before, many->side, many->after};
+  const auto& none = std::get<NoPoint>(evidence);
+  return {none.before, none.side, none.after};
+}
+
 // What check refuses: another outcome, other half-planes.
 TEST(LinearProgramTest, UntrueAnswersAreRefused) {
   HalfPlaneSets sets(20261210);
@@ -268,26 +296,27 @@ TEST(LinearProgramTest, UntrueAnswersAreRefused) {
     const LinearProgramAnswer answer = linear_program(given, objective);
     ASSERT_TRUE(check(given, objective, answer));
     for (const Optimum outcome : {Optimum::one, Optimum::many, Optimum::all, Optimum::unbounded, Optimum::infeasible}) {
-      if (outcome == answer.outcome) continue;
-      LinearProgramAnswer wrong = answer;
-      wrong.outcome = outcome;
-      EXPECT_FALSE(check(given, objective, wrong)) << name_of(answer.outcome) << " as " << name_of(outcome);
+      if (outcome == answer.verdict()) continue;
+      const LinearProgramAnswer wrong{evidence_of(outcome, numbers_of(answer.evidence))};
+      EXPECT_FALSE(check(given, objective, wrong)) << name_of(answer.verdict()) << " as " << name_of(outcome);
     }
-    LinearProgramAnswer wrong = answer;
-    wrong.before = given.size();
-    EXPECT_FALSE(check(given, objective, wrong));
-    wrong = answer;
-    wrong.backward = !wrong.backward;
-    if (answer.outcome == Optimum::unbounded && is_set(answer.side)) {
-      EXPECT_FALSE(check(given, objective, wrong));
+    const Numbers own = numbers_of(answer.evidence);
+    Numbers changes = own;
+    changes.before = given.size();
+    EXPECT_FALSE(check(given, objective, LinearProgramAnswer{evidence_of(answer.verdict(), changes)}));
+    if (answer.verdict() == Optimum::unbounded) {
+      changes = own;
+      changes.backward = !changes.backward;
+      EXPECT_FALSE(check(given, objective, LinearProgramAnswer{evidence_of(answer.verdict(), changes)}));
     }
     if (given.size() == 0) continue;
     const LinearProgramAnswer truth = linear_program_by_scan(given, objective);
-    for (std::uint32_t LinearProgramAnswer::* number :
-         {&LinearProgramAnswer::before, &LinearProgramAnswer::side, &LinearProgramAnswer::after}) {
-      wrong = answer;
-      wrong.*number =
+    for (std::uint32_t Numbers::* number : {&Numbers::before, &Numbers::side, &Numbers::after}) {
+      if (answer.verdict() == Optimum::all && number == &Numbers::side) continue;  // it has none
+      changes = own;
+      changes.*number =
           sets.random().below(4) == 0 ? no_half_plane : static_cast<std::uint32_t>(sets.random().below(given.size()));
+      const LinearProgramAnswer wrong{evidence_of(answer.verdict(), changes)};
       ++changed;
       if (!check(given, objective, wrong)) {
         ++refused;

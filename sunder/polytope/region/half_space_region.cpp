@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
@@ -47,7 +48,7 @@ class RegionSearch {
   }
 
  private:
-  LinearProgramAnswer best_along(const ExactVector& objective) {
+  ProgramEvidence best_along(const ExactVector& objective) {
     std::array<double, most_dimension> rounded{};
     std::int64_t top = 0;
     for (const Dyadic& x : objective) {
@@ -60,28 +61,31 @@ class RegionSearch {
     region_.cost.iterations += answer.cost.iterations;
     region_.cost.exact += answer.cost.exact;
     region_.cost.proposals += answer.cost.proposals;
-    return answer;
+    return std::move(answer.evidence);
   }
 
   void add_point(const Place& point) {
     if (points_.add(homogeneous(point))) region_.points.push_back(point);
   }
 
-  void add_points(const LinearProgramAnswer& answer) {
-    add_point(answer.point);
-    if (answer.outcome == Optimum::many) add_point(answer.other);
-    if (answer.outcome != Optimum::unbounded) return;
-    Place further = answer.point;
-    for (std::size_t c = 0; c < d_; ++c) further.numbers[c] = further.numbers[c] + answer.direction[c];
+  // Requires a feasible program.
+  void add_points(const ProgramEvidence& best) {
+    const Place& point = *named_point(best);
+    add_point(point);
+    if (const auto* many = std::get_if<ManyOptima>(&best)) add_point(many->other);
+    const auto* far = std::get_if<NoBound>(&best);
+    if (far == nullptr) return;
+    Place further = point;
+    for (std::size_t c = 0; c < d_; ++c) further.numbers[c] = further.numbers[c] + far->direction[c];
     add_point(further);
-    if (region_.kind != RegionKind::unbounded) region_.direction = answer.direction;
+    if (region_.kind != RegionKind::unbounded) region_.direction = far->direction;
     region_.kind = RegionKind::unbounded;
   }
 
   // Some rows hold the direction u where the points are.
-  void add_flat(const LinearProgramAnswer& first, const LinearProgramAnswer& second) {
-    add_opposite(region_.flat, first.multipliers, second.multipliers);
-    for (const Weights* const group : {&first.multipliers, &second.multipliers}) {
+  void add_flat(const Weights& first, const Weights& second) {
+    add_opposite(region_.flat, first, second);
+    for (const Weights* const group : {&first, &second}) {
       for (const Weights::Part& part : group->parts) {
         const std::span<const double> normal = body_.row(part.index).first(d_);
         across_.add(ExactVector(normal.begin(), normal.end()));
@@ -94,26 +98,24 @@ class RegionSearch {
     ExactVector up(d_), down(d_);
     up[c] = 1.0;
     down[c] = -1.0;
-    const LinearProgramAnswer greatest = best_along(up);
-    if (!greatest.feasible()) {
+    const ProgramEvidence greatest = best_along(up);
+    if (const auto* none = std::get_if<NoPoint>(&greatest)) {
       region_.kind = RegionKind::empty;
-      region_.contradiction = greatest.multipliers;
+      region_.contradiction = none->multipliers;
       return false;
     }
-    const LinearProgramAnswer least = best_along(down);
+    const ProgramEvidence least = best_along(down);
     add_points(greatest);
     add_points(least);
     HalfSpaceRegion::Extent& extent = region_.extents[c];
-    if (greatest.outcome != Optimum::unbounded) {
-      extent.greatest = nearest_ratio(greatest.point.numbers[c], greatest.point.denominator);
-    }
-    if (least.outcome != Optimum::unbounded) {
-      extent.least = nearest_ratio(least.point.numbers[c], least.point.denominator);
-    }
-    if (extent.greatest && extent.least) {
-      if (region_.kind == RegionKind::bounded) add_opposite(region_.enclosing, greatest.multipliers, least.multipliers);
-      if (greatest.point.numbers[c] * least.point.denominator == least.point.numbers[c] * greatest.point.denominator) {
-        add_flat(greatest, least);
+    const Place &highest = *named_point(greatest), &lowest = *named_point(least);
+    const Weights *const from_above = named_multipliers(greatest), *const from_below = named_multipliers(least);
+    if (from_above != nullptr) extent.greatest = nearest_ratio(highest.numbers[c], highest.denominator);
+    if (from_below != nullptr) extent.least = nearest_ratio(lowest.numbers[c], lowest.denominator);
+    if (from_above != nullptr && from_below != nullptr) {
+      if (region_.kind == RegionKind::bounded) add_opposite(region_.enclosing, *from_above, *from_below);
+      if (highest.numbers[c] * lowest.denominator == lowest.numbers[c] * highest.denominator) {
+        add_flat(*from_above, *from_below);
       }
     }
     return true;
@@ -139,12 +141,12 @@ class RegionSearch {
     for (const Integer& x : across) along.push_back(dyadic_of(x, 0));
     for (const Dyadic& x : along) back.push_back(-x);
     const std::size_t rank = points_.rank();
-    const LinearProgramAnswer greatest = best_along(along);
+    const ProgramEvidence greatest = best_along(along);
     add_points(greatest);
     if (points_.rank() > rank) return;
-    const LinearProgramAnswer least = best_along(back);
+    const ProgramEvidence least = best_along(back);
     add_points(least);
-    if (points_.rank() == rank) add_flat(greatest, least);
+    if (points_.rank() == rank) add_flat(*named_multipliers(greatest), *named_multipliers(least));
   }
 
   const Polytope& body_;

@@ -12,43 +12,60 @@
 // Source: Seidel 1991; Shamos & Hoey 1976, section V and problem VI.9, which ask for three variables.
 #pragma once
 
+#include <sunder/certificate/optimum.h>
 #include <sunder/polytope/pair/evidence.h>
 
-#include <cstdint>
 #include <span>
-#include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
 
-enum class Optimum : std::uint8_t {
-  one,         // one point is best
-  many,        // more than one
-  all,         // c = 0: each common point
-  unbounded,   // common points are as far as one likes
-  infeasible,  // no common point
-};
+// The evidence, one for each outcome (certificate/optimum.h). Numbers are exact; a point is `numbers` over its
+// denominator, which is positive; multipliers, of rows (a, b), are positive.
 
-std::string_view name_of(Optimum);  // "infeasible"
-
-// Numbers are exact; a point is `numbers` over its denominator, which is positive.
-struct [[nodiscard]] LinearProgramAnswer {
-  Optimum outcome = Optimum::infeasible;
-  // A point that is best; of `all` and `unbounded` a common one; empty where there is none.
+// The sum of the a is c, and that of the b is c . point; the normals span R^d. At most 2 d rows.
+struct OneOptimum {
+  static constexpr Optimum verdict = Optimum::one;
   ExactPointN point{};
-  // many: another one that is as good. Else empty.
-  ExactPointN other{};
-  // unbounded: a direction in which one never leaves, and gets further. Else empty.
-  std::vector<Dyadic> direction{};
-  // Positive multipliers of rows (a, b). one, many: the sum of the a is c, and that of the b is c . point; of `one` the
-  // normals span R^d. infeasible: the sum of the a is zero, and that of the b negative. Else none. `many` and
-  // `infeasible` name d and d + 1 rows at most, `one` 2 d.
   Weights multipliers{};
-  DecidedBy decided_by = DecidedBy::evidence;  // finishing: the search's basis was not the last one
-  Cost cost;  // probes: rows looked at; iterations: pivots; proposals: one; exact: signs that needed exact arithmetic
-
-  bool feasible() const { return outcome != Optimum::infeasible; }
 };
+
+// The sum of the a is c, and that of the b is c . point; another point is as good. At most d rows.
+struct ManyOptima {
+  static constexpr Optimum verdict = Optimum::many;
+  ExactPointN point{}, other{};
+  Weights multipliers{};
+};
+
+// c = 0: a common point.
+struct AnyPoint {
+  static constexpr Optimum verdict = Optimum::all;
+  ExactPointN point{};
+};
+
+// A common point, and a direction in which one never leaves, and gets further.
+struct NoBound {
+  static constexpr Optimum verdict = Optimum::unbounded;
+  ExactPointN point{};
+  std::vector<Dyadic> direction{};
+};
+
+// The sum of the a is zero, and that of the b negative. At most d + 1 rows.
+struct NoPoint {
+  static constexpr Optimum verdict = Optimum::infeasible;
+  Weights multipliers{};
+};
+
+using ProgramEvidence = std::variant<OneOptimum, ManyOptima, AnyPoint, NoBound, NoPoint>;
+
+// What the evidence has of these: a point that is best, or a common one; multipliers. Else null.
+const ExactPointN* named_point(const ProgramEvidence& evidence);
+const Weights* named_multipliers(const ProgramEvidence& evidence);
+
+// Decided by `finishing`: the search's basis was not the last one. Cost: probes: rows looked at; iterations: pivots;
+// proposals: one; exact: signs that needed exact arithmetic.
+using LinearProgramAnswer = ProgramAnswer<ProgramEvidence>;
 
 // The front door: a search in floating point by the dual simplex method, whose next row is the one that is broken most,
 // found by a scan; its basis is checked in exact numbers, and where it is not the last one, the method goes on in

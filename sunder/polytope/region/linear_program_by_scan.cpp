@@ -140,39 +140,37 @@ class Program {
   std::size_t along_ = 0;
 };
 
-// Are other points as good as the best one? Then `other`; else multipliers that say so.
-void decide_uniqueness(Rows rows, std::span<const double> objective, LinearProgramAnswer& answer) {
+// Are other points as good as the best one? Then such a one; else multipliers that say that there are none.
+ProgramEvidence decide_uniqueness(Rows rows, std::span<const double> objective, OneOptimum best, Cost& cost) {
   const std::size_t d = objective.size();
+  const ExactPointN& point = best.point;
   const auto own = static_cast<std::uint32_t>(rows.size());
   ExactVector as_good;  // objective . x >= its greatest value
-  for (const double c : objective) as_good.push_back(-(Dyadic(c) * answer.point.denominator));
-  as_good.push_back(-dot(answer.point.numbers, objective));
+  for (const double c : objective) as_good.push_back(-(Dyadic(c) * point.denominator));
+  as_good.push_back(-dot(point.numbers, objective));
   rows.push_back(std::move(as_good));
-  Weights total = answer.multipliers;
+  Weights total = best.multipliers;
   const auto add = [&](std::uint32_t row, const Dyadic& numerator) {
     const auto found = std::find_if(total.parts.begin(), total.parts.end(),
                                     [&](const Weights::Part& part) { return part.index == row; });
     Weights::Part& part = found != total.parts.end() ? *found : total.parts.emplace_back(row, Dyadic());
     part.numerator = part.numerator + numerator;
   };
-  answer.outcome = Optimum::many;
   for (std::size_t c = 0; c < d; ++c) {
     std::array<Weights, 2> sides;
     for (const std::size_t side : {0u, 1u}) {
       ExactVector along(d);
       along[c] = side == 0 ? 1.0 : -1.0;
       Program program(rows, along);
-      program.find_point(answer.cost);
-      const bool is_bounded = program.find_best(answer.cost);
-      answer.other = {program.point(), program.denominator()};
+      program.find_point(cost);
+      const bool is_bounded = program.find_best(cost);
+      ExactPointN other = is_bounded ? ExactPointN{program.point(), program.denominator()} : point;
       if (!is_bounded) {
         const ExactVector way = program.way();
-        answer.other = answer.point;
-        for (std::size_t k = 0; k < d; ++k) answer.other.numbers[k] = answer.other.numbers[k] + way[k];
-        return;
+        for (std::size_t k = 0; k < d; ++k) other.numbers[k] = other.numbers[k] + way[k];
       }
-      if (!(answer.other.numbers[c] * answer.point.denominator == answer.point.numbers[c] * answer.other.denominator)) {
-        return;
+      if (!is_bounded || !(other.numbers[c] * point.denominator == point.numbers[c] * other.denominator)) {
+        return ManyOptima{std::move(best.point), std::move(other), std::move(best.multipliers)};
       }
       sides[side] = {program.multipliers(true), program.denominator()};
     }
@@ -184,14 +182,13 @@ void decide_uniqueness(Rows rows, std::span<const double> objective, LinearProgr
         if (row < own) {
           add(row, by);
         } else {
-          total.denominator = total.denominator + by * answer.point.denominator;
+          total.denominator = total.denominator + by * point.denominator;
         }
       }
     }
   }
-  answer.outcome = Optimum::one;
-  answer.other = {};
-  answer.multipliers = std::move(total);
+  best.multipliers = std::move(total);
+  return best;
 }
 
 }  // namespace
@@ -204,24 +201,21 @@ LinearProgramAnswer linear_program_by_scan(const Polytope& half_spaces, std::spa
     rows.emplace_back(row.begin(), row.end());
   }
   const ExactVector exact(objective.begin(), objective.end());
-  LinearProgramAnswer answer;
-  answer.decided_by = DecidedBy::scan;
-  answer.cost.exact = 1;
+  LinearProgramAnswer answer{{}, DecidedBy::scan, {.exact = 1}};
   Program program(rows, exact);
   if (!program.find_point(answer.cost)) {
-    answer.multipliers = {program.multipliers(false), program.denominator()};
+    answer.evidence = NoPoint{{program.multipliers(false), program.denominator()}};
     return answer;
   }
   const bool is_bounded = program.find_best(answer.cost);
-  answer.point = {program.point(), program.denominator()};
+  ExactPointN point{program.point(), program.denominator()};
   if (std::all_of(objective.begin(), objective.end(), [](double x) { return x == 0; })) {
-    answer.outcome = Optimum::all;
+    answer.evidence = AnyPoint{std::move(point)};
   } else if (!is_bounded) {
-    answer.outcome = Optimum::unbounded;
-    answer.direction = program.way();
+    answer.evidence = NoBound{std::move(point), program.way()};
   } else {
-    answer.multipliers = {program.multipliers(true), program.denominator()};
-    decide_uniqueness(std::move(rows), objective, answer);
+    OneOptimum best{std::move(point), {program.multipliers(true), program.denominator()}};
+    answer.evidence = decide_uniqueness(std::move(rows), objective, std::move(best), answer.cost);
   }
   return answer;
 }

@@ -36,16 +36,16 @@ TEST(LinearProgram, OfCubes) {
     const Polytope body = cube(d);
     std::vector<double> objective(d, 1.0);
     LinearProgramAnswer answer = linear_program(body, objective);
-    EXPECT_EQ(answer.outcome, Optimum::one);
+    EXPECT_EQ(answer.verdict(), Optimum::one);
     EXPECT_TRUE(check(body, objective, answer));
-    EXPECT_EQ(point_of(answer.point), objective);
+    EXPECT_EQ(point_of(*named_point(answer.evidence)), objective);
     objective[0] = 0;
     answer = linear_program(body, objective);
-    EXPECT_EQ(answer.outcome, Optimum::many);
+    EXPECT_EQ(answer.verdict(), Optimum::many);
     EXPECT_TRUE(check(body, objective, answer));
     objective.assign(d, 0);
     answer = linear_program(body, objective);
-    EXPECT_EQ(answer.outcome, Optimum::all);
+    EXPECT_EQ(answer.verdict(), Optimum::all);
     EXPECT_TRUE(check(body, objective, answer));
   }
 }
@@ -59,7 +59,7 @@ TEST(LinearProgram, EachAnswerIsProved) {
     const tests::HalfSpaceSet set = sets.next();
     const LinearProgramAnswer answer = linear_program(set.half_spaces, set.objective);
     ASSERT_TRUE(check(set.half_spaces, set.objective, answer)) << tests::name_of(set.family) << ", " << k;
-    ++outcomes[static_cast<std::size_t>(answer.outcome)];
+    ++outcomes[static_cast<std::size_t>(answer.verdict())];
   }
   for (const int n : outcomes) EXPECT_GT(n, count / 100);
 }

@@ -3,18 +3,26 @@
 #include <sunder/polytope/region/rows_check_internal.h>
 
 #include <algorithm>
+#include <variant>
 
 namespace sunder::polytope {
 
-std::string_view name_of(Optimum optimum) {
-  switch (optimum) {
-    case Optimum::one: return "one";
-    case Optimum::many: return "many";
-    case Optimum::all: return "all";
-    case Optimum::unbounded: return "unbounded";
-    case Optimum::infeasible: return "infeasible";
-  }
-  return "";
+const ExactPointN* named_point(const ProgramEvidence& evidence) {
+  return std::visit(
+      [](const auto& held) -> const ExactPointN* {
+        if constexpr (requires { held.point; }) return &held.point;
+        return nullptr;
+      },
+      evidence);
+}
+
+const Weights* named_multipliers(const ProgramEvidence& evidence) {
+  return std::visit(
+      [](const auto& held) -> const Weights* {
+        if constexpr (requires { held.multipliers; }) return &held.multipliers;
+        return nullptr;
+      },
+      evidence);
 }
 
 bool keeps(const Polytope& body, const ExactPointN& point) {
@@ -58,37 +66,51 @@ bool contradicts(const Polytope& body, const Weights& multipliers) {
          std::all_of(sum->row.begin(), sum->row.end() - 1, [](const Dyadic& x) { return x.sign() == Sign::zero; });
 }
 
-bool check(const Polytope& half_spaces, std::span<const double> objective, const LinearProgramAnswer& answer) {
-  const std::size_t d = half_spaces.dimension();
-  if (!answer.feasible()) return contradicts(half_spaces, answer.multipliers);
-  if (!keeps(half_spaces, answer.point)) return false;
-  const Dyadic& w = answer.point.denominator;
-  const Dyadic value = dot(answer.point.numbers, objective);
-  switch (answer.outcome) {
-    case Optimum::all: return std::all_of(objective.begin(), objective.end(), [](double x) { return x == 0; });
-    case Optimum::unbounded:
-      return recedes(half_spaces, answer.direction) && dot(answer.direction, objective).sign() == Sign::positive;
-    case Optimum::many: {
-      if (!keeps(half_spaces, answer.other)) return false;
-      const Dyadic& v = answer.other.denominator;
-      if (!(dot(answer.other.numbers, objective) * w == value * v)) return false;
-      bool differ = false;
-      for (std::size_t c = 0; c < d; ++c) {
-        differ = differ || !(answer.other.numbers[c] * w == answer.point.numbers[c] * v);
-      }
-      if (!differ) return false;
-      break;
+namespace {
+
+struct ProgramChecker {
+  const Polytope& half_spaces;
+  std::span<const double> objective;
+
+  // Is no point better? least_rank: of the span of the normals.
+  bool is_best(const ExactPointN& point, const Weights& multipliers, std::size_t least_rank) const {
+    const std::size_t d = half_spaces.dimension();
+    if (!keeps(half_spaces, point)) return false;
+    const auto sum = sum_of(half_spaces, multipliers);
+    if (!sum || sum->rank < least_rank) return false;
+    const Dyadic& of = multipliers.denominator;
+    for (std::size_t c = 0; c < d; ++c) {
+      if (!(sum->row[c] == of * Dyadic(objective[c]))) return false;
     }
-    case Optimum::one:
-    case Optimum::infeasible: break;
+    return sum->row[d] * point.denominator == dot(point.numbers, objective) * of;
   }
-  const auto sum = sum_of(half_spaces, answer.multipliers);
-  if (!sum || (answer.outcome == Optimum::one && sum->rank < d)) return false;
-  const Dyadic& of = answer.multipliers.denominator;
-  for (std::size_t c = 0; c < d; ++c) {
-    if (!(sum->row[c] == of * Dyadic(objective[c]))) return false;
+
+  bool operator()(const OneOptimum& one) const { return is_best(one.point, one.multipliers, half_spaces.dimension()); }
+  bool operator()(const ManyOptima& many) const {
+    if (!is_best(many.point, many.multipliers, 0) || !keeps(half_spaces, many.other)) return false;
+    const Dyadic &w = many.point.denominator, &v = many.other.denominator;
+    if (!(dot(many.other.numbers, objective) * w == dot(many.point.numbers, objective) * v)) return false;
+    bool differ = false;
+    for (std::size_t c = 0; c < half_spaces.dimension(); ++c) {
+      differ = differ || !(many.other.numbers[c] * w == many.point.numbers[c] * v);
+    }
+    return differ;
   }
-  return sum->row[d] * w == value * of;
+  bool operator()(const AnyPoint& any) const {
+    return keeps(half_spaces, any.point) &&
+           std::all_of(objective.begin(), objective.end(), [](double x) { return x == 0; });
+  }
+  bool operator()(const NoBound& far) const {
+    return keeps(half_spaces, far.point) && recedes(half_spaces, far.direction) &&
+           dot(far.direction, objective).sign() == Sign::positive;
+  }
+  bool operator()(const NoPoint& none) const { return contradicts(half_spaces, none.multipliers); }
+};
+
+}  // namespace
+
+bool check(const Polytope& half_spaces, std::span<const double> objective, const LinearProgramAnswer& answer) {
+  return std::visit(ProgramChecker{half_spaces, objective}, answer.evidence);
 }
 
 }  // namespace sunder::polytope

@@ -32,13 +32,13 @@ ExactPointN moved(const Polytope& body, const ExactPointN& point, const ExactVec
 // point p are p + r, where a . r <= 0 for rows a that hold p, = 0 for those of the basis that have a weight. A row of
 // the basis that has none is left by each r that is not zero, so we maximize minus the sum of those: that is unbounded,
 // or zero, and then its multipliers, times e, and those rows themselves, times e, may be added to the weights.
-void decide_uniqueness(const Polytope& body, const std::vector<DualSimplex::BasisRow>& basis, const Dyadic& one,
-                       LinearProgramAnswer& answer) {
+ProgramEvidence decide_uniqueness(const Polytope& body, const std::vector<DualSimplex::BasisRow>& basis,
+                                  const Dyadic& one, ExactPointN point, Weights weights, Cost& cost) {
   const std::size_t d = body.dimension();
-  ExactVector at = answer.point.numbers;
-  at.push_back(-answer.point.denominator);
-  answer.cost.probes += body.size();
-  std::vector<std::uint32_t> rows = at_zero_along(body.columns(), at, answer.cost.exact);
+  ExactVector at = point.numbers;
+  at.push_back(-point.denominator);
+  cost.probes += body.size();
+  std::vector<std::uint32_t> rows = at_zero_along(body.columns(), at, cost.exact);
   std::vector<double> cone;
   const auto add = [&](std::uint32_t k, double sign) {
     const std::span<const double> row = body.row(k);
@@ -58,14 +58,12 @@ void decide_uniqueness(const Polytope& body, const std::vector<DualSimplex::Basi
   }
   const Polytope around = Polytope::from_half_spaces(d, std::move(cone));
   DualSimplex program(around, away);
-  program.solve(answer.cost);
+  program.solve(cost);
   if (program.is_unbounded()) {
-    answer.outcome = Optimum::many;
-    answer.other = moved(body, answer.point, program.way(), answer.cost);
-    return;
+    ExactPointN other = moved(body, point, program.way(), cost);
+    return ManyOptima{std::move(point), std::move(other), std::move(weights)};
   }
   // Of basis rows the weights are n / one, the multipliers m / other_one. The sum of both, times e = 1 / 2^k.
-  answer.outcome = Optimum::one;
   const Dyadic other_one = program.denominator();
   struct Sum {
     Dyadic weight, added;  // over one other_one
@@ -92,12 +90,34 @@ void decide_uniqueness(const Polytope& body, const std::vector<DualSimplex::Basi
            (sum.second.weight + sum.second.added.scaled(power)).sign() != Sign::positive;
   };
   while (std::any_of(sums.begin(), sums.end(), is_too_great)) power = power == 0 ? -1 : 2 * power;
-  answer.multipliers = {};
-  answer.multipliers.denominator = one * other_one;
+  OneOptimum best{std::move(point), {{}, one * other_one}};
   for (const auto& [row, sum] : sums) {
     Dyadic total = sum.weight + sum.added.scaled(power);
-    if (total.sign() != Sign::zero) answer.multipliers.parts.push_back({row, std::move(total)});
+    if (total.sign() != Sign::zero) best.multipliers.parts.push_back({row, std::move(total)});
   }
+  return best;
+}
+
+// Of a program that has been solved.
+ProgramEvidence evidence_of(const DualSimplex& program, const Polytope& half_spaces, std::span<const Dyadic> objective,
+                            Cost& cost) {
+  ExactPointN point = program.point();
+  const bool has_objective =
+      std::any_of(objective.begin(), objective.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
+  if (!has_objective) return AnyPoint{std::move(point)};
+  if (program.is_unbounded()) return NoBound{std::move(point), program.way()};
+  const std::vector<DualSimplex::BasisRow> rows = program.basis();
+  Weights weights{{}, program.denominator()};
+  for (const auto& [row, weight] : rows) {
+    if (weight.sign() != Sign::zero) weights.parts.push_back({row, weight});
+  }
+  if (program.is_at_box()) {
+    ExactPointN other = point;
+    for (std::size_t j = 0; j < objective.size(); ++j) other.numbers[j] = other.numbers[j] + program.way()[j];
+    return ManyOptima{std::move(point), std::move(other), std::move(weights)};
+  }
+  if (weights.parts.size() == rows.size()) return OneOptimum{std::move(point), std::move(weights)};
+  return decide_uniqueness(half_spaces, rows, program.denominator(), std::move(point), std::move(weights), cost);
 }
 
 }  // namespace
@@ -118,37 +138,10 @@ LinearProgramAnswer decide_from(const Polytope& half_spaces, std::span<const Dya
   answer.cost.proposals = 1;
   const bool is_feasible = program.solve(answer.cost);
   answer.decided_by = program.pivots() > 0 ? DecidedBy::finishing : DecidedBy::evidence;
-  if (!is_feasible) {
-    answer.multipliers = program.contradiction();
-    return answer;
-  }
-  answer.point = program.point();
-  const bool has_objective =
-      std::any_of(objective.begin(), objective.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
-  if (!has_objective) {
-    answer.outcome = Optimum::all;
-    return answer;
-  }
-  if (program.is_unbounded()) {
-    answer.outcome = Optimum::unbounded;
-    answer.direction = program.way();
-    return answer;
-  }
-  const std::vector<DualSimplex::BasisRow> rows = program.basis();
-  answer.multipliers.denominator = program.denominator();
-  for (const auto& [row, weight] : rows) {
-    if (weight.sign() != Sign::zero) answer.multipliers.parts.push_back({row, weight});
-  }
-  if (program.is_at_box()) {
-    answer.outcome = Optimum::many;
-    answer.other = answer.point;
-    for (std::size_t j = 0; j < objective.size(); ++j) {
-      answer.other.numbers[j] = answer.other.numbers[j] + program.way()[j];
-    }
-  } else if (answer.multipliers.parts.size() == rows.size()) {
-    answer.outcome = Optimum::one;
+  if (is_feasible) {
+    answer.evidence = evidence_of(program, half_spaces, objective, answer.cost);
   } else {
-    decide_uniqueness(half_spaces, rows, program.denominator(), answer);
+    answer.evidence = NoPoint{program.contradiction()};
   }
   return answer;
 }

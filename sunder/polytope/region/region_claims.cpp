@@ -1,5 +1,7 @@
 #include <sunder/polytope/region/region_claims.h>
 
+#include <variant>
+
 namespace sunder::polytope {
 
 namespace {
@@ -43,6 +45,16 @@ void add_direction(ClaimsWriter& file, const char* claim, std::span<const Dyadic
   file.end_claim();
 }
 
+void add_evidence(ClaimsWriter& file, const OneOptimum& one) { add_multipliers(file, "tops_only", one.multipliers); }
+void add_evidence(ClaimsWriter& file, const ManyOptima& many) {
+  add_multipliers(file, "tops", many.multipliers);
+  add_keeps(file, many.other);
+  file.claim("another");
+}
+void add_evidence(ClaimsWriter& file, const AnyPoint&) { file.claim("no_objective"); }
+void add_evidence(ClaimsWriter& file, const NoBound& far) { add_direction(file, "rises", far.direction); }
+void add_evidence(ClaimsWriter& file, const NoPoint& none) { add_multipliers(file, "contradicted", none.multipliers); }
+
 }  // namespace
 
 void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
@@ -77,29 +89,14 @@ void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& hal
                 std::span<const double> objective, const LinearProgramAnswer& answer) {
   begin(file, name, half_spaces, "half_spaces_program");
   file.doubles("objective", objective);
-  file.text("verdict", name_of(answer.outcome));
-  if (!answer.feasible()) {
-    file.begin_claims();
-    add_multipliers(file, "contradicted", answer.multipliers);
-    file.end_statement();
-    return;
-  }
-  const bool is_many = answer.outcome == Optimum::many;
-  file.fractions("point", answer.point.numbers, answer.point.denominator);
-  if (is_many) file.fractions("as_good", answer.other.numbers, answer.other.denominator);
+  file.text("verdict", name_of(answer.verdict()));
+  const ExactPointN* const point = named_point(answer.evidence);
+  const ManyOptima* const many = std::get_if<ManyOptima>(&answer.evidence);
+  if (point != nullptr) file.fractions("point", point->numbers, point->denominator);
+  if (many != nullptr) file.fractions("as_good", many->other.numbers, many->other.denominator);
   file.begin_claims();
-  add_keeps(file, answer.point);
-  switch (answer.outcome) {
-    case Optimum::one: add_multipliers(file, "tops_only", answer.multipliers); break;
-    case Optimum::many:
-      add_multipliers(file, "tops", answer.multipliers);
-      add_keeps(file, answer.other);
-      file.claim("another");
-      break;
-    case Optimum::all: file.claim("no_objective"); break;
-    case Optimum::unbounded: add_direction(file, "rises", answer.direction); break;
-    case Optimum::infeasible: break;
-  }
+  if (point != nullptr) add_keeps(file, *point);
+  std::visit([&](const auto& held) { add_evidence(file, held); }, answer.evidence);
   file.end_statement();
 }
 
