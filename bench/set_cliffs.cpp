@@ -132,7 +132,7 @@ Contest star_contest(std::size_t n) {
     polygons->emplace_back(Rings{{p, {p.x + size, p.y}, {p.x, p.y + size}}});
   }
   made.truths = {n};
-  made.subjects = {entry("sunder", "front door", [=] { return polygons_all(*polygons).contacts.size(); })};
+  made.subjects = {entry("sunder", "front door", [=] { return polygons_all(*polygons).found.size(); })};
   return made;
 }
 
@@ -150,7 +150,7 @@ Contest petals_contest(std::size_t n) {
   made.yardstick = sort_with_indices({ends});
   made.truths = {1};
   made.subjects = {entry("sunder", "front door", [=]() -> std::uint64_t {
-    return sunder::planar::polygon_defects(std::span(rings.get(), 1), {.most = 1}).defects.size();
+    return sunder::planar::polygon_defects(std::span(rings.get(), 1), {.most = 1}).found.size();
   })};
   return made;
 }

@@ -18,10 +18,10 @@ int main() {
   sunder::SetOptions options;
   options.groups = nets;
   const auto answer = sunder::planar::segments_all(wires, options);
-  for (const auto& [i, j, kind] : answer.contacts) {
+  for (const auto& [i, j, kind] : answer.found) {
     const auto at = sunder::planar::common_point_rounded(wires[i], wires[j]);
     std::cout << "wires " << i << " and " << j << ": " << name_of(kind) << " at " << at.x << ", " << at.y << '\n';
   }
   std::cout << certificate_text(wires, options.allowed, answer, nets);
-  return answer.contacts.size() == 2 ? 0 : 1;
+  return answer.found.size() == 2 ? 0 : 1;
 }

@@ -15,7 +15,7 @@ int main() {
   const std::vector<Ring> hourglass{{{20, 0}, {24, 4}, {24, 0}, {20, 4}}};
 
   const std::vector<Polygon> parcels{Polygon(west), Polygon(east), Polygon(north)};
-  for (const auto& c : sunder::planar::polygons_all(parcels).contacts) {
+  for (const auto& c : sunder::planar::polygons_all(parcels).found) {
     std::cout << "parcels " << c.i << " and " << c.j << ": " << name_of(c.contact) << '\n';
   }
   sunder::SetOptions options;
@@ -23,7 +23,7 @@ int main() {
   const auto overlaps = sunder::planar::polygons_count(parcels, options);
   std::cout << "pairs that overlap: " << overlaps.count.overlapping << '\n';
 
-  const auto defects = sunder::planar::polygon_defects(Polygon(hourglass)).defects;
+  const auto defects = sunder::planar::polygon_defects(Polygon(hourglass)).found;
   for (const auto& defect : defects) std::cout << "the hourglass is not valid: " << name_of(defect.kind) << '\n';
   return overlaps.count.overlapping == 1 && !defects.empty() ? 0 : 1;
 }

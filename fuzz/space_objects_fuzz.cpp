@@ -42,7 +42,7 @@ void check_bounded(const SpaceObject& object) {
   require(body.hull.dimension() <= most);
   const solid::Pose pose = object.frame ? object.frame->pose() : solid::Pose();
   const auto answer = solid::polyhedron_plane(body.hull, pose, floor_plane());
-  require(answer.side == solid::polyhedron_plane_by_scan(body.hull, pose, floor_plane()).side);
+  require(side_of(answer) == side_of(solid::polyhedron_plane_by_scan(body.hull, pose, floor_plane())));
 }
 
 void check(std::string_view text, const solid::Frame* project) {

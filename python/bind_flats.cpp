@@ -158,7 +158,7 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
           "side",
           [](const PythonPlaneAnswer& a) -> std::optional<std::string_view> {
             if (a.answer.meet()) return std::nullopt;
-            return a.answer.side == Sign::positive ? "above" : "below";
+            return side_of(a.answer) == Sign::positive ? "above" : "below";
           },
           "\"above\" or \"below\": where all of the body is; None where they meet.")
       .def_prop_ro("contact", [](const PythonPlaneAnswer& a) { return name_of(a.contact); })
@@ -191,9 +191,9 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
           "Of these points t, as fractions.Fraction: a + t (b - a), exactly.");
   nb::class_<PythonFlatAnswer, YesNo>(solid, "FlatCommon", "What two flat things have in common. True where they meet.")
       .def_prop_ro(
-          "kind", [](const PythonFlatAnswer& a) { return name_of(a.common.kind); },
+          "kind", [](const PythonFlatAnswer& a) { return name_of(a.common.evidence.kind); },
           "\"nothing\", \"point\", \"segment\", \"ray\", \"line\" or \"plane\".")
-      .def_prop_ro("contact", [](const PythonFlatAnswer& a) { return name_of(a.common.contact); })
+      .def_prop_ro("contact", [](const PythonFlatAnswer& a) { return name_of(a.common.evidence.contact); })
       .def_prop_ro("decided_by", [](const PythonFlatAnswer& a) { return name_of(a.common.decided_by); })
       .def_prop_ro(
           "point",

@@ -56,8 +56,8 @@ Defects polygon_defects(const nb::object& given, std::string_view rule_name) {
   const auto parts = std::make_shared<const std::vector<PolygonRings>>(all_rings_of("parts", given, "parts"));
   return unlocked([&] {
     planar::PolygonDefects found = planar::polygon_defects(*parts, {rule});
-    const auto text = [parts, rule, defects = found.defects] { return proof_of(*parts, rule, defects); };
-    return Defects{{found.cost, text}, std::move(found.defects)};
+    const auto text = [parts, rule, defects = found.found] { return proof_of(*parts, rule, defects); };
+    return Defects{{found.cost, text}, std::move(found.found)};
   });
 }
 
@@ -75,10 +75,10 @@ nb::list listed(const Defects& found) {
 planar::Polygon checked_polygon(const PolygonRings& rings, PolygonRule rule, const std::string& place) {
   try {
     const auto found = planar::polygon_defects(std::span(&rings, 1), {rule, 1});
-    if (found.valid()) return planar::Polygon(rings);
+    if (found.found.empty()) return planar::Polygon(rings);
     const std::string is_not = rule == PolygonRule::simple ? "it is not simple: " : "it is not valid: ";
     throw Error(ErrorCode::bad_shape,
-                is_not + std::string(name_of(found.defects.front().kind)) + "; polygon_defects tells where");
+                is_not + std::string(name_of(found.found.front().kind)) + "; polygon_defects tells where");
   } catch (const Error& error) {
     throw Error(error.code(), error.what(), place);
   }

@@ -60,7 +60,7 @@ std::string proof_of_polygons(const Asked<Polygons>& asked, const Write& write) 
 std::string proof_of(const Asked<Polygons>& asked, const planar::PolygonsAllAnswer& answer) {
   return proof_of_polygons(asked, [&](ClaimsWriter& file, const auto& of, const auto& events) {
     write_these(file, of, events, [&](const auto& take) {
-      for (const planar::PolygonsContact& c : answer.contacts) take(c);
+      for (const planar::PolygonsContact& c : answer.found) take(c);
     });
   });
 }
@@ -84,18 +84,18 @@ template <auto Method, class Set>
 auto answer_of(const std::shared_ptr<const Asked<Set>>& asked) {
   auto answer = Method(members_of(*asked->set), asked->options());
   const auto text = [asked] { return proof_of(*asked, Method(members_of(*asked->set), asked->options())); };
-  if constexpr (requires { answer.found; }) {
+  if constexpr (requires { answer.meet(); }) {
     Any result{{{answer.cost, text}, answer.meet()}, {}};
     if (answer.found) {
       result.found = {answer.found->i, answer.found->j, kind_of(*answer.found)};
       result.certificate_text = [asked, answer] { return proof_of(*asked, answer); };
     }
     return result;
-  } else if constexpr (requires { answer.contacts; }) {
-    std::sort(answer.contacts.begin(), answer.contacts.end(),
+  } else if constexpr (requires { answer.found; }) {  // all of them
+    std::sort(answer.found.begin(), answer.found.end(),
               [](const auto& a, const auto& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
     All result{{answer.cost, text}, {}, {}};
-    for (const auto& c : answer.contacts) {
+    for (const auto& c : answer.found) {
       result.pairs.push_back({c.i, c.j});
       result.kinds.push_back(kind_of(c));
     }

@@ -25,7 +25,7 @@ std::uint64_t any(const Segments& segments, Allowed allowed, bool transcript) {
 }
 
 std::uint64_t all(const Segments& segments, Allowed allowed) {
-  return sunder::planar::segments_all(segments, {allowed}).contacts.size();
+  return sunder::planar::segments_all(segments, {allowed}).found.size();
 }
 std::uint64_t count(const Segments& segments, Allowed allowed) {
   return sunder::planar::segments_count(segments, {allowed}).count;

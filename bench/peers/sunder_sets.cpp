@@ -52,7 +52,7 @@ Asked ask_discs(const SetInput& input, SetQuestion question) {
   const auto circles = circles_of(input);
   switch (question) {
     case SetQuestion::any: return [circles]() -> std::uint64_t { return discs_any(*circles).meet() ? 1 : 0; };
-    case SetQuestion::all: return [circles]() -> std::uint64_t { return discs_all(*circles).contacts.size(); };
+    case SetQuestion::all: return [circles]() -> std::uint64_t { return discs_all(*circles).found.size(); };
     case SetQuestion::count: return [circles]() -> std::uint64_t { return discs_count(*circles).count; };
     default: return {};
   }
@@ -68,7 +68,7 @@ Asked ask_polygons(const SetInput& input, SetQuestion question) {
   const auto polygons = polygons_of(input);
   switch (question) {
     case SetQuestion::any: return [polygons]() -> std::uint64_t { return polygons_any(*polygons).meet() ? 1 : 0; };
-    case SetQuestion::all: return [polygons]() -> std::uint64_t { return polygons_all(*polygons).contacts.size(); };
+    case SetQuestion::all: return [polygons]() -> std::uint64_t { return polygons_all(*polygons).found.size(); };
     default: return {};
   }
 }

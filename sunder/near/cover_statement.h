@@ -76,9 +76,9 @@ void write_count_statement(ClaimsWriter& file, const CoverQuestion<Set>& questio
 
 template <class Set>
 void write_statement(ClaimsWriter& file, const CoverQuestion<Set>& question, AllAnswer<ContactIn<Set>> answer) {
-  std::sort(answer.contacts.begin(), answer.contacts.end());
+  std::sort(answer.found.begin(), answer.found.end());
   write_list_statement(file, question,
-                       [&](const auto& take) { std::for_each(answer.contacts.begin(), answer.contacts.end(), take); });
+                       [&](const auto& take) { std::for_each(answer.found.begin(), answer.found.end(), take); });
 }
 
 template <class Set>

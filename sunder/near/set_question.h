@@ -83,7 +83,7 @@ struct [[nodiscard]] AnyAnswer {
 
 template <class Found>
 struct [[nodiscard]] AllAnswer {
-  std::vector<Found> contacts;
+  std::vector<Found> found;  // in the order that the question says
   Cost cost;
 };
 
@@ -109,7 +109,7 @@ template <class Found, class Visit>
 AllAnswer<Found> all_of(const Visit& visit) {
   AllAnswer<Found> answer;
   answer.cost = visit([&answer](const Found& contact) {
-    answer.contacts.push_back(contact);
+    answer.found.push_back(contact);
     return true;
   });
   return answer;

@@ -25,7 +25,7 @@ using planar::SegmentsContact;
 using tinyxml2::XMLElement;
 
 std::vector<SegmentsContact> contacts_of(const Segments& segments) {
-  std::vector<SegmentsContact> contacts = planar::segments_all(segments).contacts;
+  std::vector<SegmentsContact> contacts = planar::segments_all(segments).found;
   std::sort(contacts.begin(), contacts.end());
   return contacts;
 }

@@ -126,17 +126,17 @@ TEST(DiscsDifferential, ListsAgreeWithTheScan) {
     ASSERT_TRUE(listed(&planar::discs_all_by_grid) == truth) << i;
     ASSERT_TRUE(listed(&planar::discs_visit) == truth) << i;
     ASSERT_EQ(planar::discs_count(circles, options).count, truth.size());
-    ASSERT_EQ(planar::discs_all(circles, options).contacts.size(), truth.size());
+    ASSERT_EQ(planar::discs_all(circles, options).found.size(), truth.size());
     contacts += truth.size();
     if (i % 4 > 1 || set.empty()) continue;
     const SetOptions& o = options;  // proved: the list, and its length; and nothing else
     planar::DiscsAllAnswer all{truth, {}};
-    std::reverse(all.contacts.begin(), all.contacts.end());
+    std::reverse(all.found.begin(), all.found.end());
     ASSERT_TRUE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
     ASSERT_TRUE(is_accepted(certificate_text(circles, o.allowed, CountAnswer<>{truth.size(), {}}, o.groups)));
     ASSERT_FALSE(is_accepted(certificate_text(circles, o.allowed, CountAnswer<>{truth.size() + 1, {}}, o.groups)));
     if (truth.empty()) continue;
-    all.contacts.erase(all.contacts.begin() + static_cast<std::ptrdiff_t>(sets.random().below(truth.size())));
+    all.found.erase(all.found.begin() + static_cast<std::ptrdiff_t>(sets.random().below(truth.size())));
     ASSERT_FALSE(is_accepted(planar::certificate_text(circles, o.allowed, all, o.groups))) << i;
   }
   EXPECT_GT(contacts, static_cast<std::uint64_t>(count >= 5000 ? count / 2 : 0));

@@ -240,7 +240,7 @@ TEST(PolygonSetsComplexity, EachFrontDoorUnderEachRule) {
           EXPECT_EQ(found > 0, some.meet()) << what;
           count.note(n, static_cast<double>(pairs.cost.probes) / bound(edges, hidden + found), what);
           const planar::PolygonsAllAnswer list = planar::polygons_all(polygons, options);
-          EXPECT_EQ(static_cast<double>(list.contacts.size()), found) << what;
+          EXPECT_EQ(static_cast<double>(list.found.size()), found) << what;
           all.note(n, static_cast<double>(list.cost.probes) / bound(edges, hidden + found), what);
         }
       }

@@ -33,15 +33,14 @@ using Parts = std::vector<PolygonRings>;
 constexpr std::array<PolygonRule, 3> polygon_rules{PolygonRule::simple, PolygonRule::valid, PolygonRule::self_touch};
 
 bool has(const PolygonDefects& answer, Kind kind) {
-  return std::any_of(answer.defects.begin(), answer.defects.end(),
-                     [&](const PolygonDefect& d) { return d.kind == kind; });
+  return std::any_of(answer.found.begin(), answer.found.end(), [&](const PolygonDefect& d) { return d.kind == kind; });
 }
 
 // What both must name alike: of two edges all; of points the ring and the point; of holes and parts the rings.
 using Named = std::tuple<Kind, RingPlace, RingPlace, double, double>;
 std::set<Named> named(const PolygonDefects& answer) {
   std::set<Named> all;
-  for (const PolygonDefect& d : answer.defects) {
+  for (const PolygonDefect& d : answer.found) {
     const auto ring = [](RingPlace place) {
       place.edge = 0;
       return place;
@@ -64,7 +63,7 @@ std::set<Named> named(const PolygonDefects& answer) {
 
 // What is named is a place of that ring, and the point is on its edge.
 void expect_places(const PolygonDefects& answer, const Parts& parts) {
-  for (const PolygonDefect& d : answer.defects) {
+  for (const PolygonDefect& d : answer.found) {
     for (const RingPlace& place : {d.a, d.b}) {
       ASSERT_LT(place.part, parts.size());
       ASSERT_LT(place.ring, parts[place.part].size());
@@ -86,7 +85,7 @@ struct ValidRates {
 void compare_valid_on(const Parts& parts, PolygonRule rule, bool check_places, ValidRates& rates) {
   const PolygonDefects truth = planar::polygon_defects_by_scan(parts, {rule});
   const PolygonDefects answer = planar::polygon_defects(parts, {rule});
-  ASSERT_EQ(answer.valid(), truth.valid());
+  ASSERT_EQ(answer.found.empty(), truth.found.empty());
   const std::set<Named> expected = named(truth), found = named(answer);
   const auto is_of_loops = [](const Named& n) { return std::get<0>(n) >= Kind::hole_outside; };
   const bool touches_itself = has(planar::polygon_defects(parts, {PolygonRule::valid}), Kind::self_touch);
@@ -103,12 +102,12 @@ void compare_valid_on(const Parts& parts, PolygonRule rule, bool check_places, V
     ASSERT_NO_FATAL_FAILURE(expect_places(answer, parts));
   }
   const PolygonDefects first = planar::polygon_defects(parts, {rule, 1});
-  ASSERT_EQ(first.defects.size(), truth.valid() ? 0u : 1u);
-  if (!first.valid()) {
-    ASSERT_TRUE(has(answer, first.defects[0].kind));
+  ASSERT_EQ(first.found.size(), truth.found.empty() ? 0u : 1u);
+  if (!first.found.empty()) {
+    ASSERT_TRUE(has(answer, first.found[0].kind));
   }
-  rates.valid += answer.valid();
-  rates.of_several += !answer.valid() && answer.defects.front().kind != answer.defects.back().kind;
+  rates.valid += answer.found.empty();
+  rates.of_several += !answer.found.empty() && answer.found.front().kind != answer.found.back().kind;
   for (int k = 0; k <= static_cast<int>(Kind::nested_parts); ++k) {
     rates.kinds[static_cast<Kind>(k)] += has(answer, static_cast<Kind>(k));
   }
@@ -210,8 +209,8 @@ TEST(PolygonValidDifferential, SimpleIsAsPolygonSimple) {
       });
       if (!is_long) continue;
       const bool is_simple = !polygon_simple_by_scan(planar::Polygon(rings)).meet();
-      const bool only_placed = !answer.valid() && answer.defects.front().kind >= Kind::hole_outside;
-      ASSERT_EQ(answer.valid() || only_placed, is_simple) << text_of_defects(parts);
+      const bool only_placed = !answer.found.empty() && answer.found.front().kind >= Kind::hole_outside;
+      ASSERT_EQ(answer.found.empty() || only_placed, is_simple) << text_of_defects(parts);
       simple += is_simple;
     }
   }

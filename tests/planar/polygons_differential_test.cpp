@@ -117,7 +117,7 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
   for (std::size_t r = 0; r < allowed_rules.size(); ++r) {
     const SetOptions options{allowed_rules[r], groups, nullptr};
     std::vector<PolygonsContact> count_here;
-    std::copy_if(truth.contacts.begin(), truth.contacts.end(), std::back_inserter(count_here),
+    std::copy_if(truth.found.begin(), truth.found.end(), std::back_inserter(count_here),
                  [&](const PolygonsContact& c) { return counts(c, allowed_rules[r]); });
     rates.meet[r] += !count_here.empty();
     for (auto* method : {planar::polygons_any_by_boxes, planar::polygons_any_by_grid, planar::polygons_any_by_sweep}) {
@@ -137,9 +137,9 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
     ASSERT_EQ(counted.count.touching + counted.count.overlapping, count_here.size());
     for (auto* method : {planar::polygons_all_by_boxes, planar::polygons_all_by_grid, planar::polygons_all_by_sweep}) {
       const PolygonsAllAnswer all = method(polygons, options);
-      ASSERT_EQ(all.contacts.size(), count_here.size()) << "allowed " << name_of(allowed_rules[r]);
+      ASSERT_EQ(all.found.size(), count_here.size()) << "allowed " << name_of(allowed_rules[r]);
       for (std::size_t k = 0; k < count_here.size(); ++k) {
-        const PolygonsContact &c = all.contacts[k], &expected = count_here[k];
+        const PolygonsContact &c = all.found[k], &expected = count_here[k];
         ASSERT_NO_FATAL_FAILURE(expect_shown(c, polygons));
         ASSERT_EQ(c.i, expected.i);
         ASSERT_EQ(c.j, expected.j);
@@ -158,15 +158,15 @@ void compare_on(const std::vector<Polygon>& polygons, Groups groups, PolygonRate
     rates.proofs += answer.meet() ? 0 : 1;
   }
   std::vector<PolygonsContact> listed;
-  std::copy_if(truth.contacts.begin(), truth.contacts.end(), std::back_inserter(listed),
+  std::copy_if(truth.found.begin(), truth.found.end(), std::back_inserter(listed),
                [&](const PolygonsContact& c) { return counts(c, options.allowed); });
   ASSERT_NO_FATAL_FAILURE(expect_list_certified(listed, polygons, options));
   for (std::uint32_t i = 0; i < polygons.size(); ++i) {
     for (std::uint32_t j = i + 1; j < polygons.size() && groups.empty(); ++j) {
       const PolygonsContact pair = planar::polygons_contact(polygons[i], polygons[j]).found.value_or(PolygonsContact());
       const auto same_pair = [&](const PolygonsContact& c) { return c.i == i && c.j == j; };
-      const auto at = std::find_if(truth.contacts.begin(), truth.contacts.end(), same_pair);
-      const Relation expected = at == truth.contacts.end() ? Relation::none : at->contact;
+      const auto at = std::find_if(truth.found.begin(), truth.found.end(), same_pair);
+      const Relation expected = at == truth.found.end() ? Relation::none : at->contact;
       ASSERT_EQ(pair.contact, expected) << i << " " << j;
       if (pair.contact == Relation::touching) {
         ASSERT_EQ(pair.kind, at->kind);
@@ -282,7 +282,7 @@ class Notched {
   static bool is_fit(const Rings& rings) {
     const planar::PolygonDefects answer =
         planar::polygon_defects(std::span(&rings, 1), {planar::PolygonRule::self_touch});
-    return std::none_of(answer.defects.begin(), answer.defects.end(),
+    return std::none_of(answer.found.begin(), answer.found.end(),
                         [](const planar::PolygonDefect& d) { return d.kind < planar::PolygonDefectKind::self_touch; });
   }
 

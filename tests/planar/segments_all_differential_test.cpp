@@ -64,14 +64,14 @@ TEST(SegmentsAllDifferential, MethodsAgreeWithTheScan) {
         ASSERT_EQ(listed(*method, segments, options), truth)
             << i << " " << name_of(set.family) << " allowed " << name_of(allowed) << (grouped ? " groups" : "");
       }
-      ASSERT_EQ(planar::segments_all(segments, options).contacts.size(), truth.size());
+      ASSERT_EQ(planar::segments_all(segments, options).found.size(), truth.size());
       ASSERT_EQ(planar::segments_count(segments, options).count, truth.size());
       if (i % 4 == 0) {  // proved: the list, and its length
         planar::SweepEvents events;
         const planar::SegmentsAllAnswer told = all_of<SegmentsContact>([&](const planar::SegmentsVisitor& visit) {
           return planar::segments_visit_with_transcript(segments, options, visit, events);
         });
-        ASSERT_EQ(told.contacts.size(), truth.size()) << i;
+        ASSERT_EQ(told.found.size(), truth.size()) << i;
         ASSERT_EQ(events, planar::sweep_events(segments)) << i;
         ASSERT_TRUE(is_accepted_certificate(planar::certificate_text(segments, allowed, told, options.groups))) << i;
         const CountAnswer<> counted = planar::segments_count(segments, options);

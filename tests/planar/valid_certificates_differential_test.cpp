@@ -42,11 +42,11 @@ void prove(const Parts& parts, PolygonRule rule, CertificateRates& rates) {
   const planar::PolygonDefects answer = planar::polygon_defects(parts, {rule});
   std::size_t statements = 0;  // at most
   planar::ValidClaims claims(file, parts, 0, rule);
-  if (answer.valid()) {
+  if (answer.found.empty()) {
     claims.write_valid();
     ++statements;
   }
-  for (const PolygonDefect& defect : answer.defects) {
+  for (const PolygonDefect& defect : answer.found) {
     const bool is_proved = claims.write_defect(defect);
     statements += is_proved ? 1 : 0;
     rates.unproved += is_proved ? 0 : 1;
@@ -76,13 +76,13 @@ TEST(ValidCertificates, ManyDefectsInOnePointAreFewStatements) {
     }
     const Parts parts{{flower}};
     const planar::PolygonDefects answer = planar::polygon_defects(parts, {rule});
-    EXPECT_GE(answer.defects.size(), petals - 1);
+    EXPECT_GE(answer.found.size(), petals - 1);
     const std::string text = claims_text({}, [&](ClaimsWriter& file) {
       file.begin_table("polygons");
       planar::write_parts(file, parts);
       file.end_table();
       planar::ValidClaims claims(file, parts, 0, rule);
-      for (const PolygonDefect& defect : answer.defects) EXPECT_TRUE(claims.write_defect(defect));
+      for (const PolygonDefect& defect : answer.found) EXPECT_TRUE(claims.write_defect(defect));
     });
     const auto result = sunder_verifier::verify_text(text, "certificate");
     ASSERT_EQ(result.statements.size(), 1u) << result.error;

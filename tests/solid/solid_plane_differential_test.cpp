@@ -100,17 +100,18 @@ void expect_evidence(const PolyhedronPlane& answer, const ConvexPolyhedron& body
   const auto side = [&](std::uint32_t v) {
     return side_of_plane(plane.normal, plane.point, plane.offset, posed(body.vertices()[v], pose.affine()));
   };
-  if (answer.meet()) {
-    ASSERT_NE(side(answer.below), Sign::positive);
-    ASSERT_NE(side(answer.above), Sign::negative);
+  if (const auto* across = std::get_if<solid::AcrossPlane>(&answer.evidence)) {
+    ASSERT_NE(side(across->below), Sign::positive);
+    ASSERT_NE(side(across->above), Sign::negative);
     return;
   }
-  ASSERT_EQ(side(answer.nearest), answer.side);
+  const solid::BesidePlane& beside = std::get<solid::BesidePlane>(answer.evidence);
+  ASSERT_EQ(side(beside.nearest), beside.side);
   const WorldDirection normal(plane.normal);
   for (const Point3& v : body.vertices()) {
     const Sign further =
-        compare_along(normal, posed(body.vertices()[answer.nearest], pose.affine()), posed(v, pose.affine()));
-    ASSERT_NE(further, -answer.side);
+        compare_along(normal, posed(body.vertices()[beside.nearest], pose.affine()), posed(v, pose.affine()));
+    ASSERT_NE(further, -beside.side);
   }
 }
 
@@ -143,7 +144,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
       const PolyhedronPlane drums = polyhedron_plane_by_drums(c.a, pose, plane);
       const PolyhedronPlane others = polyhedron_plane_by_drums(c.a, listed, pose, plane);
       for (const PolyhedronPlane* answer : {&scan, &front, &drums, &others}) {
-        ASSERT_EQ(answer->side, scan.side);
+        ASSERT_EQ(side_of(*answer), side_of(scan));
         expect_evidence(*answer, c.a, pose, plane);
         if (HasFatalFailure()) return;
       }
@@ -152,7 +153,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
       for (PlaneTally* t : {&of_planes[family], &of_bodies[c.family]}) {
         ++t->cases;
         t->meets += scan.meet();
-        t->above += scan.side == Sign::positive;
+        t->above += side_of(scan) == Sign::positive;
         t->touches += contact == Relation::touching;
         t->by_front += front.decided_by == DecidedBy::finishing;
         t->by_drums += (drums.decided_by == DecidedBy::finishing) + (others.decided_by == DecidedBy::finishing);

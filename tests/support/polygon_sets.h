@@ -239,7 +239,7 @@ class PolygonSets {
     const planar::ValidOptions options{one_in(3) ? planar::PolygonRule::self_touch : planar::PolygonRule::valid};
     while (set.size() < count) {
       const std::vector<Rings> parts = nasty_.next(static_cast<NastyFamily>(random_.below(nasty_family_count)));
-      if (!planar::polygon_defects(parts, options).valid()) continue;
+      if (!planar::polygon_defects(parts, options).found.empty()) continue;
       const double x = at(3), y = one_in(4) ? 8 : at(3);
       for (const Rings& rings : parts) {
         set.emplace_back();

@@ -29,7 +29,7 @@ class FlatPair : public PairQuestion {
     common_ = method_(of_a_.flat, of_b_.flat);
     take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
                                                           : "signs, with the help of exact arithmetic");
-    contact_ = common_.contact;
+    contact_ = common_.evidence.contact;
     facts_ = {{"common", common_json(), common_text()}};
     part_ = solid::common_part(of_a_.flat, of_b_.flat, common_);
     if (meet_ && !part_) not_proved_.emplace_back("the common part");
@@ -47,14 +47,14 @@ class FlatPair : public PairQuestion {
   Point3 point() const { return nearest(common_point(of_a_.flat, of_b_.flat, common_)); }
 
   Json common_json() const {
-    Json json{{"kind", name_of(common_.kind)}};
+    Json json{{"kind", name_of(common_.evidence.kind)}};
     if (meet_) json["point"] = to_json(point());
     return json;
   }
   std::string common_text() const {
     if (!meet_) return "nothing";
-    if (common_.kind == solid::FlatKind::point) return "one point, about " + about(point());
-    return fmt::format("a {} through about {}", name_of(common_.kind), about(point()));
+    if (common_.evidence.kind == solid::FlatKind::point) return "one point, about " + about(point());
+    return fmt::format("a {} through about {}", name_of(common_.evidence.kind), about(point()));
   }
 
   FlatMethod* method_;

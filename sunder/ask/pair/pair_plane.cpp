@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <variant>
 
 namespace sunder::ask {
 
@@ -60,8 +61,8 @@ class PlanePair : public PairQuestion {
   const char* other_letter() const { return body_is_a_ ? "B" : "A"; }
 
   // Of the nearest vertex, rounded.
-  double distance() const {
-    const Posed3 vertex{body_.mesh.hull.vertices()[answer_.nearest], &body_.pose.affine(), false};
+  double distance(std::uint32_t nearest) const {
+    const Posed3 vertex{body_.mesh.hull.vertices()[nearest], &body_.pose.affine(), false};
     const auto [x, y, z] = coordinates<Dyadic>(vertex);
     const Dyadic height = solid::height(plane_, {x, y, z, 1.0});
     const solid::Exact3 n = coordinates<Dyadic>(plane_.normal);
@@ -70,23 +71,26 @@ class PlanePair : public PairQuestion {
   Point3 point() const { return nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_)); }
 
   Json evidence_json() const {
-    if (meet_) return {{"point", to_json(point())}, {"below", answer_.below}, {"above", answer_.above}};
-    return {{"side", answer_.side == Sign::positive ? "above" : "below"},
-            {"nearest", answer_.nearest},
-            {"gap_about", distance()}};
+    if (const auto* across = std::get_if<solid::AcrossPlane>(&answer_.evidence)) {
+      return {{"point", to_json(point())}, {"below", across->below}, {"above", across->above}};
+    }
+    const auto& [side, nearest] = std::get<solid::BesidePlane>(answer_.evidence);
+    return {
+        {"side", side == Sign::positive ? "above" : "below"}, {"nearest", nearest}, {"gap_about", distance(nearest)}};
   }
   std::string evidence_text() const {
-    if (!meet_) {
+    if (const auto* beside = std::get_if<solid::BesidePlane>(&answer_.evidence)) {
       return fmt::format("all of {0} is {1} {2}; vertex {3} of {0} is nearest to it, about {4} away", letter(),
-                         answer_.side == Sign::positive ? "above" : "below", other_letter(), answer_.nearest,
-                         about(distance()));
+                         beside->side == Sign::positive ? "above" : "below", other_letter(), beside->nearest,
+                         about(distance(beside->nearest)));
     }
-    if (answer_.below == answer_.above) {
-      return fmt::format("a common point at about {}, vertex {} of {}", about(point()), answer_.below, letter());
+    const auto& [below, above] = std::get<solid::AcrossPlane>(answer_.evidence);
+    if (below == above) {
+      return fmt::format("a common point at about {}, vertex {} of {}", about(point()), below, letter());
     }
     return fmt::format(
         "a common point at about {}, between vertex {} of {}, not above {},\nand vertex {}, not below it",
-        about(point()), answer_.below, letter(), other_letter(), answer_.above);
+        about(point()), below, letter(), other_letter(), above);
   }
 
   PlaneMethod* method_;

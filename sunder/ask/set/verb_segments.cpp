@@ -470,9 +470,9 @@ class SegmentsSet {
           return planar::segments_visit_with_transcript(sheet.segments, options, visit, events);
         });
       });
-      std::sort(answer.contacts.begin(), answer.contacts.end());
+      std::sort(answer.found.begin(), answer.found.end());
       result.cost.probes += answer.cost.probes;
-      for (const SegmentsContact& c : answer.contacts) {
+      for (const SegmentsContact& c : answer.found) {
         result.add(c);
         all.push_back(in_file(sheet, c));
       }

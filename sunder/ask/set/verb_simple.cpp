@@ -143,14 +143,14 @@ class ValidQuestion {
     if (!call_.svg.empty()) ask::require_drawable(file().segments.size(), "segment", defects_, call_.svg_limit);
   }
 
-  planar::DefectCount visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
+  CountAnswer<> visit_by_method(std::span<const PolygonRings> parts, const PolygonDefectVisitor& visit) const {
     planar::ValidOptions options{call_.rule()};
     if (call_.method == "automatic" && call_.lists()) return visit_polygon_defects(parts, options, visit);
     if (!call_.lists()) options.most = 1;
     const planar::PolygonDefects answer =
         call_.method == "scan" ? polygon_defects_by_scan(parts, options) : polygon_defects(parts, options);
-    static_cast<void>(std::all_of(answer.defects.begin(), answer.defects.end(), visit));
-    return {answer.defects.size(), answer.cost};
+    static_cast<void>(std::all_of(answer.found.begin(), answer.found.end(), visit));
+    return {answer.found.size(), answer.cost};
   }
 
   void ask() {
@@ -212,7 +212,7 @@ class ValidQuestion {
         if (result.held) {
           static_cast<void>(std::all_of(result.held->begin(), result.held->end(), visit));
         } else {
-          visit_by_method(parts.rings, visit);
+          static_cast<void>(visit_by_method(parts.rings, visit));
         }
       });
     }

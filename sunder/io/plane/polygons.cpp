@@ -34,8 +34,8 @@ std::string edges_text(const PolygonDefect& d) {
 // What is wrong with the parts of a feature, in words, where something is.
 std::optional<std::string> defect_of(std::span<const PolygonRings> parts, planar::PolygonRule rule) {
   const planar::PolygonDefects answer = planar::polygon_defects(parts, {rule, 1});
-  if (answer.valid()) return std::nullopt;
-  return text_of(answer.defects.front(), parts.size() > 1);
+  if (answer.found.empty()) return std::nullopt;
+  return text_of(answer.found.front(), parts.size() > 1);
 }
 
 class Reader {

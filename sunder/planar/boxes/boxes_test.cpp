@@ -62,7 +62,7 @@ TEST(Boxes, AsByScan) {
     }
     const Boxes boxes(some);
     const SetOptions options{k % 2 == 0 ? Allowed::nothing : Allowed::touch, k % 3 == 0 ? Groups(groups) : Groups()};
-    std::vector<ContactOfTwo<DiscContact>> all = contacts_all(boxes, options).contacts, truth;
+    std::vector<ContactOfTwo<DiscContact>> all = contacts_all(boxes, options).found, truth;
     contacts_visit_by_scan(boxes, options, [&](const auto& contact) {
       truth.push_back(contact);
       return true;

@@ -35,7 +35,7 @@ DiscKinds disc_kinds_of(const std::vector<Disc>& given, Allowed allowed = Allowe
     });
     if (m == 0) first = contacts;
     EXPECT_TRUE(contacts == first) << m;
-    EXPECT_EQ(discs_all(circles, options).contacts.size(), first.size());
+    EXPECT_EQ(discs_all(circles, options).found.size(), first.size());
     EXPECT_EQ(discs_count(circles, options).count, first.size());
   }
   DiscKinds kinds;

@@ -224,7 +224,7 @@ Combination inner_combination(const ConvexPolygon& polygon, const Pose& pose, co
 }
 
 CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const ConvexPolygon& b, const Pose& pose_b) {
-  const std::vector<CommonCorner> corners = polygon_polygon_intersection(a, pose_a, b, pose_b).corners;
+  const std::vector<CommonCorner> corners = polygon_polygon_intersection(a, pose_a, b, pose_b).found;
   // Of four corners and more, two that are not neighbours have the inside between them.
   const std::size_t n = corners.size(), few = n > 3 ? 2 : n;
   std::vector<ExactPoint2> chosen;

@@ -97,7 +97,7 @@ void explain(const Sequence& p, const typename Sequence::Vertex& x, const Locate
   }
 }
 
-// The tangents from x, outside p, as positions: .left and .right as in Tangents.
+// The tangents from x, outside p, as positions: .left and .right as in TangentVertices.
 template <class Sequence>
 Extremes find_tangents(const Sequence& p, const typename Sequence::Vertex& x, const Located& found, Cost& cost,
                        StageTally& tally) {
@@ -178,17 +178,16 @@ PolygonPoint polygon_point_by_scan(const ConvexPolygon& polygon, const Pose& pos
 Tangents tangents(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
   return ask<Tangents>(polygon, pose, point, [](const auto& p, const auto& x, Tangents& a, StageTally& tally) {
     const Located found = locate(p, x, a.cost, tally);
-    a.place = found.place;
-    if (found.place != Place::outside) return;
+    if (found.place != Place::outside) return void(a.evidence = NoTangents{found.place});
     const Extremes e = find_tangents(p, x, found, a.cost, tally);
-    a.vertices = TangentVertices{p.number(e.left), p.number(e.right)};
+    a.evidence = TangentVertices{p.number(e.left), p.number(e.right)};
   });
 }
 
 Tangents tangents_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
   return ask<Tangents>(polygon, pose, point, [](const auto& p, const auto& x, Tangents& a, StageTally& tally) {
-    a.place = locate_by_scan(p, x, a.cost, tally).place;
-    if (a.place != Place::outside) return;
+    const Place place = locate_by_scan(p, x, a.cost, tally).place;
+    if (place != Place::outside) return void(a.evidence = NoTangents{place});
     Extremes best;
     for (std::uint32_t k = 1; k < p.size(); ++k) {
       ++a.cost.probes;
@@ -200,7 +199,7 @@ Tangents tangents_by_scan(const ConvexPolygon& polygon, const Pose& pose, const 
       if (beats(best.left, Sign::positive)) best.left = k;
       if (beats(best.right, Sign::negative)) best.right = k;
     }
-    a.vertices = TangentVertices{p.number(best.left), p.number(best.right)};
+    a.evidence = TangentVertices{p.number(best.left), p.number(best.right)};
   });
 }
 

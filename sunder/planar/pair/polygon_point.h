@@ -15,8 +15,8 @@
 #include <sunder/planar/object/pose.h>
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
+#include <variant>
 
 namespace sunder::planar {
 
@@ -51,16 +51,19 @@ PolygonPoint polygon_point_by_scan(const ConvexPolygon& polygon, const Pose& pos
 // The vertices in which the lines through a point outside touch the polygon: seen from the point, no vertex is further
 // to the left than `left`, none further to the right than `right`. Of two in line with the point, the nearer one.
 struct TangentVertices {
+  static constexpr Verdict verdict = Verdict::apart;
   std::uint32_t left = 0, right = 0;
   friend bool operator==(const TangentVertices&, const TangentVertices&) = default;
 };
 
-struct [[nodiscard]] Tangents {
-  Place place = Place::outside;             // of the point
-  std::optional<TangentVertices> vertices;  // from outside only
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
+// The point is not outside: there are no tangents.
+struct NoTangents {
+  static constexpr Verdict verdict = Verdict::meet;
+  Place place = Place::inside;
+  friend bool operator==(const NoTangents&, const NoTangents&) = default;
 };
+
+using Tangents = Answer<std::variant<TangentVertices, NoTangents>>;
 
 // Cost: at most 4 log2 n + 6 probes, one sign each. (A search each for an edge that has the point beyond it, for the
 // vertex furthest from this edge, at which there is an edge that does not, and for the ends of the run between.)

@@ -90,7 +90,7 @@ class Cutter {
                                                                      : CommonCorner::Kind::vertex_of_a;
       }
     }
-    out_.corners.push_back(corner);
+    out_.found.push_back(corner);
   }
   void add_vertex_of_p(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_a, p_.number(position(p_, k)), 0); }
   void add_vertex_of_q(std::uint32_t k) { push(CommonCorner::Kind::vertex_of_b, 0, q_.number(position(q_, k))); }

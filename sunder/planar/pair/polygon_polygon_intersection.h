@@ -11,7 +11,7 @@
 // of the larger one.
 #pragma once
 
-#include <sunder/base/cost.h>
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 #include <sunder/predicate/line/crossing.h>
@@ -32,10 +32,7 @@ struct CommonCorner {
   friend bool operator==(const CommonCorner&, const CommonCorner&) = default;
 };
 
-struct [[nodiscard]] CommonPart {
-  std::vector<CommonCorner> corners;
-  Cost cost;
-};
+using CommonPart = AllAnswer<CommonCorner>;
 
 // The front door: the corners by name, none where the polygons are apart. Vertices and edges are numbered as in the
 // polygons; the order of the corners is that of the world, also where a pose reflects.

@@ -105,14 +105,14 @@ TEST(PolygonPolygonCommonPartTest, AgreesWithClippingInFractions) {
     const CommonPart part = polygon_polygon_intersection(c.a, c.pose_a, c.b, c.pose_b);
     const CommonPart other = polygon_polygon_intersection(c.b, c.pose_b, c.a, c.pose_a);
     std::vector<At> found;
-    for (const CommonCorner& corner : part.corners) {
+    for (const CommonCorner& corner : part.found) {
       const ExactPoint2 p = exact_corner(corner, c.a, c.pose_a, c.b, c.pose_b);
       found.push_back({exact(p.x) / exact(p.denominator), exact(p.y) / exact(p.denominator)});
       ++kinds[corner.kind];
     }
     const std::vector<At> expected = oracle(c);
     ASSERT_EQ(found.size(), expected.size()) << i << " " << name_of(c.family);
-    ASSERT_EQ(other.corners.size(), expected.size()) << i << " " << name_of(c.family);
+    ASSERT_EQ(other.found.size(), expected.size()) << i << " " << name_of(c.family);
     ++sizes[std::min<std::size_t>(found.size(), 4)];
     if (found.empty()) continue;
     const auto start = std::find(found.begin(), found.end(), expected.front());
@@ -132,7 +132,7 @@ TEST(PolygonPolygonCommonPartTest, ThinOnes) {
   const auto polygon = [](std::vector<Point2> v) { return ConvexPolygon::from_vertices(std::move(v)); };
   const ConvexPolygon square = polygon({{0, 0}, {4, 0}, {4, 4}, {0, 4}});
   const auto part = [&](const ConvexPolygon& b) {
-    return polygon_polygon_intersection(square, Pose(), b, Pose()).corners;
+    return polygon_polygon_intersection(square, Pose(), b, Pose()).found;
   };
   using Kind = CommonCorner::Kind;
   EXPECT_EQ(part(polygon({{1, 1}})), (std::vector<CommonCorner>{{Kind::vertex_of_b, 0, 0}}));
@@ -149,8 +149,8 @@ TEST(PolygonPolygonCommonPartTest, Large) {
   for (std::uint32_t n = 1u << 6; n <= 1u << 14; n *= 16) {
     const ConvexPolygon a = tests::regular_polygon(n), b = tests::regular_polygon(n, 1, 3.14159 / n);
     const CommonPart part = polygon_polygon_intersection(a, Pose(), b, Pose());
-    EXPECT_GT(part.corners.size(), 3 * n / 2) << n;
-    EXPECT_LE(part.corners.size(), 2 * n) << n;
+    EXPECT_GT(part.found.size(), 3 * n / 2) << n;
+    EXPECT_LE(part.found.size(), 2 * n) << n;
     EXPECT_LE(static_cast<double>(part.cost.probes), n * (3 * std::log2(n) + 8)) << n;
   }
 }

@@ -50,7 +50,7 @@ TEST(PolygonContactsInOrder, AnyNumberThatIsHeldGivesTheSameList) {
   for (const Allowed allowed : {Allowed::nothing, Allowed::shared_endpoint, Allowed::touch}) {
     for (const Groups of : {Groups(), Groups(groups)}) {
       const SetOptions options{allowed, of, nullptr};
-      const std::vector<PolygonsContact> expected = polygons_all_by_scan(squares, options).contacts;
+      const std::vector<PolygonsContact> expected = polygons_all_by_scan(squares, options).found;
       ASSERT_GT(expected.size(), std::size_t{3} * size);
       for (PolygonsFinder* find : {find_contacts_by_boxes, find_contacts_by_grid, find_contacts_by_sweep}) {
         for (const std::size_t most : {std::size_t{2} * size, std::size_t{3} * size, expected.size()}) {
@@ -89,7 +89,7 @@ TEST(PolygonContactsInOrder, WhereBoxesGiveUp) {
   for (int k = 0; k < 60; ++k) set.push_back(square_at(0, 0, 1 + k % 7));
   PolygonContactsInOrder contacts(set, {}, find_contacts_by_boxes, 2 * set.size());
   EXPECT_EQ(contacts.overlapping(), 60u * 59 / 2);
-  expect_same(all_of(contacts), polygons_all_by_sweep(set).contacts);
+  expect_same(all_of(contacts), polygons_all_by_sweep(set).found);
 }
 
 TEST(PolygonContactsInOrder, OfNothing) {

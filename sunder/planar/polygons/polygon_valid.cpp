@@ -37,7 +37,7 @@ class Check {
     look_for_short_rings();
     edges_ = Segments(rings_.edges());
     if (!is_simple_ring()) look_at_several();
-    std::vector<PolygonDefect>& defects = answer_.defects;
+    std::vector<PolygonDefect>& defects = answer_.found;
     if (full()) {
       const auto enough = defects.begin() + static_cast<std::ptrdiff_t>(options_.most);
       std::partial_sort(defects.begin(), enough, defects.end(), is_before);
@@ -48,21 +48,21 @@ class Check {
     return std::move(answer_);
   }
 
-  DefectCount visit(const PolygonDefectVisitor& visit) {
+  CountAnswer<> visit(const PolygonDefectVisitor& visit) {
     is_visited_ = true;
     const PolygonDefects others = run();
-    auto next = others.defects.begin();
+    auto next = others.found.begin();
     bool goes_on = true;
     const auto hand_over = [&](const PolygonDefect& d) {
-      for (; goes_on && next != others.defects.end() && is_before(*next, d); ++next) goes_on = visit(*next);
+      for (; goes_on && next != others.found.end() && is_before(*next, d); ++next) goes_on = visit(*next);
       return goes_on = goes_on && visit(d);
     };
     for (const Kind kind : {Kind::crossing, Kind::overlap}) {
       if (!contacts_ || !goes_on) break;
       contacts_->visit([&](const SegmentsContact& c) { return kind_of(c) != kind || hand_over(defect_of(c)); });
     }
-    for (; goes_on && next != others.defects.end(); ++next) goes_on = visit(*next);
-    return {others.defects.size() + (contacts_ ? contacts_->count() : 0), others.cost};
+    for (; goes_on && next != others.found.end(); ++next) goes_on = visit(*next);
+    return {others.found.size() + (contacts_ ? contacts_->count() : 0), others.cost};
   }
 
  private:
@@ -72,7 +72,7 @@ class Check {
     return std::tie(c.kind, c.a, c.b, p.x, p.y, q.x, q.y) < std::tie(d.kind, d.a, d.b, r.x, r.y, s.x, s.y);
   }
 
-  bool full() const { return answer_.defects.size() >= options_.most; }
+  bool full() const { return answer_.found.size() >= options_.most; }
 
   static RingPlace place_of(const RingSet& rings, std::uint32_t edge) {
     const RingSet::Ring& ring = rings.rings()[rings.ring_of(edge)];
@@ -80,7 +80,7 @@ class Check {
   }
   RingPlace place_of(std::uint32_t edge) const { return place_of(rings_, edge); }
   void add(Kind kind, const RingPlace& a, const RingPlace& b, const Segment& place) {
-    answer_.defects.push_back({kind, a, b, place});
+    answer_.found.push_back({kind, a, b, place});
   }
   void add(Kind kind, const RingWay& v, const RingWay& w, const Point2& at) {
     add(kind, place_of(v.edge), place_of(w.edge), {at, at});
@@ -169,11 +169,11 @@ class Check {
     if (is_visited_) {
       keep_contacts();
     } else if (options_.most == 1) {
-      answer_.defects.push_back(defect_of(*any.found));
+      answer_.found.push_back(defect_of(*any.found));
       return true;
     } else {
       answer_.cost.probes += segments_visit(edges_, {Allowed::touch}, [&](const SegmentsContact& c) {
-                               answer_.defects.push_back(defect_of(c));
+                               answer_.found.push_back(defect_of(c));
                                leave_out(rings_.ring_of(c.i), rings_.ring_of(c.j));
                                return !full();
                              }).probes;
@@ -211,7 +211,7 @@ class Check {
   // Around a point two passes cross iff their ways alternate: where one is left that was entered before others that
   // have not been left yet, it crosses these.
   bool look_for_crossings_in_points() {
-    const std::size_t before = answer_.defects.size();
+    const std::size_t before = answer_.found.size();
     std::vector<RingWay> open;
     std::vector<bool> is_open(std::size_t{2} * rings_.size());  // of each pass
     for (const RingPoint& point : points_.points) {
@@ -231,7 +231,7 @@ class Check {
         open.erase(open.begin() + static_cast<std::ptrdiff_t>(at));
       }
     }
-    return answer_.defects.size() > before;
+    return answer_.found.size() > before;
   }
   // The edge that begins at the vertex of a pass, or passes through it.
   std::uint32_t edge_of(const RingWay& way) const {
@@ -444,8 +444,8 @@ PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidO
   return Check(rings_of(parts), options).run();
 }
 
-DefectCount visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
-                                  const PolygonDefectVisitor& visit) {
+CountAnswer<> visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
+                                    const PolygonDefectVisitor& visit) {
   const ValidOptions all{options.rule};
   return Check(rings_of(parts), all).visit(visit);
 }

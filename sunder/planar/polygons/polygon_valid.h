@@ -23,6 +23,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/base/error.h>
+#include <sunder/near/set_question.h>
 #include <sunder/planar/object/polygon.h>
 
 #include <cstddef>
@@ -83,12 +84,8 @@ struct PolygonDefect {
   Segment place;  // a and b are equal but for an overlap
 };
 
-struct [[nodiscard]] PolygonDefects {
-  std::vector<PolygonDefect> defects;
-  Cost cost;  // probes: comparisons of the sweep, pairs of edges, and ways around points
-
-  bool valid() const { return defects.empty(); }
-};
+// Valid where there are none. Probes: comparisons of the sweep, pairs of edges, and ways around points.
+using PolygonDefects = AllAnswer<PolygonDefect>;
 
 struct ValidOptions {
   PolygonRule rule = PolygonRule::valid;
@@ -106,17 +103,12 @@ PolygonDefects polygon_defects(std::span<const PolygonRings> parts, const ValidO
 PolygonDefects polygon_defects(std::span<const Polygon> parts, const ValidOptions& options = {});
 PolygonDefects polygon_defects(const Polygon& polygon, const ValidOptions& options = {});
 
-struct DefectCount {
-  std::uint64_t count = 0;  // of all defects, also of those that were not visited
-  Cost cost;
-};
-
 // The same defects one by one, in the same order, until the visitor returns false; `most` is not looked at. Of those
 // that are two edges, no more are held than ContactsInOrder holds, 2^20 or 16 n: more are found again, block by block.
-// Those at vertices are held. What is not visited is counted, and where it is is not computed.
+// Those at vertices are held. What is not visited is counted, too, and where it is is not computed.
 using PolygonDefectVisitor = std::function<bool(const PolygonDefect&)>;
-DefectCount visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
-                                  const PolygonDefectVisitor& visit);
+CountAnswer<> visit_polygon_defects(std::span<const PolygonRings> parts, const ValidOptions& options,
+                                    const PolygonDefectVisitor& visit);
 
 // Every two edges, every two rings, and of the interior all sides of all pieces of edges: the oracle. It shares no code
 // with the others. O(n^3) time.

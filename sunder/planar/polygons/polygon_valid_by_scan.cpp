@@ -416,14 +416,14 @@ bool are_small_and_whole(const PolygonRings& rings) {
 PolygonDefects polygon_defects_by_scan(std::span<const PolygonRings> parts, const ValidOptions& options) {
   const bool small = std::all_of(parts.begin(), parts.end(), are_small_and_whole);
   PolygonDefects answer;
-  answer.defects =
+  answer.found =
       small ? RingScan<std::int64_t>(parts, options.rule).run() : RingScan<Dyadic>(parts, options.rule).run();
-  std::sort(answer.defects.begin(), answer.defects.end(), [](const PolygonDefect& c, const PolygonDefect& d) {
+  std::sort(answer.found.begin(), answer.found.end(), [](const PolygonDefect& c, const PolygonDefect& d) {
     const auto& [p, q] = c.place;
     const auto& [r, s] = d.place;
     return std::tie(c.kind, c.a, c.b, p.x, p.y, q.x, q.y) < std::tie(d.kind, d.a, d.b, r.x, r.y, s.x, s.y);
   });
-  if (answer.defects.size() > options.most) answer.defects.resize(options.most);
+  if (answer.found.size() > options.most) answer.found.resize(options.most);
   return answer;
 }
 

@@ -32,21 +32,22 @@ bool are_same(const PolygonDefect& c, const PolygonDefect& d) {
 void expect_visited(const Parts& parts, PolygonRule rule, const std::vector<PolygonDefect>& defects) {
   for (const std::size_t enough : {defects.size() + 1, defects.size() / 2 + 1}) {
     std::size_t next = 0;
-    visit_polygon_defects(parts, {rule}, [&](const PolygonDefect& d) {
+    const CountAnswer<> all = visit_polygon_defects(parts, {rule}, [&](const PolygonDefect& d) {
       EXPECT_LT(next, std::min(enough, defects.size()));
       EXPECT_TRUE(next < defects.size() && are_same(d, defects[next])) << next;
       return ++next < enough;
     });
     EXPECT_EQ(next, std::min(enough, defects.size()));
+    EXPECT_EQ(all.count, defects.size());
   }
 }
 
 std::vector<Kind> kinds(const Parts& parts, PolygonRule rule = PolygonRule::valid) {
   std::vector<Kind> all, of_scan;
-  const std::vector<PolygonDefect> defects = polygon_defects(parts, {rule}).defects;
+  const std::vector<PolygonDefect> defects = polygon_defects(parts, {rule}).found;
   expect_visited(parts, rule, defects);
   for (const PolygonDefect& d : defects) all.push_back(d.kind);
-  for (const PolygonDefect& d : polygon_defects_by_scan(parts, {rule}).defects) of_scan.push_back(d.kind);
+  for (const PolygonDefect& d : polygon_defects_by_scan(parts, {rule}).found) of_scan.push_back(d.kind);
   EXPECT_EQ(all, of_scan);
   return all;
 }
@@ -120,12 +121,12 @@ TEST(PolygonValidTest, RingsThatTouchThemselvesTwice) {
                 rule),
             DefectKinds{Kind::disconnected});
   const Ring pinched{{0, 4}, {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 6}, {6, 6}, {8, 4}, {6, 2}, {4, 0}, {2, 2}};
-  EXPECT_EQ(polygon_defects(Parts{{pinched}}, {rule}).defects.size(), 2u);  // and once more
+  EXPECT_EQ(polygon_defects(Parts{{pinched}}, {rule}).found.size(), 2u);  // and once more
   // Comes twice to one edge, which goes to the left; two pieces of the interior are cut off.
   const Ring twice{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {1, 4}, {2, 8}, {3, 4}, {5, 8}, {5, 2}, {1, 2}};
   const PolygonDefects answer = polygon_defects(Parts{{twice}}, {rule});
-  ASSERT_EQ(answer.defects.size(), 2u);
-  for (const PolygonDefect& d : answer.defects) {
+  ASSERT_EQ(answer.found.size(), 2u);
+  for (const PolygonDefect& d : answer.found) {
     EXPECT_EQ(d.kind, Kind::disconnected);
     EXPECT_EQ(d.place.a.y, 8);
   }
@@ -177,19 +178,19 @@ TEST(PolygonValidTest, SeveralOfOnePolygonInTheirPlaces) {
                            {{9, 1}, {9, 1}, {10, 1}, {10, 2}, {9, 1}},  // outside
                            {{7, 7}, {7.5, 7}, {7, 7}, {7, 7}}};
   const PolygonDefects answer = polygon_defects(Parts{rings});
-  ASSERT_EQ(answer.defects.size(), 3u);
-  EXPECT_EQ(answer.defects[0].kind, Kind::too_few_points);
-  EXPECT_EQ(answer.defects[0].a, (RingPlace{0, 4, 0}));
-  EXPECT_EQ(answer.defects[1].kind, Kind::crossing);
-  EXPECT_EQ(answer.defects[1].a, (RingPlace{0, 2, 0}));
-  EXPECT_EQ(answer.defects[1].b, (RingPlace{0, 2, 2}));
-  EXPECT_EQ(answer.defects[1].place, (Segment{{5, 5}, {5, 5}}));
-  EXPECT_EQ(answer.defects[2].kind, Kind::hole_outside);
-  EXPECT_EQ(answer.defects[2].a, (RingPlace{0, 3, 1}));  // the last of equal vertices
-  EXPECT_EQ(polygon_defects(Parts{rings}, {PolygonRule::valid, 2}).defects.size(), 2u);
+  ASSERT_EQ(answer.found.size(), 3u);
+  EXPECT_EQ(answer.found[0].kind, Kind::too_few_points);
+  EXPECT_EQ(answer.found[0].a, (RingPlace{0, 4, 0}));
+  EXPECT_EQ(answer.found[1].kind, Kind::crossing);
+  EXPECT_EQ(answer.found[1].a, (RingPlace{0, 2, 0}));
+  EXPECT_EQ(answer.found[1].b, (RingPlace{0, 2, 2}));
+  EXPECT_EQ(answer.found[1].place, (Segment{{5, 5}, {5, 5}}));
+  EXPECT_EQ(answer.found[2].kind, Kind::hole_outside);
+  EXPECT_EQ(answer.found[2].a, (RingPlace{0, 3, 1}));  // the last of equal vertices
+  EXPECT_EQ(polygon_defects(Parts{rings}, {PolygonRule::valid, 2}).found.size(), 2u);
   // As an object the same.
   const PolygonRings two{large_square, box_ring(9, 1, 10, 2)};
-  EXPECT_EQ(polygon_defects(Polygon(two)).defects[0].kind, Kind::hole_outside);
+  EXPECT_EQ(polygon_defects(Polygon(two)).found[0].kind, Kind::hole_outside);
 }
 
 TEST(PolygonValidTest, BadCoordinates) {
@@ -224,8 +225,8 @@ TEST(PolygonValidTest, WorkGrowsAsNLogN) {
     }
     const double edges = 3 * static_cast<double>(n), bound = 3 * edges * std::log2(edges);
     const PolygonDefects of_pie = polygon_defects(pie), of_shore = polygon_defects(Parts{shore});
-    EXPECT_TRUE(of_pie.valid());
-    EXPECT_TRUE(of_shore.valid());
+    EXPECT_TRUE(of_pie.found.empty());
+    EXPECT_TRUE(of_shore.found.empty());
     EXPECT_LT(static_cast<double>(of_pie.cost.probes), bound);
     EXPECT_LT(static_cast<double>(of_shore.cost.probes), bound);
   }
@@ -237,10 +238,10 @@ TEST(PolygonValidTest, OneOfVeryManyCrossingsInVertices) {
     Parts parts;
     for (int k = 0; k < n; ++k) parts.push_back({{{0, 1}, {1.0 * k, 0}, {0, -1}, {1.0 * (n + k), 0}}});
     const PolygonDefects answer = polygon_defects(parts, {PolygonRule::valid, 1});
-    ASSERT_EQ(answer.defects.size(), 1u);
-    EXPECT_EQ(answer.defects[0].kind, Kind::crossing);
+    ASSERT_EQ(answer.found.size(), 1u);
+    EXPECT_EQ(answer.found[0].kind, Kind::crossing);
     if (n == 30) {
-      EXPECT_EQ(polygon_defects(parts).defects.size(), 30u * 29u);
+      EXPECT_EQ(polygon_defects(parts).found.size(), 30u * 29u);
     }
   }
 }
@@ -264,8 +265,8 @@ TEST(PolygonValidTest, TouchesItselfManyTimesInOnePoint) {
       EXPECT_LE(static_cast<double>(touches.cost.probes), 3 * n * std::log2(n));
       EXPECT_GE(touches.cost.probes, 4 * std::uint64_t{petals});
       const std::size_t parted = ring == flower ? petals - 1 : 0;
-      EXPECT_EQ(holes.defects.size(), parted);
-      EXPECT_EQ(touches.defects.size(), ring == flower ? 2 * parted : petals);
+      EXPECT_EQ(holes.found.size(), parted);
+      EXPECT_EQ(touches.found.size(), ring == flower ? 2 * parted : petals);
     }
   }
 }
@@ -284,13 +285,14 @@ TEST(PolygonValidTest, VisitedWhereMoreThanMayBeHeld) {
   constexpr std::uint32_t half = 1100;  // 1.2 million crossings
   std::uint64_t count = 0;
   PolygonDefect last;
-  visit_polygon_defects(comb(half), {}, [&](const PolygonDefect& d) {
+  const CountAnswer<> all = visit_polygon_defects(comb(half), {}, [&](const PolygonDefect& d) {
     const bool is_next = count == 0 || std::tie(last.a, last.b) < std::tie(d.a, d.b);
     EXPECT_TRUE(is_next && d.kind == Kind::crossing);
     last = d;
     return ++count > 0 && is_next;
   });
   EXPECT_EQ(count, std::uint64_t{half} * half);
+  EXPECT_EQ(all.count, count);
 }
 
 TEST(PolygonValidTest, VisitedOfAllKinds) {

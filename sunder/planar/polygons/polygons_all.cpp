@@ -156,16 +156,16 @@ PolygonsCountAnswer polygons_count(std::span<const Polygon> polygons, const SetO
 PolygonsAllAnswer polygons_all_by_boxes(std::span<const Polygon> polygons, const SetOptions& options) {
   check_groups(options.groups, polygons.size());
   PolygonsAllAnswer answer;
-  answer.contacts.reserve(std::min<std::size_t>(polygons.size(), 1024));
+  answer.found.reserve(std::min<std::size_t>(polygons.size(), 1024));
   const auto add = [&](const PolygonsContact& c) {
-    if (counts(c, options.allowed)) answer.contacts.push_back(c);
+    if (counts(c, options.allowed)) answer.found.push_back(c);
     return true;
   };
   Cost cost;
   if (for_each_meeting_pair(polygons, options, cost, add)) {
     const std::uint32_t count = static_cast<std::uint32_t>(polygons.size());
-    answer.contacts = in_order_of(&PolygonsContact::j, std::move(answer.contacts), count);
-    answer.contacts = in_order_of(&PolygonsContact::i, std::move(answer.contacts), count);
+    answer.found = in_order_of(&PolygonsContact::j, std::move(answer.found), count);
+    answer.found = in_order_of(&PolygonsContact::i, std::move(answer.found), count);
   } else {
     answer = polygons_all_by_sweep(polygons, options);
   }

@@ -185,13 +185,13 @@ TEST(PolygonsAny, BoxesWithinBoxes) {
   }
   for (std::vector<Polygon>* set : {&spirals, &slivers}) {
     EXPECT_FALSE(polygons_any_by_boxes(*set).meet());
-    EXPECT_TRUE(polygons_all_by_boxes(*set).contacts.empty());
+    EXPECT_TRUE(polygons_all_by_boxes(*set).found.empty());
     const Point2 first = set->back().vertices()[0], second = set->back().vertices()[1];
     set->emplace_back(Rings{{first, second, {first.x, second.y}}});
     const PolygonsAnswer answer = polygons_any_by_boxes(*set);
     EXPECT_TRUE(answer.meet());
     EXPECT_EQ(answer.found->j + 1, set->size());
-    EXPECT_EQ(polygons_all_by_boxes(*set).contacts.size(), polygons_all_by_sweep(*set).contacts.size());
+    EXPECT_EQ(polygons_all_by_boxes(*set).found.size(), polygons_all_by_sweep(*set).found.size());
   }
 }
 
@@ -208,8 +208,8 @@ TEST(PolygonsAny, ManyInAHole) {
   EXPECT_LE(in_hole.cost.probes, 60u * 40000);
   set.emplace_back(Rings{star(random, {110, 0}, 5, 0.001)});
   const PolygonsAllAnswer all = polygons_all_by_boxes(set);
-  ASSERT_EQ(all.contacts.size(), 1u);
-  EXPECT_EQ(all.contacts[0].kind, ContactKind::none);
+  ASSERT_EQ(all.found.size(), 1u);
+  EXPECT_EQ(all.found[0].kind, ContactKind::none);
   EXPECT_LE(all.cost.probes, 60u * 40000);
 }
 
@@ -234,21 +234,21 @@ TEST(PolygonsAny, MethodsAgreeOnLargerSets) {
     const PolygonsAllAnswer all = polygons_all_by_grid(set);
     for (auto* method : {polygons_all_by_boxes, polygons_all_by_sweep}) {
       const PolygonsAllAnswer other = method(set, {});
-      ASSERT_EQ(all.contacts.size(), other.contacts.size()) << k;
-      for (std::size_t c = 0; c < all.contacts.size(); ++c) {
-        ASSERT_EQ(all.contacts[c].i, other.contacts[c].i);
-        ASSERT_EQ(all.contacts[c].j, other.contacts[c].j);
-        ASSERT_EQ(all.contacts[c].contact, other.contacts[c].contact);
+      ASSERT_EQ(all.found.size(), other.found.size()) << k;
+      for (std::size_t c = 0; c < all.found.size(); ++c) {
+        ASSERT_EQ(all.found[c].i, other.found[c].i);
+        ASSERT_EQ(all.found[c].j, other.found[c].j);
+        ASSERT_EQ(all.found[c].contact, other.found[c].contact);
       }
     }
-    for (const PolygonsContact& c : all.contacts) insides += c.kind == ContactKind::none;
-    (all.contacts.empty() ? none : some)++;
+    for (const PolygonsContact& c : all.found) insides += c.kind == ContactKind::none;
+    (all.found.empty() ? none : some)++;
     for (const Allowed allowed : {Allowed::nothing, Allowed::touch}) {
       for (auto* method : {polygons_any_by_boxes, polygons_any_by_grid, polygons_any_by_sweep}) {
         const PolygonsAnswer answer = method(set, {allowed, {}, nullptr});
-        ASSERT_EQ(answer.meet(), !all.contacts.empty()) << k;
+        ASSERT_EQ(answer.meet(), !all.found.empty()) << k;
         const auto is_it = [&](const PolygonsContact& c) { return c.i == answer.found->i && c.j == answer.found->j; };
-        ASSERT_TRUE(!answer.meet() || std::any_of(all.contacts.begin(), all.contacts.end(), is_it)) << k;
+        ASSERT_TRUE(!answer.meet() || std::any_of(all.found.begin(), all.found.end(), is_it)) << k;
       }
     }
   }

@@ -196,7 +196,7 @@ PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const 
       if (!pair.meet() || !counts(*pair.found, options.allowed)) continue;
       pair.found->i = i;
       pair.found->j = j;
-      answer.contacts.push_back(*pair.found);
+      answer.found.push_back(*pair.found);
     }
   }
   return answer;
@@ -204,7 +204,7 @@ PolygonsAllAnswer polygons_all_by_scan(std::span<const Polygon> polygons, const 
 
 Cost find_contacts_by_scan(std::span<const Polygon> polygons, const SetOptions& options, LowestContacts& found) {
   const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
-  for (const PolygonsContact& c : all.contacts) found.add(c);
+  for (const PolygonsContact& c : all.found) found.add(c);
   return all.cost;
 }
 
@@ -213,7 +213,7 @@ PolygonsAnswer polygons_any_by_scan(std::span<const Polygon> polygons, const Set
   PolygonsAnswer answer;
   const PolygonsAllAnswer all = polygons_all_by_scan(polygons, options);
   answer.cost = all.cost;
-  if (!all.contacts.empty()) answer.found = all.contacts.front();
+  if (!all.found.empty()) answer.found = all.found.front();
   return answer;
 }
 

@@ -26,7 +26,7 @@ Discs some_circles(std::uint32_t count, double radius, std::uint64_t seed) {
 }
 
 std::vector<SegmentsContact> all_in_order(const Segments& segments) {
-  std::vector<SegmentsContact> contacts = segments_all(segments).contacts;
+  std::vector<SegmentsContact> contacts = segments_all(segments).found;
   std::sort(contacts.begin(), contacts.end());
   return contacts;
 }

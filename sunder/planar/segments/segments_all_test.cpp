@@ -40,7 +40,7 @@ SegmentKinds segment_kinds_of(const std::vector<Segment>& given, const SetOption
     });
     if (m == 0) first = kinds;
     EXPECT_EQ(kinds, first) << m;
-    EXPECT_EQ(segments_all(segments, options).contacts.size(), pairs.size());
+    EXPECT_EQ(segments_all(segments, options).found.size(), pairs.size());
     EXPECT_EQ(segments_count(segments, options).count, pairs.size());
   }
   return first;

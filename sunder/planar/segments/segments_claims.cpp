@@ -27,7 +27,7 @@ void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allow
                      const SweepEvents& events, Groups groups) {
   begin_set_statement(file, "segments", segments, allowed, groups, "these");
   write_contacts<SegmentsContact>(
-      file, [&](const auto& take) { std::for_each(answer.contacts.begin(), answer.contacts.end(), take); });
+      file, [&](const auto& take) { std::for_each(answer.found.begin(), answer.found.end(), take); });
   write_sweep(file, "these_count", events);
   file.end_statement();
 }

@@ -35,8 +35,8 @@ template <class Answer>
 std::string certificate_text(const Segments& segments, Allowed allowed, Answer answer, Groups groups = {},
                              const Origin& origin = {}) {
   bool needs_events = true;
-  if constexpr (requires { answer.found; }) needs_events = !answer.meet();
-  if constexpr (requires { answer.contacts; }) std::sort(answer.contacts.begin(), answer.contacts.end());
+  if constexpr (requires { answer.meet(); }) needs_events = !answer.meet();
+  if constexpr (requires { answer.found.begin(); }) std::sort(answer.found.begin(), answer.found.end());
   const SweepEvents events = needs_events ? *sweep_events(segments) : SweepEvents();
   return claims_text(origin,
                      [&](ClaimsWriter& file) { write_statement(file, segments, allowed, answer, events, groups); });

@@ -178,7 +178,7 @@ FlatCommon flat_flat(const Flat& a, const Flat& b) {
 ExactPoint3 common_point(const Flat& a, const Flat& b, const FlatCommon& common) {
   SUNDER_REQUIRE(common.meet());
   const Plane *plane_a = plane_of(a), *plane_b = plane_of(b);
-  if (plane_a != nullptr && plane_b != nullptr) return of_planes(*plane_a, *plane_b, common.kind);
+  if (plane_a != nullptr && plane_b != nullptr) return of_planes(*plane_a, *plane_b, common.evidence.kind);
   if (plane_a != nullptr) return of_plane(*plane_a, linear_of(b));
   if (plane_b != nullptr) return of_plane(*plane_b, linear_of(a));
   const Linear p = linear_of(a), q = linear_of(b);
@@ -186,7 +186,7 @@ ExactPoint3 common_point(const Flat& a, const Flat& b, const FlatCommon& common)
 }
 
 std::array<Dyadic, 3> parting(const Flat& a, const Flat& b, const FlatCommon& common) {
-  SUNDER_REQUIRE(common.contact != Relation::overlapping);
+  SUNDER_REQUIRE(common.evidence.contact != Relation::overlapping);
   const Plane *plane_a = plane_of(a), *plane_b = plane_of(b);
   if (plane_a != nullptr && plane_b != nullptr) return array_of(parting_planes(*plane_a, *plane_b));
   if (plane_a != nullptr) return array_of(from_plane(*plane_a, linear_of(b)));
@@ -196,9 +196,9 @@ std::array<Dyadic, 3> parting(const Flat& a, const Flat& b, const FlatCommon& co
 }
 
 std::optional<FlatPart> common_part(const Flat& a, const Flat& b, const FlatCommon& common) {
-  if (common.kind != FlatKind::point && common.kind != FlatKind::segment) return std::nullopt;
+  if (common.evidence.kind != FlatKind::point && common.evidence.kind != FlatKind::segment) return std::nullopt;
   const Plane *plane_a = plane_of(a), *plane_b = plane_of(b);
-  const bool is_point = common.kind == FlatKind::point;
+  const bool is_point = common.evidence.kind == FlatKind::point;
   if (plane_a != nullptr || plane_b != nullptr) {
     const Linear linear = linear_of(plane_a != nullptr ? b : a);
     if (linear.is_point()) return std::nullopt;
@@ -233,7 +233,7 @@ void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b,
                 const Flat& b, const FlatBody& body_b, const FlatCommon& common, bool tells_contact) {
   if (!common.meet()) return pairs.add_apart(index_a, index_b, parting(a, b, common));
   const ExactPoint3 x = common_point(a, b, common);
-  const bool is_inside = tells_contact && common.contact == Relation::overlapping;
+  const bool is_inside = tells_contact && common.evidence.contact == Relation::overlapping;
   const CommonPoint point{x, combination_of(a, body_a, x, is_inside), combination_of(b, body_b, x, is_inside)};
   if (!tells_contact) return pairs.add_meet(index_a, index_b, point);
   if (is_inside) return pairs.add_overlapping(index_a, index_b, point);

@@ -24,37 +24,39 @@ constexpr std::array kind_names{"point", "segment", "ray", "line", "plane"};
 
 TEST(FlatFlat, KnownKinds) {
   const Line x = Line::through({0, 0, 0}, {1, 0, 0}), y = Line::through({0, -5, 0}, {0, 5, 0});
-  EXPECT_EQ(line_line(x, y).kind, FlatKind::point);
-  EXPECT_EQ(line_line(x, x).kind, FlatKind::line);
-  EXPECT_EQ(line_line(x, Line::through({0, 0, 1}, {1, 0, 1})).kind, FlatKind::nothing);
-  EXPECT_EQ(line_line(x, Line::through({0, 0, 5e-324}, {0, 1, 5e-324})).kind, FlatKind::nothing);
-  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {4, 0, 0})).kind, FlatKind::ray);
-  EXPECT_EQ(line_ray(x, Ray::from({3, 1, 0}, {3, 2, 0})).kind, FlatKind::nothing);
-  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {3, 2, 0})).contact, Relation::touching);
-  EXPECT_EQ(line_segment(x, Segment::between({3, -1, 0}, {3, 2, 0})).contact, Relation::overlapping);
-  EXPECT_EQ(line_segment(x, Segment::between({3, 0, 0}, {9, 0, 0})).kind, FlatKind::segment);
+  EXPECT_EQ(line_line(x, y).evidence.kind, FlatKind::point);
+  EXPECT_EQ(line_line(x, x).evidence.kind, FlatKind::line);
+  EXPECT_EQ(line_line(x, Line::through({0, 0, 1}, {1, 0, 1})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(line_line(x, Line::through({0, 0, 5e-324}, {0, 1, 5e-324})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {4, 0, 0})).evidence.kind, FlatKind::ray);
+  EXPECT_EQ(line_ray(x, Ray::from({3, 1, 0}, {3, 2, 0})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(line_ray(x, Ray::from({3, 0, 0}, {3, 2, 0})).evidence.contact, Relation::touching);
+  EXPECT_EQ(line_segment(x, Segment::between({3, -1, 0}, {3, 2, 0})).evidence.contact, Relation::overlapping);
+  EXPECT_EQ(line_segment(x, Segment::between({3, 0, 0}, {9, 0, 0})).evidence.kind, FlatKind::segment);
   const Ray right = Ray::from({0, 0, 0}, {1, 0, 0}), left = Ray::from({0, 0, 0}, {-1, 0, 0});
-  EXPECT_EQ(ray_ray(right, left).kind, FlatKind::point);
-  EXPECT_EQ(ray_ray(right, left).contact, Relation::touching);
-  EXPECT_EQ(ray_ray(right, Ray::from({5, 0, 0}, {4, 0, 0})).kind, FlatKind::segment);
-  EXPECT_EQ(ray_ray(right, Ray::from({-5, 0, 0}, {-6, 0, 0})).kind, FlatKind::nothing);
-  EXPECT_EQ(ray_segment(right, Segment::between({-1, 0, 0}, {2, 0, 0})).kind, FlatKind::segment);
-  EXPECT_EQ(segment_segment(Segment::between({0, 0, 0}, {1, 1, 1}), Segment::between({1, 0, 0}, {0, 1, 1})).contact,
-            Relation::overlapping);
-  EXPECT_EQ(line_point(x, {7, 0, 0}).contact, Relation::overlapping);
-  EXPECT_EQ(ray_point(right, {0, 0, 0}).contact, Relation::touching);
-  EXPECT_EQ(ray_point(right, {-1, 0, 0}).kind, FlatKind::nothing);
-  EXPECT_EQ(segment_point(Segment::between({1, 2, 3}, {1, 2, 3}), {1, 2, 3}).contact, Relation::overlapping);
+  EXPECT_EQ(ray_ray(right, left).evidence.kind, FlatKind::point);
+  EXPECT_EQ(ray_ray(right, left).evidence.contact, Relation::touching);
+  EXPECT_EQ(ray_ray(right, Ray::from({5, 0, 0}, {4, 0, 0})).evidence.kind, FlatKind::segment);
+  EXPECT_EQ(ray_ray(right, Ray::from({-5, 0, 0}, {-6, 0, 0})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(ray_segment(right, Segment::between({-1, 0, 0}, {2, 0, 0})).evidence.kind, FlatKind::segment);
+  EXPECT_EQ(
+      segment_segment(Segment::between({0, 0, 0}, {1, 1, 1}), Segment::between({1, 0, 0}, {0, 1, 1})).evidence.contact,
+      Relation::overlapping);
+  EXPECT_EQ(line_point(x, {7, 0, 0}).evidence.contact, Relation::overlapping);
+  EXPECT_EQ(ray_point(right, {0, 0, 0}).evidence.contact, Relation::touching);
+  EXPECT_EQ(ray_point(right, {-1, 0, 0}).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(segment_point(Segment::between({1, 2, 3}, {1, 2, 3}), {1, 2, 3}).evidence.contact, Relation::overlapping);
   const Plane floor = Plane::at({0, 0, 2}, 1);
-  EXPECT_EQ(plane_line(floor, x).kind, FlatKind::nothing);
-  EXPECT_EQ(plane_ray(floor, Ray::from({0, 0, 1}, {0, 0, 2})).kind, FlatKind::nothing);
-  EXPECT_EQ(plane_ray(floor, Ray::from({0, 0, 1}, {0, 0, 0.75})).kind, FlatKind::point);
-  EXPECT_EQ(plane_segment(floor, Segment::between({0, 0, 1}, {0, 0, 0.75})).kind, FlatKind::nothing);
-  EXPECT_EQ(plane_segment(floor, Segment::between({0, 0, 0.5}, {3, 0, 0.5})).kind, FlatKind::segment);
-  EXPECT_EQ(plane_point(floor, {1e300, 0, 0.5}).kind, FlatKind::point);
-  EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, 0.5}, {0, 0, -3})).kind, FlatKind::plane);
-  EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, std::nextafter(0.5, 1)}, {0, 0, -3})).kind, FlatKind::nothing);
-  EXPECT_EQ(plane_plane(floor, Plane::at({0, 5e-324, 2}, 1)).kind, FlatKind::line);
+  EXPECT_EQ(plane_line(floor, x).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(plane_ray(floor, Ray::from({0, 0, 1}, {0, 0, 2})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(plane_ray(floor, Ray::from({0, 0, 1}, {0, 0, 0.75})).evidence.kind, FlatKind::point);
+  EXPECT_EQ(plane_segment(floor, Segment::between({0, 0, 1}, {0, 0, 0.75})).evidence.kind, FlatKind::nothing);
+  EXPECT_EQ(plane_segment(floor, Segment::between({0, 0, 0.5}, {3, 0, 0.5})).evidence.kind, FlatKind::segment);
+  EXPECT_EQ(plane_point(floor, {1e300, 0, 0.5}).evidence.kind, FlatKind::point);
+  EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, 0.5}, {0, 0, -3})).evidence.kind, FlatKind::plane);
+  EXPECT_EQ(plane_plane(floor, Plane::through({1, 1, std::nextafter(0.5, 1)}, {0, 0, -3})).evidence.kind,
+            FlatKind::nothing);
+  EXPECT_EQ(plane_plane(floor, Plane::at({0, 5e-324, 2}, 1)).evidence.kind, FlatKind::line);
   EXPECT_EQ(plane_plane(floor, floor).decided_by, DecidedBy::evidence);  // levels are compared exactly
   EXPECT_EQ(plane_plane(floor, Plane::at({1, 0, 0}, 1)).decided_by, DecidedBy::filter);
 }
@@ -108,25 +110,27 @@ TEST(FlatFlat, Random) {
     const std::size_t i_a = random.below(5), i_b = random.below(5);
     const Flat a = any(i_a), b = any(i_b);
     const FlatCommon common = flat_flat(a, b), swapped = flat_flat(b, a);
-    ASSERT_EQ(common.kind, swapped.kind);
-    ASSERT_EQ(common.contact, swapped.contact);
-    ASSERT_EQ(common.meet(), common.kind != FlatKind::nothing);
+    ASSERT_EQ(common.evidence.kind, swapped.evidence.kind);
+    ASSERT_EQ(common.evidence.contact, swapped.evidence.contact);
+    ASSERT_EQ(common.meet(), common.evidence.kind != FlatKind::nothing);
     ASSERT_LE(common.cost.probes, 13u);
     const bool tells = random.below(2) == 0;
     const std::string text = flat_certificate(a, b, common, tells);
     const auto verified = sunder_verifier::verify_text(text, "certificate");
     ASSERT_TRUE(verified.accepted()) << text;
-    const std::string verdict = !common.meet() ? "apart" : tells ? std::string(name_of(common.contact)) : "meet";
+    const std::string verdict = !common.meet() ? "apart"
+                                : tells        ? std::string(name_of(common.evidence.contact))
+                                               : "meet";
     ASSERT_EQ(verified.statements[0].verdict, verdict);
-    const bool is_short = common.kind == FlatKind::point || common.kind == FlatKind::segment;
+    const bool is_short = common.evidence.kind == FlatKind::point || common.evidence.kind == FlatKind::segment;
     const bool has_part = is_short && (is_on_line(a) || is_on_line(b));  // it is proved what they have in common, too
     ASSERT_EQ(verified.statements.size(), has_part ? 2u : 1u) << text;
     ASSERT_TRUE(!has_part || verified.statements[1].verdict == "between");
-    if (common.contact == Relation::touching) {
-      ASSERT_EQ(common.kind, FlatKind::point);
+    if (common.evidence.contact == Relation::touching) {
+      ASSERT_EQ(common.evidence.kind, FlatKind::point);
     }
     ++tally[std::string(kind_names[std::min(i_a, i_b)]) + " " + kind_names[std::max(i_a, i_b)] + " " + verdict];
-    ++kinds[common.kind];
+    ++kinds[common.evidence.kind];
     if (i % 16 != 0) continue;
     // Another verdict, or the opposite direction, is refused.
     for (const char* other : {"apart", "meet", "touching", "overlapping"}) {
@@ -136,7 +140,7 @@ TEST(FlatFlat, Random) {
       EXPECT_FALSE(sunder_verifier::verify_text(file.dump(), "certificate").accepted());
     }
     json file = json::parse(text);
-    if (has_part && common.kind == FlatKind::segment) {
+    if (has_part && common.evidence.kind == FlatKind::segment) {
       std::swap(file["statements"][1]["first"], file["statements"][1]["last"]);
       EXPECT_FALSE(sunder_verifier::verify_text(file.dump(), "certificate").accepted());
       file = json::parse(text);

@@ -24,14 +24,14 @@ class Two {
   Two(const Linear& p, const Linear& q) : p_(p), q_(q) {}
 
   FlatCommon answer() {
-    FlatCommon common = p_.is_point() || q_.is_point() ? with_point() : lines();
+    FlatCommon common{p_.is_point() || q_.is_point() ? with_point() : lines()};
     common.cost.probes = probes_;
     conclude(common, tally_.exact);
     return common;
   }
 
  private:
-  static FlatCommon nothing() { return {}; }
+  static FlatContact nothing() { return {}; }
 
   Sign cross(int axis, const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
     ++probes_;
@@ -48,17 +48,17 @@ class Two {
     return true;
   }
 
-  FlatCommon with_point() {
+  FlatContact with_point() {
     const Linear &point = p_.is_point() ? p_ : q_, &other = p_.is_point() ? q_ : p_;
     if (other.is_point()) {
       if (!(point.a == other.a)) return nothing();
-      return {FlatKind::point, Relation::overlapping, {}, {}};
+      return {FlatKind::point, Relation::overlapping};
     }
     if (!is_on_line(other, point.a)) return nothing();
     return collinear();
   }
 
-  FlatCommon lines() {
+  FlatContact lines() {
     ++probes_;
     if (orient_3d(p_.a, p_.b, q_.a, q_.b, &tally_) != Sign::zero) return nothing();
     for (const int axis : {0, 1, 2}) {
@@ -80,17 +80,17 @@ class Two {
   }
 
   // In one plane, and not parallel; s: the sign of the cross product of their directions, seen along the axis.
-  FlatCommon crossing(int axis, Sign s) {
+  FlatContact crossing(int axis, Sign s) {
     const Place on_p = place(axis, p_, q_, -s);
     if (on_p == Place::outside) return nothing();
     const Place on_q = place(axis, q_, p_, s);
     if (on_q == Place::outside) return nothing();
     const bool inside = on_p == Place::inside && on_q == Place::inside;
-    return {FlatKind::point, inside ? Relation::overlapping : Relation::touching, {}, {}};
+    return {FlatKind::point, inside ? Relation::overlapping : Relation::touching};
   }
 
   // On one line, of which a coordinate tells the order; they are intervals of it.
-  FlatCommon collinear() const {
+  FlatContact collinear() const {
     const Linear& line = p_.is_point() ? q_ : p_;
     const std::size_t axis = line.a.x != line.b.x ? 0 : line.a.y != line.b.y ? 1 : 2;
     struct Interval {
@@ -107,14 +107,14 @@ class Two {
     if (q.low && (!both.low || *q.low > *both.low)) both.low = q.low;
     if (q.high && (!both.high || *q.high < *both.high)) both.high = q.high;
     if (!both.low || !both.high) {
-      return {both.low || both.high ? FlatKind::ray : FlatKind::line, Relation::overlapping, {}, {}};
+      return {both.low || both.high ? FlatKind::ray : FlatKind::line, Relation::overlapping};
     }
     if (*both.low > *both.high) return nothing();
-    if (*both.low < *both.high) return {FlatKind::segment, Relation::overlapping, {}, {}};
+    if (*both.low < *both.high) return {FlatKind::segment, Relation::overlapping};
     const auto is_inside = [&](const Linear& l, const Interval& i) {
       return l.is_point() || ((!i.low || *i.low < *both.low) && (!i.high || *i.high > *both.high));
     };
-    return {FlatKind::point, is_inside(p_, p) && is_inside(q_, q) ? Relation::overlapping : Relation::touching, {}, {}};
+    return {FlatKind::point, is_inside(p_, p) && is_inside(q_, q) ? Relation::overlapping : Relation::touching};
   }
 
   const Linear &p_, &q_;

@@ -19,16 +19,17 @@ enum class FlatKind : std::uint8_t { nothing, point, segment, ray, line, plane }
 
 std::string_view name_of(FlatKind);  // "segment"
 
-struct [[nodiscard]] FlatCommon {
+// Their common part, and how they meet there: none of nothing. Relative interiors are meant: of a line and a plane all of
+// it, of a ray all but its beginning, of a segment all but its ends, of a point the point.
+struct FlatContact {
   FlatKind kind = FlatKind::nothing;
-  // Relative interiors are meant: of a line and a plane all of it, of a ray all but its beginning, of a segment all but
-  // its ends, of a point the point.
   Relation contact = Relation::none;
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;  // probes: signs that were asked for
-
-  bool meet() const { return contact != Relation::none; }
 };
+inline Verdict verdict_of(const FlatContact& part) {
+  return part.kind == FlatKind::nothing ? Verdict::apart : Verdict::meet;
+}
+
+using FlatCommon = Answer<FlatContact>;  // probes: signs that were asked for
 
 // Exact; of the world. Cost: at most 13 signs.
 FlatCommon line_line(const Line& a, const Line& b);

@@ -17,8 +17,7 @@ FlatCommon plane_linear(const Plane& plane, const Linear& linear) {
                                            : FlatKind::line;
   const Sign a = side(linear.a), b = linear.is_point() ? a : side(linear.b);
   const auto found = [&](FlatKind kind, Relation contact) {
-    common.kind = kind;
-    common.contact = contact;
+    common.evidence = {kind, contact};
     conclude(common, tally.exact);
     return common;
   };

@@ -22,9 +22,7 @@ Sign side_of(const Plane& plane, const Posed3& vertex, StageTally* tally) {
 bool conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal& proposal, PolyhedronPlane& answer,
                     StageTally& tally) {
   const auto meet_at = [&](std::uint32_t v, Sign of_v, std::uint32_t w) {
-    answer.side = Sign::zero;
-    answer.below = of_v == Sign::positive ? w : v;
-    answer.above = of_v == Sign::positive ? v : w;
+    answer.evidence = of_v == Sign::positive ? AcrossPlane{w, v} : AcrossPlane{v, w};
   };
   const std::uint32_t first = proposal.first, furthest = proposal.furthest;
   answer.cost.probes += 2;
@@ -42,8 +40,7 @@ bool conclude_plane(const Placed& body, const Plane& plane, const PlaneProposal&
     meet_at(first, of_first, nearest);
     return false;
   }
-  answer.side = of_first;
-  answer.nearest = nearest;
+  answer.evidence = BesidePlane{of_first, nearest};
   return nearest == furthest;
 }
 
@@ -76,10 +73,10 @@ PolyhedronPlane polyhedron_plane_by_scan(const ConvexPolyhedron& body, const Pos
   }
   const Sign of_low = side_of(plane, placed[low]), of_high = side_of(plane, placed[high]);
   answer.decided_by = DecidedBy::scan;
-  answer.below = low, answer.above = high;
   if (of_low == Sign::positive || of_high == Sign::negative) {
-    answer.side = of_low;
-    answer.nearest = of_low == Sign::positive ? low : high;
+    answer.evidence = BesidePlane{of_low, of_low == Sign::positive ? low : high};
+  } else {
+    answer.evidence = AcrossPlane{low, high};
   }
   return answer;
 }

@@ -16,23 +16,32 @@
 #include <sunder/solid/object/pose.h>
 
 #include <cstdint>
+#include <variant>
 
 namespace sunder::solid {
 
 class Drums;  // see solid/represent/drums.h
 
-struct [[nodiscard]] PolyhedronPlane {
-  // Apart: positive where all of the body is above the plane, negative where it is below. Zero: they meet.
+// All of the body is above the plane (positive), or below it (negative); no vertex is nearer to it than `nearest`.
+struct BesidePlane {
+  static constexpr Verdict verdict = Verdict::apart;
   Sign side = Sign::zero;
-  // Vertices. Apart: no vertex is nearer to the plane than `nearest`. They meet: `below` is not above the plane,
-  // `above` is not below it; one vertex may be both, on the plane.
-  std::uint32_t nearest = 0, below = 0, above = 0;
-
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
-
-  bool meet() const { return side == Sign::zero; }
+  std::uint32_t nearest = 0;
 };
+
+// Vertices: `below` is not above the plane, `above` is not below it; one may be both, on the plane.
+struct AcrossPlane {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::uint32_t below = 0, above = 0;
+};
+
+using PolyhedronPlane = Answer<std::variant<BesidePlane, AcrossPlane>>;
+
+// The side of the plane on which the body is; zero where they meet.
+inline Sign side_of(const PolyhedronPlane& answer) {
+  const auto* beside = std::get_if<BesidePlane>(&answer.evidence);
+  return beside != nullptr ? beside->side : Sign::zero;
+}
 
 // The front door: extreme vertices along the normal, over the vertex graph or the hierarchy. Cost: O(log n) probes.
 PolyhedronPlane polyhedron_plane(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);

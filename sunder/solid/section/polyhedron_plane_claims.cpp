@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <utility>
+#include <variant>
 
 namespace sunder::solid {
 
@@ -58,7 +59,7 @@ struct Exactly {
 
   // In the relative interior of the body, which overlaps the plane: the mean of a few vertices, or between that and a
   // vertex on the other side.
-  PointOf inside(const PolyhedronPlane& answer) const {
+  PointOf inside(const AcrossPlane& across) const {
     const std::vector<std::uint32_t> spanning = spanning_vertices(body);
     Dyadic sum;
     std::vector<std::pair<std::uint32_t, Dyadic>> weighted;
@@ -69,7 +70,7 @@ struct Exactly {
     if (sum.sign() == Sign::zero) return made(weighted);
     const bool is_above = sum.sign() == Sign::positive;
     const std::uint32_t other =
-        beyond(is_above ? Sign::negative : Sign::positive, is_above ? answer.below : answer.above);
+        beyond(is_above ? Sign::negative : Sign::positive, is_above ? across.below : across.above);
     // sum > 0 > h, or the other way round: sum h + (-h) sum = 0.
     const Dyadic h = height(other);
     for (auto& [v, weight] : weighted) weight = is_above ? -h : h;
@@ -77,12 +78,12 @@ struct Exactly {
     return made(weighted);
   }
 
-  // Is the body, which touches the plane, below it? `on`: a vertex that the answer names. Where it is on the plane, its
+  // Is the body, which touches the plane, below it? Where the vertices named are on the plane, their
   // neighbours are not all.
-  bool is_below(const PolyhedronPlane& answer) const {
-    if (height(answer.below).sign() == Sign::negative) return true;
-    if (height(answer.above).sign() == Sign::positive) return false;
-    for (const std::uint32_t v : body.neighbours(answer.below)) {
+  bool is_below(const AcrossPlane& across) const {
+    if (height(across.below).sign() == Sign::negative) return true;
+    if (height(across.above).sign() == Sign::positive) return false;
+    for (const std::uint32_t v : body.neighbours(across.below)) {
       const Sign side = height(v).sign();
       if (side != Sign::zero) return side == Sign::negative;
     }
@@ -100,23 +101,25 @@ CommonPoint common(const Plane& plane, const FlatBody& in_file, PointOf point, b
 
 ExactPoint3 common_point(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane,
                          const PolyhedronPlane& answer) {
-  return Exactly{body, pose, plane}.between(answer.below, answer.above).at;
+  const auto& [below, above] = std::get<AcrossPlane>(answer.evidence);
+  return Exactly{body, pose, plane}.between(below, above).at;
 }
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
                 const Plane& plane, const FlatBody& in_file, const PolyhedronPlane& answer, Relation contact) {
   const Exactly exact{body, pose, plane};
-  if (!answer.meet()) {
-    const bool is_above = answer.side == Sign::positive;
+  if (const auto* beside = std::get_if<BesidePlane>(&answer.evidence)) {
+    const bool is_above = beside->side == Sign::positive;
     pairs.add_apart(a, b, exact.normal(is_above));
-    return pairs.add_nearest(a, b, answer.nearest, exact.normal(!is_above));
+    return pairs.add_nearest(a, b, beside->nearest, exact.normal(!is_above));
   }
+  const AcrossPlane& across = std::get<AcrossPlane>(answer.evidence);
   if (contact == Relation::overlapping) {
-    return pairs.add_overlapping(a, b, common(plane, in_file, exact.inside(answer), true));
+    return pairs.add_overlapping(a, b, common(plane, in_file, exact.inside(across), true));
   }
-  CommonPoint point = common(plane, in_file, exact.between(answer.below, answer.above), false);
+  CommonPoint point = common(plane, in_file, exact.between(across.below, across.above), false);
   if (contact == Relation::none) return pairs.add_meet(a, b, point);
-  pairs.add_touching(a, b, point, exact.normal(!exact.is_below(answer)));
+  pairs.add_touching(a, b, point, exact.normal(!exact.is_below(across)));
 }
 
 }  // namespace sunder::solid

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 #include <vector>
 
 namespace sunder::solid {
@@ -24,13 +25,13 @@ TEST(PolyhedronPlane, SidesOfACube) {
   const ConvexPolyhedron body = unit_cube();
   const auto ask = [&](const Plane& plane) { return polyhedron_plane(body, Pose(), plane); };
   const PolyhedronPlane above = ask(Plane::at({0, 0, 1}, -0x1p-1074));
-  EXPECT_EQ(above.side, Sign::positive);
-  EXPECT_EQ(body.vertices()[above.nearest].z, 0);
-  EXPECT_EQ(ask(Plane::through({5, 5, std::nextafter(1, 2)}, {0, 0, 3})).side, Sign::negative);
+  EXPECT_EQ(side_of(above), Sign::positive);
+  EXPECT_EQ(body.vertices()[std::get<BesidePlane>(above.evidence).nearest].z, 0);
+  EXPECT_EQ(side_of(ask(Plane::through({5, 5, std::nextafter(1, 2)}, {0, 0, 3}))), Sign::negative);
   EXPECT_TRUE(ask(Plane::at({0, 0, 1}, 0)).meet());
   EXPECT_TRUE(ask(Plane::at({1, 1, 1}, 3)).meet());
   EXPECT_TRUE(ask(Plane::at({1, 1, 1}, 1.5)).meet());
-  EXPECT_EQ(ask(Plane::at({1, 1, 1}, std::nextafter(3, 4))).side, Sign::negative);
+  EXPECT_EQ(side_of(ask(Plane::at({1, 1, 1}, std::nextafter(3, 4)))), Sign::negative);
   EXPECT_EQ(ask(Plane::at({1e300, 1e300, 1e300}, 3e300)).meet(), 1e300 + 1e300 + 1e300 >= 3e300);
 }
 
