@@ -118,8 +118,9 @@ int main(int argc, char** argv) {
         const double seidel = microseconds(programs, [&](const Program& p) {
           sink += named_point(linear_program_by_seidel(p.half_spaces, p.objective).evidence) != nullptr ? 1 : 0;
         });
-        const double region =
-            microseconds(programs, [&](const Program& p) { sink += half_space_region(p.half_spaces).dimension; });
+        const double region = microseconds(programs, [&](const Program& p) {
+          sink += extent_of(half_space_region(p.half_spaces)) != nullptr ? 1 : 0;
+        });
         for (const LinearProgramAnswer& answer : answers) {
           finished += answer.decided_by == sunder::DecidedBy::finishing ? 1 : 0;
           probes += static_cast<double>(answer.cost.probes);

@@ -61,9 +61,9 @@ std::optional<nb::tuple> place_of(const ExactPointN* place) {
   return fractions_of(place->numbers, place->denominator);
 }
 
-std::optional<nb::tuple> direction_of(const std::vector<Dyadic>& direction) {
-  if (direction.empty()) return std::nullopt;
-  return fractions_of(direction, Dyadic(1.0));
+std::optional<std::size_t> dimension_of(const HalfSpaceRegion& region) {
+  const polytope::RegionExtent* extent = extent_of(region);
+  return extent != nullptr ? std::optional(extent->dimension) : std::nullopt;
 }
 
 PythonHull hull_of(const SharedPolytope& points) {
@@ -91,7 +91,7 @@ PythonVertices vertices_of(const SharedPolytope& given) {
   require_form(*given, false, "half_spaces");
   return unlocked([&] {
     const auto answer = std::make_shared<const RegionVertices>(region_vertices(*given));
-    if (answer->region.kind == RegionKind::unbounded) {
+    if (answer->region.verdict() == RegionKind::unbounded) {
       throw Error(ErrorCode::bad_shape, "they are not bounded; give bounded ones", "half_spaces");
     }
     return PythonVertices{
@@ -177,19 +177,20 @@ void bind_hulls(nb::module_& polytope) {
           "Likewise: all points have a x = b; none where the hull has all dimensions.");
   nb::class_<PythonRegion, Answer>(polytope, "HalfSpaceRegion",
                                    "What half-spaces have in common; true where something.")
-      .def("__bool__", [](const PythonRegion& of) { return !of.region.empty(); })
+      .def("__bool__", [](const PythonRegion& of) { return extent_of(of.region) != nullptr; })
       .def_prop_ro(
-          "kind", [](const PythonRegion& of) { return name_of(of.region.kind); },
+          "kind", [](const PythonRegion& of) { return name_of(of.region.verdict()); },
           "\"empty\", \"bounded\" or \"unbounded\".")
       .def_prop_ro(
-          "dimension",
-          [](const PythonRegion& of) { return of.region.empty() ? std::nullopt : std::optional(of.region.dimension); },
+          "dimension", [](const PythonRegion& of) { return dimension_of(of.region); },
           "Of the flat that it spans; None where it is empty.")
       .def_prop_ro(
           "points",
           [](const PythonRegion& of) {
             nb::list list;
-            for (const ExactPointN& point : of.region.points) {
+            const polytope::RegionExtent* extent = extent_of(of.region);
+            if (extent == nullptr) return list;
+            for (const ExactPointN& point : extent->points) {
               list.append(fractions_of(point.numbers, point.denominator));
             }
             return list;
@@ -199,29 +200,39 @@ void bind_hulls(nb::module_& polytope) {
           "extents",
           [](const PythonRegion& of) {
             nb::list list;
-            for (std::size_t c = 0; !of.region.points.empty() && c < of.region.points[0].numbers.size(); ++c) {
-              list.append(nb::make_tuple(of.region.extents[c].least, of.region.extents[c].greatest));
+            const polytope::RegionExtent* extent = extent_of(of.region);
+            if (extent == nullptr) return list;
+            for (std::size_t c = 0; c < extent->points[0].numbers.size(); ++c) {
+              list.append(nb::make_tuple(extent->ranges[c].least, extent->ranges[c].greatest));
             }
             return list;
           },
           "Of each coordinate the least and the greatest, as nearest doubles; None where there is none.")
       .def_prop_ro(
-          "direction", [](const PythonRegion& of) { return direction_of(of.region.direction); },
+          "direction",
+          [](const PythonRegion& of) {
+            const auto* far = std::get_if<polytope::UnboundedRegion>(&of.region.evidence);
+            return far != nullptr ? std::optional(fractions_of(far->direction, Dyadic(1.0))) : std::nullopt;
+          },
           "Of an unbounded one: where it goes on for ever, as fractions; else None.")
       .def_prop_ro(
-          "flat", [](const PythonRegion& of) { return weights_of(of.region.flat); },
+          "flat",
+          [](const PythonRegion& of) {
+            const polytope::RegionExtent* extent = extent_of(of.region);
+            return weights_of(extent != nullptr ? extent->flat : Weights());
+          },
           "Half-spaces on whose hyperplanes all of it lies, with multipliers by which they sum to zero.")
       .def_prop_ro(
-          "contradiction", [](const PythonRegion& of) { return weights_of(of.region.contradiction); },
+          "contradiction",
+          [](const PythonRegion& of) {
+            const auto* empty = std::get_if<polytope::EmptyRegion>(&of.region.evidence);
+            return weights_of(empty != nullptr ? empty->contradiction : Weights());
+          },
           "Of an empty one: half-spaces, with multipliers by which they sum to 0 <= a negative number.");
   nb::class_<PythonVertices, Answer>(polytope, "RegionVertices", "The vertices of bounded half-spaces.")
       .def("__len__", [](const PythonVertices& of) { return of.answer->found.vertices.size(); })
       .def_prop_ro(
-          "dimension",
-          [](const PythonVertices& of) {
-            const HalfSpaceRegion& region = of.answer->region;
-            return region.empty() ? std::nullopt : std::optional(region.dimension);
-          },
+          "dimension", [](const PythonVertices& of) { return dimension_of(of.answer->region); },
           "Of the flat that they span; None where there are none.")
       .def_prop_ro(
           "vertices",
@@ -251,7 +262,7 @@ void bind_hulls(nb::module_& polytope) {
           owned, "The half-spaces that have a facet; of such that are the same, one.");
   nb::class_<PythonProgram, Answer>(polytope, "LinearProgram",
                                     "The best common point of half-spaces; true if feasible.")
-      .def("__bool__", [](const PythonProgram& of) { return of.answer.feasible(); })
+      .def("__bool__", [](const PythonProgram& of) { return is_feasible(of.answer); })
       .def_prop_ro(
           "outcome", [](const PythonProgram& of) { return name_of(of.answer.verdict()); },
           "\"one\" or \"many\" points are best; \"all\", of a zero objective; \"unbounded\"; or \"infeasible\".")
@@ -270,7 +281,7 @@ void bind_hulls(nb::module_& polytope) {
           "direction",
           [](const PythonProgram& of) {
             const auto* far = std::get_if<polytope::NoBound>(&of.answer.evidence);
-            return far != nullptr ? direction_of(far->direction) : std::nullopt;
+            return far != nullptr ? std::optional(fractions_of(far->direction, Dyadic(1.0))) : std::nullopt;
           },
           "Of \"unbounded\": a way that leads further for ever; else None.")
       .def_prop_ro(

@@ -90,7 +90,7 @@ Program linear_program(const std::shared_ptr<Constraints>& given, const ArrayLik
         {answer.cost, [given, objective, answer] { return planar::certificate_text(*given, objective, answer); }},
         answer,
         std::nullopt};
-    if (answer.feasible()) result.point = planar::point_of(*given, answer);
+    if (is_feasible(answer)) result.point = planar::point_of(*given, answer);
     return result;
   });
 }
@@ -146,7 +146,7 @@ void bind_regions(nb::module_& planar) {
       .def_prop_ro(
           "outcome", [](const Program& p) { return name_of(p.answer.verdict()); },
           "\"one\", \"many\", \"all\", \"unbounded\" or \"infeasible\".")
-      .def_prop_ro("feasible", [](const Program& p) { return p.answer.feasible(); })
+      .def_prop_ro("feasible", [](const Program& p) { return is_feasible(p.answer); })
       .def_prop_ro("point", point, "An optimal point (of an unbounded program, a common point), rounded to doubles.")
       .def("exact_point", exact_point, "The same as a pair of fractions.Fraction; None where infeasible.");
   planar.def("linear_program", &linear_program, nb::arg("constraints"), nb::arg("objective"),

@@ -74,8 +74,8 @@ std::string place_of(std::span<const Dyadic> vertex) {
 
 std::string text_of(const RegionVertices& answer) {
   const PolytopeVertices& found = answer.found;
-  std::string text =
-      fmt::format("bounded, of dimension {}: a {}\n", answer.region.dimension, name_of_hull(answer.region.dimension));
+  const std::size_t dimension = extent_of(answer.region)->dimension;
+  std::string text = fmt::format("bounded, of dimension {}: a {}\n", dimension, name_of_hull(dimension));
   text += fmt::format("  vertices  {}\n", found.vertices.size());
   for (std::size_t k = 0; k < std::min(found.vertices.size(), most_listed); ++k) {
     text += fmt::format("    {}", place_of(found.vertices[k]));
@@ -90,8 +90,8 @@ std::string text_of(const RegionVertices& answer) {
 }
 
 Json json_of(const RegionVertices& answer) {
-  Json json{{"kind", name_of(answer.region.kind)}};
-  if (answer.region.kind != RegionKind::empty) json["dimension"] = answer.region.dimension;
+  Json json{{"kind", name_of(answer.region.verdict())}};
+  if (const auto* extent = extent_of(answer.region)) json["dimension"] = extent->dimension;
   json["bounding"] = answer.found.bounding;
   json["vertices"] = Json::array();
   for (std::size_t k = 0; k < answer.found.vertices.size(); ++k) {
@@ -107,7 +107,8 @@ Json json_of(const RegionVertices& answer) {
 Report run_half_space_hull(const HullCall& call, Talk& talk, const polytope::Polytope& half_spaces,
                            const InputFiles& inputs) {
   const RegionVertices answer = region_vertices(half_spaces);
-  const bool is_bounded = answer.region.kind == RegionKind::bounded;
+  const polytope::RegionExtent* const extent = extent_of(answer.region);
+  const bool is_bounded = answer.region.verdict() == RegionKind::bounded;
   const std::string file = io::one_line(call.file);
   const std::string name = io::one_line(std::filesystem::path(call.file).stem().string());
   const bool is_written = !call.out.empty() && is_bounded;
@@ -119,17 +120,16 @@ Report run_half_space_hull(const HullCall& call, Talk& talk, const polytope::Pol
     });
   }
   Report report{.verb = "hull",
-                .answer = is_bounded ? name_of_hull(answer.region.dimension) : name_of(answer.region.kind),
+                .answer = is_bounded ? name_of_hull(extent->dimension) : name_of(answer.region.verdict()),
                 .code = is_bounded ? exit_code::no : exit_code::yes};
   report.notes = talk.notes();
   report.objects.push_back(object_of(call, half_spaces));
   report.tell(fmt::format("{}: {} of dimension {}: ", file, count_of(half_spaces.size(), "half-space"),
                           half_spaces.dimension()));
   report.add("region", json_of(answer),
-             is_bounded ? text_of(answer)
-             : answer.region.empty()
-                 ? "empty: they contradict each other\n"
-                 : fmt::format("unbounded, of dimension {}: no hull of points\n", answer.region.dimension));
+             is_bounded          ? text_of(answer)
+             : extent == nullptr ? "empty: they contradict each other\n"
+                                 : fmt::format("unbounded, of dimension {}: no hull of points\n", extent->dimension));
   add_files(call, is_written ? call.out : "", report);
   return report;
 }

@@ -1,14 +1,12 @@
-// What comes out of a linear program, in the plane and in more dimensions: planar/region/linear_program.h,
-// polytope/region/linear_program.h.
+// What comes out of a linear program, in the plane and in more dimensions. Its answer is an Answer of evidence that has
+// one alternative for each outcome: planar/region/linear_program.h, polytope/region/linear_program.h.
 // Also called: status of a linear program.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
 
-#include <array>
 #include <cstdint>
 #include <string_view>
-#include <variant>
 
 namespace sunder {
 
@@ -22,24 +20,10 @@ enum class Optimum : std::uint8_t {
 
 std::string_view name_of(Optimum);  // "infeasible"
 
-// The evidence is a variant of plain data, one for each outcome, and the verdict is that of what it holds.
-template <class EvidenceOf>
-struct [[nodiscard]] ProgramAnswer {
-  using Evidence = EvidenceOf;
-
-  Evidence evidence{};
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost{};
-
-  Optimum verdict() const { return verdict_in(evidence); }
-  bool feasible() const { return verdict() != Optimum::infeasible; }
-
- private:
-  template <class... Held>
-  static Optimum verdict_in(const std::variant<Held...>& evidence) {
-    static constexpr std::array verdicts{Held::verdict...};
-    return verdicts[evidence.index()];
-  }
-};
+// Has the program a common point?
+template <class Evidence>
+bool is_feasible(const Answer<Evidence>& program) {
+  return program.verdict() != Optimum::infeasible;
+}
 
 }  // namespace sunder

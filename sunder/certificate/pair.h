@@ -82,8 +82,8 @@ struct CommonVertices {
 // What is known of two convex hulls of vertices. It names no body, so that whoever reads it must know which two it is of.
 using PairCertificate = std::variant<Separation, CommonVertices>;
 
-// The verdict of evidence is that of what it holds: a Verdict, or what answers to other questions than whether two objects
-// meet have in place of it.
+// The verdict of evidence is that of what it holds: a Verdict, or what answers to other questions than whether two
+// objects meet have in place of it.
 template <class... Evidence>
 auto verdict_of(const std::variant<Evidence...>& evidence) {
   static constexpr std::array verdicts{Evidence::verdict...};

@@ -19,8 +19,8 @@ enum class DecidedBy : std::uint8_t {
 
 std::string_view name_of(DecidedBy);  // "finishing"
 
-// The evidence is a variant of plain data, which names no object, and the verdict is that of what it holds: of two objects
-// a Verdict (then meet() and undecided() are there), of a linear program an Optimum (optimum.h).
+// The evidence is a variant of plain data, which names no object, and the verdict is that of what it holds: of two
+// objects a Verdict (then meet() and undecided() are there), of a linear program an Optimum (optimum.h).
 template <class EvidenceOf>
 struct [[nodiscard]] Answer {
   using Evidence = EvidenceOf;

@@ -135,7 +135,7 @@ Optimum program_by_all(const Given& given, const Objective& objective) {
   expect_true_region(given, objective, linear_program_by_seidel(given, objective), scan);
   expect_true_region(given, objective, linear_program_by_sampling(given, objective), scan);
   const Region region = half_plane_intersection(given);
-  EXPECT_EQ(region.empty(), !scan.feasible());
+  EXPECT_EQ(region.empty(), !is_feasible(scan));
   expect_true_region(given, objective, linear_program_by_region(given, region, objective), scan);
   expect_true_region(given, objective,
                      linear_program_by_region(planar::PreparedRegion<Given>(given, region), objective), scan);

@@ -124,21 +124,21 @@ TEST(RegionVertices, AreThoseOfAllCombinations) {
     const std::size_t d = set.half_spaces.dimension();
     SCOPED_TRACE(std::string(name_of(set.family)) + ", turn " + std::to_string(turn));
     const RegionVertices answer = region_vertices(set.half_spaces);
-    ++kinds[answer.region.kind];
+    ++kinds[answer.region.verdict()];
     if (set.half_spaces.size() == 0) {  // all of space: nothing that a statement could speak of
-      EXPECT_EQ(answer.region.kind, RegionKind::unbounded);
+      EXPECT_EQ(answer.region.verdict(), RegionKind::unbounded);
       EXPECT_THROW(written(set.half_spaces, answer), Error);
       continue;
     }
     const std::string text = written(set.half_spaces, answer);
     ASSERT_EQ(rule_of(text), "accepted") << text;
-    if (answer.region.kind != RegionKind::bounded) {
+    if (answer.region.verdict() != RegionKind::bounded) {
       EXPECT_TRUE(answer.found.vertices.empty());
       continue;
     }
-    ++flats[{d, answer.region.dimension}];
+    ++flats[{d, extent_of(answer.region)->dimension}];
     const std::size_t count = answer.found.vertices.size();
-    ASSERT_GE(count, answer.region.dimension + 1);
+    ASSERT_GE(count, extent_of(answer.region)->dimension + 1);
     ASSERT_EQ(answer.found.at.size(), count);
     for (const auto& fan : answer.found.fans) degenerate += fan.size() > d;
     if (set.half_spaces.size() <= 14) {
@@ -247,12 +247,13 @@ TEST(RegionVertices, OfDegenerateHalfSpacesAreThoseOfAllCombinations) {
     if (rows.empty()) continue;
     const Polytope body = Polytope::from_half_spaces(d, rows);
     const RegionVertices answer = region_vertices(body);
-    ++kinds[answer.region.kind];
+    ++kinds[answer.region.verdict()];
     ASSERT_EQ(rule_of(written(body, answer)), "accepted");
-    if (answer.region.kind != RegionKind::bounded) continue;
-    flat += answer.region.dimension < d;
-    const bool is_degenerate = std::any_of(answer.found.at.begin(), answer.found.at.end(),
-                                           [&](const auto& at) { return at.size() > answer.region.dimension; });
+    if (answer.region.verdict() != RegionKind::bounded) continue;
+    flat += extent_of(answer.region)->dimension < d;
+    const bool is_degenerate = std::any_of(answer.found.at.begin(), answer.found.at.end(), [&](const auto& at) {
+      return at.size() > extent_of(answer.region)->dimension;
+    });
     in_words += is_degenerate && answer.found.exact_tests == 0;
     in_any += is_degenerate && answer.found.exact_tests > 0;
     if (body.size() > (d < 4 ? 40u : d == 4 ? 22u : 16u)) continue;
@@ -294,7 +295,7 @@ TEST(RegionVertices, OfBoxesInFlats) {
       }
       const Polytope body = Polytope::from_half_spaces(d, rows);
       const RegionVertices answer = region_vertices(body);
-      EXPECT_EQ(answer.region.dimension, k);
+      EXPECT_EQ(extent_of(answer.region)->dimension, k);
       EXPECT_EQ(answer.found.vertices.size(), std::size_t{1} << k);
       EXPECT_EQ(answer.found.bounding.size(), 2 * k);
       for (const auto& at : answer.found.at) EXPECT_EQ(at.size(), k);

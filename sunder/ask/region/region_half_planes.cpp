@@ -134,7 +134,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
     for (const auto& [key, k] : tight()) {
       if (k != planar::no_half_plane) best[key] = k;
     }
-    if (best_.feasible()) {
+    if (is_feasible(best_)) {
       const Point2 p = best_point();
       best["point"] = {p.x, p.y};
     }
@@ -144,7 +144,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   std::string picture() const {
     picture::RegionPicture picture{constraints_, region_, file_.name};
-    if (objective_ && best_.feasible() && best_.verdict() != Optimum::unbounded) {
+    if (objective_ && is_feasible(best_) && best_.verdict() != Optimum::unbounded) {
       picture.best = best_point();
       picture.objective = {objective_->p, objective_->q};
     }
@@ -200,7 +200,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   std::string best_text() const {
     const std::string aim = form_text(objective_->p, objective_->q);
-    if (!best_.feasible()) return "";
+    if (!is_feasible(best_)) return "";
     if (best_.verdict() == Optimum::unbounded) return fmt::format("{} is as great as one likes\n", aim);
     if (best_.verdict() == Optimum::all) {
       return fmt::format("{} is zero everywhere: every common point is an optimum; they are {}\n", aim,

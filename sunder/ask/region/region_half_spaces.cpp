@@ -119,13 +119,14 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   void ask() {
     if (objective_.empty()) {
       region_ = polytope::half_space_region(half_spaces_);
-      is_empty_ = region_.empty();
+      const auto* empty = std::get_if<polytope::EmptyRegion>(&region_.evidence);
+      is_empty_ = empty != nullptr;
       cost_ = region_.cost;
-      rows_ = rows_of(is_empty_ ? region_.contradiction : region_.flat);
+      rows_ = rows_of(is_empty_ ? empty->contradiction : extent_of(region_)->flat);
       if (!is_empty_) not_proved_.emplace_back("how far it goes along each axis");
     } else {
       best_ = method_(half_spaces_, objective_);
-      is_empty_ = !best_.feasible();
+      is_empty_ = !is_feasible(best_);
       cost_ = best_.cost;
       if (const Weights* multipliers = named_multipliers(best_.evidence)) rows_ = rows_of(*multipliers);
     }
@@ -172,17 +173,20 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
 
   Json region_json() const {
     Json extents = Json::array(), points = Json::array();
-    for (std::size_t c = 0; c < d_ && !is_empty_; ++c) {
+    const polytope::RegionExtent* const extent = extent_of(region_);
+    for (std::size_t c = 0; c < d_ && extent != nullptr; ++c) {
       const auto number = [](const std::optional<double>& x) {
         constexpr double most = std::numeric_limits<double>::max();
         return x ? Json(std::clamp(*x, -most, most)) : Json();
       };
-      extents.push_back({number(region_.extents[c].least), number(region_.extents[c].greatest)});
+      extents.push_back({number(extent->ranges[c].least), number(extent->ranges[c].greatest)});
     }
-    for (const ExactPointN& point : region_.points) points.push_back(point_of(point));
-    Json region{{"kind", name_of(region_.kind)}, {"rows", rows_}, {"points", points}, {"extents", extents}};
-    if (!is_empty_) region["dimension"] = region_.dimension;
-    if (!region_.direction.empty()) region["direction_about"] = direction_about(region_.direction);
+    if (extent != nullptr) {
+      for (const ExactPointN& point : extent->points) points.push_back(point_of(point));
+    }
+    Json region{{"kind", name_of(region_.verdict())}, {"rows", rows_}, {"points", points}, {"extents", extents}};
+    if (extent != nullptr) region["dimension"] = extent->dimension;
+    if (const auto* far = unbounded()) region["direction_about"] = direction_about(far->direction);
     return region;
   }
 
@@ -197,11 +201,16 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
     return text;
   }
 
+  const polytope::UnboundedRegion* unbounded() const {
+    return std::get_if<polytope::UnboundedRegion>(&region_.evidence);
+  }
+
   std::string region_text() const {
-    std::string text = fmt::format("{}, of dimension {}\n", name_of(region_.kind), region_.dimension);
+    const polytope::RegionExtent& extent = *extent_of(region_);
+    std::string text = fmt::format("{}, of dimension {}\n", name_of(region_.verdict()), extent.dimension);
     if (!rows_.empty()) text += "  it lies in the boundary hyperplanes of:\n" + rows_text("");
     for (std::size_t c = 0; c < d_; ++c) {
-      const auto& [least, greatest] = region_.extents[c];
+      const auto& [least, greatest] = extent.ranges[c];
       const std::string from = least ? fmt::format(" from about {:.10g}", *least) : "",
                         to = greatest ? fmt::format(" to about {:.10g}", *greatest) : "";
       text += fmt::format("  x{}{}\n", c + 1,
@@ -210,9 +219,9 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
                           : greatest        ? " up" + to
                                             : " takes all values");
     }
-    if (!region_.direction.empty()) {
+    if (const auto* far = unbounded()) {
       text += fmt::format("  it extends without end in the direction of about {}\n",
-                          numbers_text(direction_about(region_.direction)));
+                          numbers_text(direction_about(far->direction)));
     }
     return text;
   }

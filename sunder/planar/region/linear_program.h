@@ -52,8 +52,8 @@ struct AnyPoint {
   std::uint32_t before = no_half_plane, after = no_half_plane;
 };
 
-// A common point, and a direction in which one never leaves: that of the line of `side`, or its opposite; where there is
-// no side, (p, q).
+// A common point, and a direction in which one never leaves: that of the line of `side`, or its opposite; where there
+// is no side, (p, q).
 struct NoBound {
   static constexpr Optimum verdict = Optimum::unbounded;
   AnyPoint from;
@@ -71,7 +71,7 @@ struct NoPoint {
 using ProgramEvidence = std::variant<OneOptimum, ManyOptima, AnyPoint, NoBound, NoPoint>;
 
 // Cost: probes: signs that were asked for; exact: those that needed exact arithmetic.
-using LinearProgramAnswer = ProgramAnswer<ProgramEvidence>;
+using LinearProgramAnswer = Answer<ProgramEvidence>;
 
 // A point that is best, of `unbounded` a common one. Requires other evidence than NoPoint.
 AnyPoint named_point(const ProgramEvidence& evidence);

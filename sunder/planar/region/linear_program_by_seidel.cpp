@@ -211,7 +211,7 @@ void shuffle(std::vector<std::uint32_t>& order, std::size_t fixed, Random& rando
 
 // For the objective zero: the answer for any other one, as a common point.
 LinearProgramAnswer any_common_point(LinearProgramAnswer answer) {
-  if (answer.feasible()) answer.evidence = named_point(answer.evidence);
+  if (is_feasible(answer)) answer.evidence = named_point(answer.evidence);
   return answer;
 }
 

@@ -112,12 +112,12 @@ void write_statement(ClaimsWriter& file, const Given& given, const Objective& ob
   file.begin_statement("linear_program");
   file.doubles("objective", std::array{objective.p, objective.q});
   file.text("verdict", name_of(answer.verdict()));
-  if (answer.feasible()) {
+  if (is_feasible(answer)) {
     const ExactPoint2 p = point_of(given, answer);
     file.fractions("point", std::array{p.x, p.y}, p.denominator);
   }
   file.begin_claims();
-  if (answer.feasible()) file.claim("feasible");
+  if (is_feasible(answer)) file.claim("feasible");
   std::visit([&](const auto& held) { write_claims(file, given, objective, held); }, answer.evidence);
   file.end_statement();
 }

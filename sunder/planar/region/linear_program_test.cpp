@@ -258,12 +258,12 @@ TEST(LinearProgramTest, SignsGrowAsNAndAsLogN) {
 }
 
 // Three numbers as the evidence of an outcome, and those of evidence.
-struct Numbers {
+struct NamedThree {
   std::uint32_t before = no_half_plane, side = no_half_plane, after = no_half_plane;
   bool backward = false;
-  friend bool operator==(const Numbers&, const Numbers&) = default;
+  friend bool operator==(const NamedThree&, const NamedThree&) = default;
 };
-ProgramEvidence evidence_of(Optimum outcome, const Numbers& numbers) {
+ProgramEvidence evidence_of(Optimum outcome, const NamedThree& numbers) {
   const auto [before, side, after, backward] = numbers;
   switch (outcome) {
     case Optimum::one: return OneOptimum{before, after, side};
@@ -274,7 +274,7 @@ ProgramEvidence evidence_of(Optimum outcome, const Numbers& numbers) {
   }
   return NoPoint{before, after, side};
 }
-Numbers numbers_of(const ProgramEvidence& evidence) {
+NamedThree numbers_of(const ProgramEvidence& evidence) {
   if (const auto* any = std::get_if<AnyPoint>(&evidence)) return {any->before, no_half_plane, any->after};
   if (const auto* far = std::get_if<NoBound>(&evidence)) {
     return {far->from.before, far->side, far->from.after, far->backward};
@@ -300,8 +300,8 @@ TEST(LinearProgramTest, UntrueAnswersAreRefused) {
       const LinearProgramAnswer wrong{evidence_of(outcome, numbers_of(answer.evidence))};
       EXPECT_FALSE(check(given, objective, wrong)) << name_of(answer.verdict()) << " as " << name_of(outcome);
     }
-    const Numbers own = numbers_of(answer.evidence);
-    Numbers changes = own;
+    const NamedThree own = numbers_of(answer.evidence);
+    NamedThree changes = own;
     changes.before = given.size();
     EXPECT_FALSE(check(given, objective, LinearProgramAnswer{evidence_of(answer.verdict(), changes)}));
     if (answer.verdict() == Optimum::unbounded) {
@@ -311,8 +311,8 @@ TEST(LinearProgramTest, UntrueAnswersAreRefused) {
     }
     if (given.size() == 0) continue;
     const LinearProgramAnswer truth = linear_program_by_scan(given, objective);
-    for (std::uint32_t Numbers::* number : {&Numbers::before, &Numbers::side, &Numbers::after}) {
-      if (answer.verdict() == Optimum::all && number == &Numbers::side) continue;  // it has none
+    for (std::uint32_t NamedThree::* number : {&NamedThree::before, &NamedThree::side, &NamedThree::after}) {
+      if (answer.verdict() == Optimum::all && number == &NamedThree::side) continue;  // it has none
       changes = own;
       changes.*number =
           sets.random().below(4) == 0 ? no_half_plane : static_cast<std::uint32_t>(sets.random().below(given.size()));

@@ -29,8 +29,8 @@ void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allow
 void write_statement(ClaimsWriter& file, const Segments& segments, Allowed allowed, const CountAnswer<>& answer,
                      const SweepEvents& events, Groups groups = {});
 
-// The whole file. answer: one of the three; contacts in any order. origin: where the segments come from. Cost: also that
-// of sweep_events, but where some meet.
+// The whole file. answer: one of the three; contacts in any order. origin: where the segments come from.
+// Cost: also that of sweep_events, but where some meet.
 template <class Answer>
 std::string certificate_text(const Segments& segments, Allowed allowed, Answer answer, Groups groups = {},
                              const Origin& origin = {}) {

@@ -10,12 +10,14 @@
 // Source: Shamos & Hoey 1976, Theorem 11 in more than two variables; Freund, Roundy & Todd 1985 for the affine hull.
 #pragma once
 
+#include <sunder/certificate/pair_answer.h>
 #include <sunder/polytope/pair/evidence.h>
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
@@ -24,30 +26,45 @@ enum class RegionKind : std::uint8_t { empty, bounded, unbounded };
 
 std::string_view name_of(RegionKind);  // "bounded"
 
-struct [[nodiscard]] HalfSpaceRegion {
-  RegionKind kind = RegionKind::empty;
-  // Of the affine hull of the common points. Else 0.
+// What there is of a region that is not empty.
+struct RegionExtent {
+  // Of the affine hull of the common points.
   std::size_t dimension = 0;
-  // Not empty: dimension + 1 common points, in no hyperplane of that hull.
+  // dimension + 1 common points, in no hyperplane of that hull.
   std::vector<ExactPointN> points{};
   // Positive multipliers of rows (a, b) whose sum is zero in all numbers, whose normals span all that is across that
   // hull: on these rows all common points lie. Of d dimensions there are none.
   Weights flat{};
-  // bounded: positive multipliers of rows whose normals have the sum zero, and span R^d. Else none.
-  Weights enclosing{};
-  // unbounded: a direction in which no common point ever leaves. Else empty.
-  std::vector<Dyadic> direction{};
-  // empty: as of a linear program that is infeasible. Else none.
-  Weights contradiction{};
   // The least and the greatest of each coordinate, where there are such: nearest doubles, infinite beyond their range.
-  struct Extent {
+  struct Range {
     std::optional<double> least{}, greatest{};
   };
-  std::array<Extent, most_dimension> extents{};
-  Cost cost;  // as of linear programs
-
-  bool empty() const { return kind == RegionKind::empty; }
+  std::array<Range, most_dimension> ranges{};
 };
+
+// As of a linear program that is infeasible.
+struct EmptyRegion {
+  static constexpr RegionKind verdict = RegionKind::empty;
+  Weights contradiction{};
+};
+
+// Positive multipliers of rows whose normals have the sum zero, and span R^d.
+struct BoundedRegion : RegionExtent {
+  static constexpr RegionKind verdict = RegionKind::bounded;
+  Weights enclosing{};
+};
+
+// A direction in which no common point ever leaves.
+struct UnboundedRegion : RegionExtent {
+  static constexpr RegionKind verdict = RegionKind::unbounded;
+  std::vector<Dyadic> direction{};
+};
+
+using HalfSpaceRegion =
+    Answer<std::variant<EmptyRegion, BoundedRegion, UnboundedRegion>>;  // cost: as of linear programs
+
+// Null where it is empty.
+const RegionExtent* extent_of(const HalfSpaceRegion& region);
 
 // By 2 d linear programs, for the least and the greatest coordinates; where the points found span less than R^d, by two
 // more across them, until they span more, or prove to be in a hyperplane: at most 2 d times. Requires half-spaces.

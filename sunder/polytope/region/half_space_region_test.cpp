@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <variant>
 #include <vector>
 
 namespace sunder::polytope {
@@ -15,35 +16,36 @@ namespace {
 TEST(HalfSpaceRegion, OfNone) {
   const Polytope all = Polytope::from_half_spaces(3, {});
   const HalfSpaceRegion region = half_space_region(all);
-  EXPECT_EQ(region.kind, RegionKind::unbounded);
-  EXPECT_EQ(region.dimension, 3u);
+  EXPECT_EQ(region.verdict(), RegionKind::unbounded);
+  EXPECT_EQ(extent_of(region)->dimension, 3u);
   EXPECT_TRUE(check(all, region));
-  EXPECT_FALSE(region.extents[0].least || region.extents[2].greatest);
+  EXPECT_FALSE(extent_of(region)->ranges[0].least || extent_of(region)->ranges[2].greatest);
 }
 
 TEST(HalfSpaceRegion, ATriangleInSpace) {
   const Polytope body = Polytope::from_half_spaces(
       3, {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 2, -1, -1, -1, -2});  // x + y + z = 2, each at most 1
   HalfSpaceRegion region = half_space_region(body);
-  EXPECT_EQ(region.kind, RegionKind::bounded);
-  EXPECT_EQ(region.dimension, 2u);
+  ASSERT_EQ(region.verdict(), RegionKind::bounded);
+  BoundedRegion& bounded = std::get<BoundedRegion>(region.evidence);
+  EXPECT_EQ(bounded.dimension, 2u);
   EXPECT_TRUE(check(body, region));
   for (std::size_t c = 0; c < 3; ++c) {
-    EXPECT_EQ(region.extents[c].least, 0.0);
-    EXPECT_EQ(region.extents[c].greatest, 1.0);
+    EXPECT_EQ(bounded.ranges[c].least, 0.0);
+    EXPECT_EQ(bounded.ranges[c].greatest, 1.0);
   }
-  region.dimension = 3;
+  bounded.dimension = 3;
   EXPECT_FALSE(check(body, region));
-  region.dimension = 2;
-  region.points[2] = region.points[1];
+  bounded.dimension = 2;
+  bounded.points[2] = bounded.points[1];
   EXPECT_FALSE(check(body, region));
 }
 
 TEST(HalfSpaceRegion, APoint) {
   const Polytope body = Polytope::from_half_spaces(2, {1, 0, 0.1, 0, 1, 0.1, -1, -1, -0.2});
   const HalfSpaceRegion region = half_space_region(body);
-  EXPECT_EQ(region.dimension, 0u);
-  EXPECT_EQ(region.kind, RegionKind::bounded);
+  EXPECT_EQ(extent_of(region)->dimension, 0u);
+  EXPECT_EQ(region.verdict(), RegionKind::bounded);
   EXPECT_TRUE(check(body, region));
 }
 
@@ -57,18 +59,23 @@ TEST(HalfSpaceRegion, EachAnswerIsProved) {
     const tests::HalfSpaceSet set = sets.next();
     HalfSpaceRegion region = half_space_region(set.half_spaces);
     ASSERT_TRUE(check(set.half_spaces, region)) << tests::name_of(set.family) << ", " << k;
-    ++kinds[static_cast<std::size_t>(region.kind)];
-    flat += !region.empty() && region.dimension < set.half_spaces.dimension() ? 1 : 0;
-    for (Weights* const weights : {&region.flat, &region.enclosing, &region.contradiction}) {
-      if (weights->parts.empty()) continue;
+    ++kinds[static_cast<std::size_t>(region.verdict())];
+    auto* const empty = std::get_if<EmptyRegion>(&region.evidence);
+    auto* const bounded = std::get_if<BoundedRegion>(&region.evidence);
+    auto* const far = std::get_if<UnboundedRegion>(&region.evidence);
+    RegionExtent* const extent = bounded != nullptr ? static_cast<RegionExtent*>(bounded) : far;
+    flat += extent != nullptr && extent->dimension < set.half_spaces.dimension() ? 1 : 0;
+    for (Weights* const weights : {extent != nullptr ? &extent->flat : &empty->contradiction,
+                                   bounded != nullptr ? &bounded->enclosing : nullptr}) {
+      if (weights == nullptr || weights->parts.empty()) continue;
       const Weights::Part last = weights->parts.back();
       weights->parts.pop_back();
       EXPECT_FALSE(check(set.half_spaces, region));
       weights->parts.push_back(last);
     }
     ASSERT_TRUE(check(set.half_spaces, region));
-    if (region.empty()) continue;
-    region.points.pop_back();
+    if (extent == nullptr) continue;
+    extent->points.pop_back();
     EXPECT_FALSE(check(set.half_spaces, region));
   }
   for (const int n : kinds) EXPECT_GT(n, count / 50);

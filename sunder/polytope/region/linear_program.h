@@ -65,7 +65,7 @@ const Weights* named_multipliers(const ProgramEvidence& evidence);
 
 // Decided by `finishing`: the search's basis was not the last one. Cost: probes: rows looked at; iterations: pivots;
 // proposals: one; exact: signs that needed exact arithmetic.
-using LinearProgramAnswer = ProgramAnswer<ProgramEvidence>;
+using LinearProgramAnswer = Answer<ProgramEvidence>;
 
 // The front door: a search in floating point by the dual simplex method, whose next row is the one that is broken most,
 // found by a scan; its basis is checked in exact numbers, and where it is not the last one, the method goes on in

@@ -60,27 +60,28 @@ void add_evidence(ClaimsWriter& file, const NoPoint& none) { add_multipliers(fil
 void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
                 const HalfSpaceRegion& region) {
   begin(file, name, half_spaces, "half_spaces");
-  file.text("verdict", name_of(region.kind));
-  if (region.empty()) {
+  file.text("verdict", name_of(region.verdict()));
+  const RegionExtent* const extent = extent_of(region);
+  if (extent == nullptr) {
     file.begin_claims();
-    add_multipliers(file, "contradicted", region.contradiction);
+    add_multipliers(file, "contradicted", std::get<EmptyRegion>(region.evidence).contradiction);
     file.end_statement();
     return;
   }
-  file.number("dimension", region.dimension);
+  file.number("dimension", extent->dimension);
   file.begin_list("spanned_by");
-  for (const Place& point : region.points) {
+  for (const Place& point : extent->points) {
     file.begin_entry();
     file.fractions("point", point.numbers, point.denominator);
     file.end_entry();
   }
   file.end_list();
   file.begin_claims();
-  add_multipliers(file, "spans", region.flat);
-  if (region.kind == RegionKind::bounded) {
-    add_multipliers(file, "enclosed", region.enclosing);
+  add_multipliers(file, "spans", extent->flat);
+  if (const auto* bounded = std::get_if<BoundedRegion>(&region.evidence)) {
+    add_multipliers(file, "enclosed", bounded->enclosing);
   } else {
-    add_direction(file, "recedes", region.direction);
+    add_direction(file, "recedes", std::get<UnboundedRegion>(region.evidence).direction);
   }
   file.end_statement();
 }
@@ -102,7 +103,7 @@ void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& hal
 
 void add_claims(ClaimsWriter& file, const std::string& name, const Polytope& half_spaces,
                 const RegionVertices& answer) {
-  if (answer.region.kind != RegionKind::bounded) return add_claims(file, name, half_spaces, answer.region);
+  if (answer.region.verdict() != RegionKind::bounded) return add_claims(file, name, half_spaces, answer.region);
   const std::size_t d = half_spaces.dimension();
   begin(file, name, half_spaces, "half_spaces_vertices");
   file.text("verdict", "vertices");

@@ -31,7 +31,7 @@ Dyadic slack(std::span<const double> row, std::span<const Dyadic> x, const Dyadi
 // numbers t are the point p0 + t1 (p1 - p0) + ... With s_i what a row leaves to p_i, it says t1 (s0 - s1) + .. <= s0.
 class FlatPart {
  public:
-  FlatPart(const Polytope& body, const HalfSpaceRegion& region)
+  FlatPart(const Polytope& body, const RegionExtent& region)
       : body_(body), region_(region), d_(body.dimension()), k_(region.dimension) {
     for (std::size_t i = 0; i <= k_; ++i) {
       Dyadic others = 1.0;
@@ -184,7 +184,7 @@ class FlatPart {
   }
 
   const Polytope& body_;
-  const HalfSpaceRegion& region_;
+  const RegionExtent& region_;
   std::size_t d_, k_;
   std::vector<Dyadic> others_;  // of each point, the product of the denominators of the others
   Dyadic all_;                  // of all
@@ -196,9 +196,10 @@ class FlatPart {
 RegionVertices region_vertices(const Polytope& half_spaces, std::uint64_t most) {
   SUNDER_REQUIRE(!half_spaces.is_of_points());
   RegionVertices result{half_space_region(half_spaces), {}};
-  if (result.region.kind != RegionKind::bounded) return result;
-  result.found = result.region.dimension == half_spaces.dimension() ? vertices_of(half_spaces, most)
-                                                                    : FlatPart(half_spaces, result.region).find(most);
+  const auto* bounded = std::get_if<BoundedRegion>(&result.region.evidence);
+  if (bounded == nullptr) return result;
+  result.found = bounded->dimension == half_spaces.dimension() ? vertices_of(half_spaces, most)
+                                                               : FlatPart(half_spaces, *bounded).find(most);
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace sunder::polytope {
 //     in the flat that it spans (E2, E3 hold of the flat: vertices are on k of them at least; where k is 0 there are
 //     none), and `inside` is inside of these.
 // V3. bounded: found.fans, as E5, of normals in R^d: of a flat part each cone has k half-spaces of at[k], and d - k of
-//     region.flat.
+//     those whose multipliers are `flat`.
 // Not bounded: found is empty.
 struct RegionVertices {
   HalfSpaceRegion region;

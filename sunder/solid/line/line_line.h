@@ -19,8 +19,8 @@ enum class FlatKind : std::uint8_t { nothing, point, segment, ray, line, plane }
 
 std::string_view name_of(FlatKind);  // "segment"
 
-// Their common part, and how they meet there: none of nothing. Relative interiors are meant: of a line and a plane all of
-// it, of a ray all but its beginning, of a segment all but its ends, of a point the point.
+// Their common part, and how they meet there: none of nothing. Relative interiors are meant: of a line and a plane all
+// of it, of a ray all but its beginning, of a segment all but its ends, of a point the point.
 struct FlatContact {
   FlatKind kind = FlatKind::nothing;
   Relation contact = Relation::none;
