@@ -44,7 +44,7 @@ struct PartDistance {
   bool meet() const { return distance.high == 0; }
 };
 
-// Of which one is closer to the other than that, their margin; or that is undecided.
+// Two parts that are closer to each other than their margin `least`, or for which that is undecided.
 struct CloserParts : PartDistance {
   double least = 0;
 };

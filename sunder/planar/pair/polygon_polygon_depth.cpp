@@ -145,8 +145,8 @@ struct Outline {
   std::vector<std::array<std::uint32_t, 2>> edges;  // of corners, counterclockwise
 };
 
-// Where edges of A and B are parallel, that of A comes first: it goes with the vertex of B at which that of B ends, seen
-// in B's order, and that of B with the vertex of A at which that of A ends.
+// A and B may have parallel edges that lie on one edge of A - B. There the edge of A comes first, with the vertex at
+// which the edge of B starts; the edge of B follows, with the vertex at which the edge of A ends.
 template <class A, class B>
 Outline outline_of(const A& a, const B& b) {
   std::vector<std::array<Outline::Corner, 2>> edges;

@@ -13,7 +13,7 @@
 // What one might assume and does not hold: the direction is not the only one, where several edges of A - B are as near
 // to the origin. And the distance of the edges has many local minima along the boundary, so that no search by halving
 // finds the least: each edge is looked at.
-// None throws, but for want of memory.
+// Functions throw only std::bad_alloc.
 // Source: Cameron, Culley 1986.
 #pragma once
 
@@ -43,7 +43,7 @@ struct PolygonDepth {
   Interval depth{0.0};
 };
 
-// Where they are apart, what polygon_polygon says.
+// If the polygons are apart, the evidence is that of polygon_polygon.
 using PolygonDepthAnswer = Answer<std::variant<Separation, PolygonDepth>>;
 
 // The front door. Asks first whether they meet. Cost: that of polygon_polygon; then, for n and m vertices,
@@ -51,7 +51,7 @@ using PolygonDepthAnswer = Answer<std::variant<Separation, PolygonDepth>>;
 PolygonDepthAnswer polygon_polygon_depth(const ConvexPolygon& a, const Pose& pose_a,  //
                                          const ConvexPolygon& b, const Pose& pose_b);
 
-// Of each edge of both the furthest vertices of both, in exact numbers: the oracle. Cost: O((n + m)^2) exact numbers.
+// The oracle: for each edge of both polygons it compares all vertices in exact numbers. Cost: O((n + m)^2) of these.
 PolygonDepthAnswer polygon_polygon_depth_by_scan(const ConvexPolygon& a, const Pose& pose_a,  //
                                                  const ConvexPolygon& b, const Pose& pose_b);
 

@@ -20,7 +20,8 @@
 
 namespace sunder::planar {
 
-// Of two edges. Probes: pairs of edges, and of vertices next to each other once sorted.
+// The contact is one of two edges of the ring. Probes count the pairs of edges that are compared, and the pairs of
+// vertices that are neighbours after sorting.
 using PolygonSimpleAnswer = AnyAnswer<ContactOfTwo<ContactKind>>;
 
 // The front door: the fastest method measured, by grid. Cost: O(N log N) comparisons at most, O(N) memory.

@@ -12,7 +12,8 @@ namespace sunder::planar {
 // holds the place where they overlap.
 ExactPoint2 common_point(const Polygon& a, const Polygon& b, const PolygonsContact& found);
 
-// Of two that meet, that which was found: the vertex inside, or a common point of the edges named. Requires likewise.
+// The common point that was found of two polygons that meet: the vertex inside the other one, or a common point of the
+// edges named. Requires what the function above requires.
 ExactPoint2 found_point(const Polygon& a, const Polygon& b, const PolygonsContact& found);
 
 }  // namespace sunder::planar

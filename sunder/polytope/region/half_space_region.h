@@ -28,7 +28,7 @@ std::string_view name_of(RegionKind);  // "bounded"
 
 // What there is of a region that is not empty.
 struct RegionExtent {
-  // Of the affine hull of the common points.
+  // The dimension of the affine hull of the common points.
   std::size_t dimension = 0;
   // dimension + 1 common points, in no hyperplane of that hull.
   std::vector<ExactPointN> points{};

@@ -98,7 +98,7 @@ ProgramEvidence decide_uniqueness(const Polytope& body, const std::vector<DualSi
   return best;
 }
 
-// Of a program that has been solved.
+// The evidence of a program that has been solved.
 ProgramEvidence evidence_of(const DualSimplex& program, const Polytope& half_spaces, std::span<const Dyadic> objective,
                             Cost& cost) {
   ExactPointN point = program.point();

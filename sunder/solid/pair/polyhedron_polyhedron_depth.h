@@ -8,8 +8,8 @@
 //   P1. low <= the depth <= high, always, both proved: along `direction`, from A to B, A reaches by no more than `high`
 //       beyond where B begins, so that A moved back by that no longer overlaps B; and `proof_of_low`, a closed surface
 //       of differences of vertices around the origin, comes nowhere nearer to it than `low`.
-//   P2. Where it is `exact`, the square of the depth is a fraction that is told, and low and high are neighbouring
-//       doubles around the depth, or both the depth itself.
+//   P2. If `exact` is there, it holds the square of the depth as a fraction; low and high are then neighbouring doubles
+//       around the depth, or both equal it.
 //   P3. It is exact where the numbers of vertices have a product of at most all_are_exact; of larger bodies where the
 //       polytope that grows has a facet of the difference as its nearest one before it has most_corners corners: not
 //       where very many facets of A - B are nearly as far away, as of two round bodies with one centre.

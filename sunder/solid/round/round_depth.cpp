@@ -43,7 +43,7 @@ Interval radii_and_root(const Dyadic& radii, int sign, const Dyadic& square, con
   });
 }
 
-// Where `low` is 0 nothing has to prove it.
+// A bound of 0 needs no proof.
 EnclosedDepth proved(EnclosedDepth found) {
   if (!(found.depth.low > 0)) found.proof_of_low = {};
   return found;

@@ -28,7 +28,7 @@ namespace sunder::solid {
 inline constexpr double round_depth_width = 0x1p-22;
 inline constexpr std::uint32_t round_depth_most_corners = 1000;
 
-// Where they meet, the depth; else what round_round says of them.
+// If the bodies meet, the evidence is their depth; otherwise it is that of round_round.
 using RoundDepth =
     Answer<std::variant<NearlyTouching, Separation, SeparatingDirection, ExactSeparatingDirection, EnclosedDepth>>;
 
