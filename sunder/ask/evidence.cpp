@@ -3,6 +3,7 @@
 #include <sunder/certificate/rounded_evidence.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace sunder::ask {
@@ -42,15 +43,15 @@ Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRoun
   return {{"direction_about", to_json(gap.direction)}, {"gap_about", gap.width}};
 }
 
-std::string_view shape_name(const solid::RoundBody& body) {
-  switch (body.kind()) {
-    case RoundKind::cylinder: return "cylinder";
-    case RoundKind::cone: return "cone";
-    case RoundKind::ellipsoid: return "ellipsoid";
-    case RoundKind::hull: break;
+void add_numbers(const solid::RoundWords& words, Json& json) {
+  json["points"] = Json::array();
+  for (const Point3& p : words.points) json["points"].push_back(to_json(p));
+  const std::string name(words.sizes_name);
+  if (words.sizes.size() == 1) {
+    json[name] = words.sizes[0];
+  } else {
+    json[name] = words.sizes;
   }
-  const std::size_t points = body.points().size();
-  return points == 1 ? "ball" : points == 2 ? "capsule" : "rounded hull";
 }
 
 }  // namespace sunder::ask

@@ -8,8 +8,6 @@
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/round/round_round.h>
 
-#include <string_view>
-
 namespace sunder::ask {
 
 // apart: {"direction_about", "gap_about", "extreme_a", "extreme_b"}; meet: {"point_about", "vertices_a", "vertices_b"}.
@@ -19,7 +17,7 @@ Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, 
 // {"direction_about"}.
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
 
-// "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid".
-std::string_view shape_name(const solid::RoundBody& body);
+// Adds what the body is made of: {"points", "radius"}, {"points", "semi_axes"}.
+void add_numbers(const solid::RoundWords& words, Json& json);
 
 }  // namespace sunder::ask

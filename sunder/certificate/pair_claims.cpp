@@ -5,19 +5,6 @@
 #include <cmath>
 
 namespace sunder {
-namespace {
-
-const char* key_of(RoundKind kind) {
-  switch (kind) {
-    case RoundKind::hull: return "radius";
-    case RoundKind::cylinder: return "cylinder";
-    case RoundKind::cone: return "cone";
-    case RoundKind::ellipsoid: return "ellipsoid";
-  }
-  return "";
-}
-
-}  // namespace
 
 void PairClaims::begin_entry(const std::string& name) {
   if (entries_.empty()) file_.begin_table("bodies");
@@ -37,10 +24,11 @@ void PairClaims::add_points_of_entry(std::span<const Point3> points) {
 std::uint32_t PairClaims::add_round_body(const std::string& name, std::span<const Point3> core, RoundKind kind,
                                          double radius) {
   SUNDER_REQUIRE(space_ == Space::solid && radius >= 0 && std::isfinite(radius));
-  SUNDER_REQUIRE(kind == RoundKind::hull ? !core.empty() : core.size() == (kind == RoundKind::ellipsoid ? 1u : 2u));
+  const RoundKindRow& row = row_of(kind);
+  SUNDER_REQUIRE(row.points == 0 ? !core.empty() : core.size() == row.points);
   begin_entry(name);
   add_points_of_entry(core);
-  file_.real(key_of(kind), radius);
+  file_.real(row.key, radius);
   file_.end_entry();
   entries_.push_back({name, core, Affine3()});
   return static_cast<std::uint32_t>(entries_.size() - 1);

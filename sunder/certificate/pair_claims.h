@@ -6,7 +6,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/pair.h>
-#include <sunder/certificate/round_kind.h>
+#include <sunder/predicate/disc/round_kind.h>
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include <sunder/base/json.h>
 #include <sunder/certificate/rounded_evidence.h>
 #include <sunder/picture/gltf.h>
-#include <sunder/picture/round.h>
 
 #include <fmt/format.h>
 
@@ -159,8 +158,8 @@ class Model {
 
   // Returns its number.
   std::size_t add_mesh(const scene::Part& part, const std::string& body, Material material) {
-    some_round_ = some_round_ || !part.shape.is_polyhedron();
-    const solid::ConvexPolyhedron shape = drawn_as(part.shape);
+    const auto [shape, is_all] = drawn_as(part.shape);
+    some_round_ = some_round_ || !is_all;
     const std::span<const Point3> corners = shape.vertices();
     const PlacedVertices placed{corners, part.pose.affine(), false};
     std::array<float, 3> low, high;

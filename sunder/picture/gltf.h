@@ -19,7 +19,7 @@ enum class GltfForm : std::uint8_t {
 // and where it has several parts a node for each, by their names; and a node without a mesh at the common point of each
 // pair that meets and may not, named as "a and b meet", or "meet as hulls"; the panel's
 // notes are its extras. Three materials: "apart", "meets", "undecided". Facets are flat.
-// Positions are in single precision, and bodies with a radius polyhedra inside of them (round.h): for the eye alone,
+// Positions are in single precision, and bodies with a radius polyhedra inside of them (drawn_as): for the eye alone,
 // which asset.extras says. Throws Error bad_value where a coordinate is beyond single precision. Cost: linear in what
 // is drawn.
 std::string scene_gltf(std::span<const ScenePanel> panels, GltfForm form);

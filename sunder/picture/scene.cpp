@@ -1,6 +1,5 @@
 #include <sunder/picture/painter.h>
 #include <sunder/picture/rings.h>
-#include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
 
 #include <sunder/certificate/direction.h>
@@ -82,7 +81,7 @@ double light_on(const Seen& normal) {
 struct Placed {
   std::uint32_t body;
   const scene::Part* part;
-  solid::ConvexPolyhedron shape;
+  solid::DrawnBody drawn;
   std::vector<Point3> points;
 };
 
@@ -91,7 +90,7 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
   for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
     for (const scene::Part& part : panel.bodies[b].parts) {
       parts.push_back({b, &part, drawn_as(part.shape), {}});
-      const std::span<const Point3> corners = parts.back().shape.vertices();
+      const std::span<const Point3> corners = parts.back().drawn.polyhedron.vertices();
       const PlacedVertices vertices{corners, part.pose.affine(), false};
       for (std::uint32_t v = 0; v < corners.size(); ++v) {
         const Vector3<double> p = rounded_image(vertices[v]);
@@ -105,7 +104,7 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
 // What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
 // pose reflects.
 void add_pieces(const Placed& placed, std::uint32_t number, const View& view, std::vector<Piece>& out) {
-  const solid::ConvexPolyhedron& shape = placed.shape;
+  const solid::ConvexPolyhedron& shape = placed.drawn.polyhedron;
   std::vector<Seen> points;
   for (const Point3& p : placed.points) points.push_back(view(p));
   if (shape.dimension() < 2) {
@@ -226,7 +225,7 @@ class SceneDrawing {
 
   bool some_round() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const std::vector<Placed>& parts) {
-      return std::any_of(parts.begin(), parts.end(), [](const Placed& p) { return !p.part->shape.is_polyhedron(); });
+      return std::any_of(parts.begin(), parts.end(), [](const Placed& p) { return !p.drawn.is_all; });
     });
   }
 

@@ -29,7 +29,7 @@ struct ScenePanel {
 // The placements side by side, at least one, all in the same orthographic view and scale: facets shaded flat, nearer
 // ones over farther ones (painter.h); bodies that meet, and may not, in red, with a numbered ring at the common point
 // of each such pair (rings.h), and the first 40 of them in words, by number. Bodies with a radius are drawn by
-// polyhedra inside of them, which is said (round.h). Where hulls stand for meshes, it says so, too. Positions are
+// polyhedra inside of them, which is said (drawn_as). Where hulls stand for meshes, it says so, too. Positions are
 // rounded: the picture decides nothing. title: empty: a question.
 std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title);
 

@@ -5,7 +5,7 @@
 #include <sunder/solid/round/round_depth.h>
 #include <sunder/solid/round/round_distance.h>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -150,33 +150,21 @@ PairObject PlacedRoundBody::object_of() const {
   if (core) {
     PairObject result = ask::object_of(*core);
     result.said = said;
-    if (body.radius() > 0) {
-      result.text += fmt::format("\nand all within {} of it", body.radius());
-      result.json["radius"] = body.radius();
+    if (around) {
+      result.text += fmt::format("\nand all within {} of it", *around);
+      result.json["radius"] = *around;
     }
     return result;
   }
   PairObject result{.file = file, .name = name, .text = {}, .json = {}, .vertices = {}, .said = said};
   const std::string_view kind = io::name_of(object.kind);
   result.json = {{"file", file}, {"name", name}, {"format", object.format}, {"shape", kind}};
-  if (body.kind() == RoundKind::ellipsoid) {
-    const auto& [m, t] = body.frame();
-    const Point3 center{t[0], t[1], t[2]}, axes{m[0], m[4], m[8]};
-    result.json["points"] = Json::array({to_json(center)});
-    result.json["semi_axes"] = to_json(axes);
-    result.text = fmt::format("{}: ellipsoid, center {}, semi-axes {}", name, exact_text(center), exact_text(axes));
-    return result;
-  }
-  const std::span<const Point3> points = body.points();
-  result.json["points"] = Json::array();
-  std::string list;
-  for (const Point3& p : points) {
-    result.json["points"].push_back(to_json(p));
-    list += (list.empty() ? "" : " to ") + exact_text(p);
-  }
-  result.json["radius"] = body.radius();
-  result.text = fmt::format("{}: {} of radius {}, {} {}", name, kind, body.radius(),
-                            points.size() == 1 ? "center" : "from", list);
+  const solid::RoundWords words = words_of(body);
+  add_numbers(words, result.json);
+  std::string points;
+  for (const Point3& p : words.points) points += (points.empty() ? "" : " to ") + exact_text(p);
+  result.text = fmt::format("{}: {}", name, kind) + fmt::format(fmt::runtime(words.form), fmt::arg("points", points),
+                                                                fmt::arg("sizes", fmt::join(words.sizes, ", ")));
   return result;
 }
 

@@ -50,6 +50,7 @@ struct PlacedRoundBody {
   solid::RoundBody body;
   solid::Pose pose;
   Said said{};
+  std::optional<double> around{};  // of a core: its radius, where that is above 0
 
   bool is_hull() const { return core && core->is_hull(); }
   PairObject object_of() const;

@@ -214,6 +214,7 @@ PlacedRoundBody round_part(const io::BodyPart& part, const std::string& name, co
   }
   round.core = PlacedBody{part.body, pose, {}};
   round.core->mesh.name = name;
+  round.around = part.round->radius();
   return round;
 }
 
@@ -305,7 +306,10 @@ SpaceInput read_space_input(const PairCall& call, const PairSide& side, PairFile
   const solid::RoundBody body = solid::RoundBody::rounded(mesh.hull, numbers[0]);
   PlacedRoundBody round{mesh.file, mesh.name, {}, {}, body, input.bounded->pose};
   round.said = input.bounded->said;
-  if (numbers[0] > 0 && !round.said.empty()) round.said = round.said.with_radius();
+  if (numbers[0] > 0) {
+    round.around = numbers[0];
+    if (!round.said.empty()) round.said = round.said.with_radius();
+  }
   round.core = std::move(input.bounded);
   return {{}, {}, std::move(round)};
 }

@@ -258,19 +258,9 @@ void add_contact(const PartPair& pair, Json& json) {
 // A part as it was read.
 Json object_json(const io::BodyPart& part) {
   if (!part.round) return to_json(part.body);
-  Json json{{"file", part.body.file},
-            {"name", part.body.name},
-            {"format", part.body.format},
-            {"shape", shape_name(*part.round)}};
-  json["points"] = Json::array();
-  if (part.round->kind() == RoundKind::ellipsoid) {
-    const auto& [m, t] = part.round->frame();
-    json["points"].push_back(to_json(Point3{t[0], t[1], t[2]}));
-    json["semi_axes"] = to_json(Point3{m[0], m[4], m[8]});
-    return json;
-  }
-  json["radius"] = part.round->radius();
-  for (const Point3& p : part.round->points()) json["points"].push_back(to_json(p));
+  const solid::RoundWords words = words_of(*part.round);
+  Json json{{"file", part.body.file}, {"name", part.body.name}, {"format", part.body.format}, {"shape", words.shape}};
+  add_numbers(words, json);
   return json;
 }
 

@@ -12,7 +12,6 @@
 #include <sunder/io/text/file.h>
 #include <sunder/io/text/text.h>
 #include <sunder/picture/gltf.h>
-#include <sunder/picture/round.h>
 #include <sunder/picture/scene.h>
 #include <sunder/scene/scene_claims.h>
 
@@ -106,7 +105,7 @@ void require_apart(Talk& talk, const SceneCall& call, const robot::Cell& cell) {
 void require_drawable(const SceneCall& call, const robot::Cell& cell, std::size_t placements) {
   if (call.svg.empty() && call.gltf.empty()) return;
   std::uint64_t facets = 0;
-  for (const io::BodyPart* part : cell.parts()) facets += picture::drawn_as(part->shape()).facet_count();
+  for (const io::BodyPart* part : cell.parts()) facets += drawn_as(part->shape()).polyhedron.facet_count();
   facets *= placements;
   if (!call.svg.empty()) ask::require_drawable(facets, "facet", 0, call.svg_limit);
   if (!call.gltf.empty() && facets > most_facets) {

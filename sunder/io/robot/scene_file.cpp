@@ -303,7 +303,7 @@ std::vector<std::vector<BodyPart>> read_scene_parts(const SceneFile& scene, cons
                   core};
       if (part.format == "box") of.mesh_polygons = core.facet_count();
       out.push_back({name, std::move(of), part.pose, {}, scene.unit});
-      if (!part.shape->is_polyhedron()) out.back().round = part.shape;
+      if (reach_beyond_core(*part.shape) > 0) out.back().round = part.shape;
     }
   }
   return result;

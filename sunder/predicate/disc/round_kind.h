@@ -1,6 +1,8 @@
 // The kinds of bodies with a radius.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace sunder {
@@ -13,5 +15,15 @@ enum class RoundKind : std::uint8_t {
   cone,      // two points, base and apex: likewise, within the radius times the weight of the base
   ellipsoid  // one point: x is the image, under the pose, of a point within the radius of the core's
 };
+
+// What certificate files call the radius (docs/claims.md, "Tables"), and how many points the core has; 0: any number.
+struct RoundKindRow {
+  const char* key;
+  std::size_t points;
+};
+inline const RoundKindRow& row_of(RoundKind kind) {
+  static constexpr std::array<RoundKindRow, 4> rows{{{"radius", 0}, {"cylinder", 2}, {"cone", 2}, {"ellipsoid", 1}}};
+  return rows[static_cast<std::size_t>(kind)];
+}
 
 }  // namespace sunder

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
 
 namespace sunder::solid {
 
@@ -83,6 +86,42 @@ Pose pose_of(const RoundBody& body, const Pose& pose) {
   return body.kind() == RoundKind::ellipsoid ? compose(pose, body.frame_pose()) : pose;
 }
 
+// ---- What is drawn.
+
+constexpr std::size_t around = 24;  // points of a circle
+constexpr std::size_t rings = 8;    // from pole to pole
+
+Point3 added(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
+Point3 scaled(double k, const Point3& p) { return {k * p.x, k * p.y, k * p.z}; }
+Point3 unit(const Point3& p) { return scaled(1 / std::hypot(p.x, p.y, p.z), p); }
+
+double angle(std::size_t k, std::size_t of) {
+  return 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(of);
+}
+
+// On the ball of radius 1: poles, and rings between them.
+std::vector<Point3> ball_points() {
+  std::vector<Point3> points{{0, 0, 1}, {0, 0, -1}};
+  for (std::size_t i = 1; i < rings; ++i) {
+    const double from_pole = angle(i, 2 * rings), radius = std::sin(from_pole);
+    for (std::size_t k = 0; k < around; ++k) {
+      points.push_back({radius * std::cos(angle(k, around)), radius * std::sin(angle(k, around)), std::cos(from_pole)});
+    }
+  }
+  return points;
+}
+
+// The circle around `middle` across the axis.
+void add_circle(const Point3& middle, const Point3& axis, double radius, std::vector<Point3>& points) {
+  const Point3 along = unit(axis);
+  const bool is_upright = std::fabs(along.z) > 0.5;
+  const Point3 u = unit(cross(along, is_upright ? Point3{1, 0, 0} : Point3{0, 0, 1})), v = cross(along, u);
+  for (std::size_t k = 0; k < around; ++k) {
+    const double turn = angle(k, around);
+    points.push_back(added(middle, added(scaled(radius * std::cos(turn), u), scaled(radius * std::sin(turn), v))));
+  }
+}
+
 }  // namespace
 
 RoundBody::RoundBody(RoundKind kind, const ConvexPolyhedron& core, double radius)
@@ -136,6 +175,58 @@ RoundBody RoundBody::ellipsoid(const Point3& centre, const std::array<double, 3>
 }
 
 std::span<const Point3> RoundBody::points() const { return kind_ == RoundKind::hull ? core_.vertices() : ends(); }
+
+double reach_beyond_core(const RoundBody& body) {
+  return body.kind() == RoundKind::ellipsoid ? std::numeric_limits<double>::infinity() : body.radius();
+}
+
+RoundWords words_of(const RoundBody& body) {
+  const std::span<const Point3> p = body.points();
+  if (body.kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = body.frame();
+    return {
+        "ellipsoid", ", center {points}, semi-axes ({sizes})", {{t[0], t[1], t[2]}}, "semi_axes", {m[0], m[4], m[8]}};
+  }
+  const char* const shape = body.is_curved() ? row_of(body.kind()).key
+                            : p.size() == 1  ? "ball"
+                            : p.size() == 2  ? "capsule"
+                                             : "rounded hull";
+  return {shape,
+          p.size() == 1 ? " of radius {sizes}, center {points}" : " of radius {sizes}, from {points}",
+          {p.begin(), p.end()},
+          "radius",
+          {body.radius()}};
+}
+
+DrawnBody drawn_as(const RoundBody& body) {
+  if (body.is_polyhedron()) return {body.core()};
+  const std::span<const Point3> core = body.points();
+  std::vector<Point3> points;
+  switch (body.kind()) {
+    case RoundKind::cylinder:
+    case RoundKind::cone: {
+      const Point3 axis = added(core[1], scaled(-1, core[0]));
+      add_circle(core[0], axis, body.radius(), points);
+      if (body.kind() == RoundKind::cylinder) {
+        add_circle(core[1], axis, body.radius(), points);
+      } else {
+        points.push_back(core[1]);
+      }
+      break;
+    }
+    case RoundKind::ellipsoid: {
+      const auto& [m, t] = body.frame();  // a diagonal
+      for (const Point3& p : ball_points()) points.push_back({m[0] * p.x + t[0], m[4] * p.y + t[1], m[8] * p.z + t[2]});
+      break;
+    }
+    case RoundKind::hull:
+      for (const Point3& p : ball_points()) {
+        for (const Point3& q : core) points.push_back(added(q, scaled(body.radius(), p)));
+      }
+      break;
+  }
+  return {ConvexPolyhedron(points), false};
+}
 
 void require_rigid(const RoundBody& body, const Pose& pose) {
   if (body.is_polyhedron() || body.kind() == RoundKind::ellipsoid || pose.is_rigid()) return;

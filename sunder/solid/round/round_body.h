@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace sunder::solid {
 
@@ -97,6 +99,29 @@ class RoundBody {
   std::shared_ptr<const RoundBox> box_;
   Pose frame_;
 };
+
+// All of the body is within that of its core: cylinders and cones are within their radius of their axis. Infinite where
+// that is not known, of ellipsoids.
+double reach_beyond_core(const RoundBody& body);
+
+// How people are told of a body.
+struct RoundWords {
+  std::string_view shape;       // "ball", "capsule", "rounded hull", "cylinder", "cone", "ellipsoid"
+  std::string_view form;        // a sentence's end: " of radius {sizes}, center {points}"
+  std::vector<Point3> points;   // as `points` has them; of an ellipsoid the centre
+  std::string_view sizes_name;  // "radius", "semi_axes"
+  std::vector<double> sizes;    // one radius, or three semi-axes
+};
+RoundWords words_of(const RoundBody& body);
+
+// A polyhedron inside of the body, of points on its surface, for pictures: nothing is decided by it. Within some
+// hundredths of the radius of the body; in its own frame. Cost: of a rounded hull of n vertices the hull of 170 n
+// points.
+struct DrawnBody {
+  ConvexPolyhedron polyhedron;
+  bool is_all = true;  // it is the body itself
+};
+DrawnBody drawn_as(const RoundBody& body);
 
 // May the body be placed so? A polyhedron, and an ellipsoid, by any pose. Others by rotations and reflections with a
 // translation, because the radius stays: Pose::is_rigid. Throws Error: bad_pose.

@@ -4,8 +4,8 @@
 namespace sunder::solid {
 
 std::uint32_t add_shape(PairClaims& pairs, const std::string& name, const RoundBody& body) {
-  return body.is_polyhedron() ? pairs.add_body(name, body.points())
-                              : pairs.add_round_body(name, body.points(), body.kind(), body.radius());
+  return reach_beyond_core(body) > 0 ? pairs.add_round_body(name, body.points(), body.kind(), body.radius())
+                                     : pairs.add_body(name, body.points());
 }
 
 std::uint32_t add_round(PairClaims& pairs, const std::string& name, const PlacedRound& placed) {

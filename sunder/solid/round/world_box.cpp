@@ -167,10 +167,6 @@ Box3 rough_world_box(const RoundBody& body, const Pose& pose) {
   return body.is_polyhedron() ? rough_world_box(Placed(body.core(), pose)) : rough_world_box(PlacedRound(body, pose));
 }
 
-double reach_beyond_core(const RoundBody& body) {
-  return body.kind() == RoundKind::ellipsoid ? std::numeric_limits<double>::infinity() : body.radius();
-}
-
 std::optional<RoundEvidence> apart_by_boxes(const RoundBody& a, const WorldBox& box_a, const RoundBody& b,
                                             const WorldBox& box_b) {
   const std::optional<Separation> boxes = apart_by_boxes(box_a, box_b);

@@ -49,8 +49,4 @@ std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b); 
 std::optional<RoundEvidence> apart_by_boxes(const RoundBody& a, const WorldBox& box_a,  //
                                             const RoundBody& b, const WorldBox& box_b);
 
-// All of the body is within that of its core: cylinders and cones are within their radius of their axis. Infinite where
-// that is not known, of ellipsoids.
-double reach_beyond_core(const RoundBody& body);
-
 }  // namespace sunder::solid
