@@ -4,110 +4,27 @@
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/rounded_evidence.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
+#include <sunder/solid/round/round_claims.h>
+#include <sunder/solid/round/round_round_sweep.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
+#include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace sunder::ask {
 
 namespace {
 
+using solid::PlacedRound;
 using solid::SweepContact;
 using solid::Translation;
 
-class MotionPair : public PairQuestion {
- public:
-  MotionPair(const PairCall& asked, const PlacedBody& a, const PlacedBody& b, const PairFiles& files)
-      : PairQuestion(asked, object_of(a), object_of(b), files),
-        body_a_(a),
-        body_b_(b),
-        of_a_(motion_of(a.pose, asked.a)),
-        of_b_(motion_of(b.pose, asked.b)) {
-    tell_motion(of_a_, a_);
-    tell_motion(of_b_, b_);
-  }
-
-  void ask() {
-    const solid::ConvexPolyhedron &a = body_a_.mesh.hull, &b = body_b_.mesh.hull;
-    const solid::SweepAnswer answer = polyhedron_polyhedron_sweep(a, of_a_, b, of_b_);
-    take(answer, decided_text(answer.decided_by));
-    const bool is_said_of_hulls = meet_ && (body_a_.is_hull() || body_b_.is_hull());
-    verdict_ = !meet_ ? "apart all the way" : is_said_of_hulls ? "meet on the way, as hulls" : "meet on the way";
-    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}};
-    if (meet_) {
-      first_ = polyhedron_polyhedron_first_contact(a, of_a_, b, of_b_);
-      facts_.push_back(told_point());
-      facts_.push_back(told_time());
-    } else {
-      apart_ = std::get<solid::SeparationOnTheWay>(answer.evidence).separation;
-      apart_.direction = exact_direction(parting_direction(answer, a, of_a_, b, of_b_));
-      facts_.push_back(told_apart());
-    }
-  }
-
-  std::string certificate() const {
-    return claims_text(origin(), [&](ClaimsWriter& file) {
-      PairClaims pairs(file);
-      const auto add = [&](const PairObject& object, const Translation& motion) {
-        file.say(object.said);
-        const std::uint32_t body = pairs.add_body(object.name, object.vertices);
-        const std::uint32_t begin = pairs.add_placed(object.name, body, motion.begin().affine());
-        return std::pair(begin, motion.rests() ? begin : pairs.add_placed(object.name, body, motion.end().affine()));
-      };
-      const auto [a, to_a] = add(a_, of_a_);
-      const auto [b, to_b] = add(b_, of_b_);
-      if (!first_) return pairs.add_motion_apart(a, b, to_a, to_b, *apart_.direction.numbers);
-      const bool is_later = first_->time.sign() != Sign::zero;
-      pairs.add_motion_meet(a, b, to_a, to_b, first_->time, first_->denominator, first_->point,
-                            is_later ? &first_->direction : nullptr);
-    });
-  }
-
- private:
-  Fact told_point() const {
-    const Point3 p = nearest(first_->point.at);
-    return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point then at about {}", about(p))};
-  }
-
-  Fact told_time() const {
-    const auto [low, high] = first_->about();
-    return {"time",
-            {{"low", low}, {"high", high}},
-            fmt::format("{}{:.12g} of 0 to 1: they meet then, and not before", low == high ? "" : "about ", high)};
-  }
-
-  Fact told_apart() const {
-    const auto gap = [&](bool at_end) {
-      const Affine3 &a = (at_end ? of_a_.end() : of_a_.begin()).affine(),
-                    &b = (at_end ? of_b_.end() : of_b_.begin()).affine();
-      return rounded_gap(apart_, {a_.vertices, a, false}, {b_.vertices, b, false});
-    };
-    const RoundedGap first = gap(false), last = gap(true);
-    return {
-        "evidence",
-        {{"direction_about", to_json(first.direction)},
-         {"gap_about", std::min(first.width, last.width)},
-         {"extreme_a", apart_.extreme_a},
-         {"extreme_b", apart_.extreme_b}},
-        fmt::format("all the way an empty slab across the direction of about {},\nfrom vertex {} of A to vertex {} "
-                    "of B, about {} wide at the beginning and {} at the end",
-                    about(first.direction), apart_.extreme_a, apart_.extreme_b, about(first.width), about(last.width))};
-  }
-
-  const PlacedBody &body_a_, &body_b_;
-  Translation of_a_, of_b_;
-  Separation apart_;
-  std::optional<SweepContact> first_;
-};
-
-}  // namespace
-
-solid::Translation motion_of(const solid::Pose& begin, const PairSide& side) {
+// Where the side goes. Throws Error for what turns.
+Translation motion_of(const solid::Pose& begin, const PairSide& side) {
   if (side.to.empty()) return Translation(begin);
   const solid::Pose end = parse_pose(side.to, side.option("to"));
   if (!is_translation(begin, end)) {
@@ -120,12 +37,7 @@ solid::Translation motion_of(const solid::Pose& begin, const PairSide& side) {
   return {begin, end};
 }
 
-void require_no_frame(const PlacedBody& body, const PairSide& side) {
-  if (side.to.empty() || !body.object || !body.object->frame) return;
-  throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space", side.option("to"));
-}
-
-void tell_motion(const solid::Translation& motion, PairObject& object) {
+void tell_motion(const Translation& motion, PairObject& object) {
   if (motion.rests()) return;
   const auto &from = motion.begin().affine().translation, &to = motion.end().affine().translation;
   object.text +=
@@ -133,10 +45,123 @@ void tell_motion(const solid::Translation& motion, PairObject& object) {
   object.json["moves"] = {{"from", from}, {"to", to}};
 }
 
-Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
+class MotionPair : public PairQuestion {
+ public:
+  MotionPair(const PairCall& asked, const PlacedRoundBody& a, const PlacedRoundBody& b, const PairFiles& files)
+      : PairQuestion(asked, a.object_of(), b.object_of(), files),
+        round_a_(a),
+        round_b_(b),
+        of_a_(motion_of(a.pose, asked.a)),
+        of_b_(motion_of(b.pose, asked.b)) {
+    tell_motion(of_a_, a_);
+    tell_motion(of_b_, b_);
+  }
+
+  void ask() {
+    answer_ = round_round_sweep(round_a_.body, of_a_, round_b_.body, of_b_);
+    take(answer_, answer_.undecided()
+                      ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"
+                      : decided_text(answer_.decided_by));
+    if (answer_.undecided()) word_ = "undecided";
+    is_yes_ = answer_.verdict() != Verdict::apart;  // what is undecided is not known to be apart
+    const bool is_said_of_hulls = is_yes_ && (round_a_.is_hull() || round_b_.is_hull());
+    verdict_ = answer_.undecided() ? "undecided whether they meet on the way"
+               : !meet_            ? "apart all the way"
+               : is_said_of_hulls  ? "meet on the way, as hulls"
+                                   : "meet on the way";
+    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}};
+    if (answer_.undecided()) return;
+    if (!meet_) return facts_.push_back(told_apart());
+    first_ = round_round_first_contact(round_a_.body, of_a_, round_b_.body, of_b_, answer_);
+    facts_.push_back(told_point());
+    facts_.push_back(told_time());
+    const SweepContact& contact = first_->contact;
+    const bool is_proved = std::any_of(contact.direction.begin(), contact.direction.end(),
+                                       [](const Dyadic& x) { return x.sign() != Sign::zero; });
+    if (!is_proved && contact.time.sign() != Sign::zero) not_proved_.emplace_back("that they do not meet before");
+  }
+
+  std::string certificate() const {
+    if (answer_.undecided()) {
+      throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
+                  "--certificate");
+    }
+    return claims_text(origin(), [&](ClaimsWriter& file) {
+      PairClaims pairs(file);
+      const auto add = [&](const PairObject& object, const PlacedRoundBody& body, const Translation& motion) {
+        file.say(object.said);
+        const PlacedRound begin(body.body, motion.begin()), end(body.body, motion.end());
+        const std::uint32_t index = solid::add_shape(pairs, object.name, body.body);
+        const std::uint32_t first = pairs.add_placed(object.name, index, begin.pose.affine());
+        return std::pair(first, motion.rests() ? first : pairs.add_placed(object.name, index, end.pose.affine()));
+      };
+      const auto [a, to_a] = add(a_, round_a_, of_a_);
+      const auto [b, to_b] = add(b_, round_b_, of_b_);
+      if (first_) return add_claims(pairs, {a, b, to_a, to_b}, *first_);
+      add_claims(pairs, {a, b, to_a, to_b}, round_a_.body, of_a_, round_b_.body, of_b_, answer_);
+    });
+  }
+
+ private:
+  Fact told_point() const {
+    const Point3 at = nearest(first_->contact.point.at), p{at.x + 0.0, at.y + 0.0, at.z + 0.0};
+    return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point then at about {}", about(p))};
+  }
+
+  Fact told_time() const {
+    const auto [low, high] = first_->time;
+    return {"time",
+            {{"low", low}, {"high", high}},
+            high - low <= 0x1p-40
+                ? fmt::format("{}{:.12g} of 0 to 1: they meet then, and not before", low == high ? "" : "about ", high)
+                : fmt::format("{:.12g} of 0 to 1: they meet then, and not before {:.12g}", high, low)};
+  }
+
+  // Of two polyhedra also the vertices between which the slab is.
+  Fact told_apart() const {
+    const auto* of_vertices = std::get_if<solid::SeparationOnTheWay>(&answer_.evidence);
+    const auto [x, y, z] = direction_of(round_a_.body, of_a_, round_b_.body, of_b_, answer_);
+    const WorldDirection direction(Vector3<Dyadic>{x, y, z});
+    const auto gap = [&](bool at_end) {
+      const PlacedRound a(round_a_.body, at_end ? of_a_.end() : of_a_.begin());
+      const PlacedRound b(round_b_.body, at_end ? of_b_.end() : of_b_.begin());
+      if (!of_vertices) return rounded_gap(a, b, solid::separation_along(direction));
+      Separation between = of_vertices->separation;
+      between.direction = exact_direction({x, y, z});
+      return rounded_gap(between, {a.body.points(), a.core.pose, false}, {b.body.points(), b.core.pose, false});
+    };
+    const RoundedGap first = gap(false), last = gap(true);
+    Json json{{"direction_about", to_json(first.direction)}, {"gap_about", std::min(first.width, last.width)}};
+    std::string from;
+    if (of_vertices) {
+      const auto& [along, extreme_a, extreme_b] = of_vertices->separation;
+      json["extreme_a"] = extreme_a, json["extreme_b"] = extreme_b;
+      from = fmt::format("from vertex {} of A to vertex {} of B, ", extreme_a, extreme_b);
+    }
+    return {"evidence", std::move(json),
+            fmt::format("all the way an empty slab across the direction of about {},\n{}about {} wide at the beginning "
+                        "and {} at the end",
+                        about(first.direction), from, about(first.width), about(last.width))};
+  }
+
+  const PlacedRoundBody &round_a_, &round_b_;
+  Translation of_a_, of_b_;
+  solid::SweepAnswer answer_;
+  std::optional<solid::RoundFirstContact> first_;
+};
+
+}  // namespace
+
+Report run_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_pair_fit(call, {pair_kind::moving});
-  for (const auto& [body, side] : {std::pair(&a, &call.a), std::pair(&b, &call.b)}) require_no_frame(*body, *side);
-  return answer(MotionPair(call, a, b, files), files.talk);
+  const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
+  for (const auto& [body, side] : {std::pair(&of_a, &call.a), std::pair(&of_b, &call.b)}) {
+    if (!side->to.empty() && body->core && body->core->object && body->core->object->frame) {
+      throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space",
+                  side->option("to"));
+    }
+  }
+  return ask::answer(MotionPair(call, of_a, of_b, files), files.talk);
 }
 
 }  // namespace sunder::ask

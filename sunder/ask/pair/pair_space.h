@@ -86,17 +86,9 @@ Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput
 // certificate is asked for and the pair is undecided.
 Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// Where one of them moves, or both: --to-a, --to-b. Throws Error for what turns, and for options of bodies at rest.
-Report run_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
-
-// The same where one of them has a radius, or both. Throws Error, also for a certificate of what is undecided.
-Report run_round_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
-
-// What these two share: where the side goes, told with its object; throw Error for what turns, for a polygon in a frame
-// that moves.
-solid::Translation motion_of(const solid::Pose& begin, const PairSide& side);
-void tell_motion(const solid::Translation& motion, PairObject& object);
-void require_no_frame(const PlacedBody& body, const PairSide& side);
+// Where one of them moves, or both: --to-a, --to-b. Both are bounded, with a radius or without. Throws Error for what
+// turns, for a polygon in a frame that moves, for options of bodies at rest, and for a certificate of what is undecided.
+Report run_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // A body and a plane, a body and a line or ray.
 Report run_plane_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,

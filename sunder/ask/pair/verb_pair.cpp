@@ -213,10 +213,10 @@ Report run(const PairCall& call, Talk& talk) {
   }
   note_hulls(talk, bodies);
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
-  if (is_motion && (a.round || b.round)) return run_round_motion_pair(call, a, b, files);
+  const bool is_flat = a.flat || b.flat;
+  if (is_motion && !is_flat) return run_motion_pair(call, a, b, files);
   if (a.round || b.round) return run_round_pair(call, a, b, files);
-  if (a.flat || b.flat) return run_flat_pair(call, a, b, files);
-  if (is_motion) return run_motion_pair(call, *a.bounded, *b.bounded, files);
+  if (is_flat) return run_flat_pair(call, a, b, files);
   return answer(SolidPair(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files), files.talk);
 }
 
