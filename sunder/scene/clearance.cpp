@@ -64,9 +64,7 @@ bool is_nearer(const PartDistance& one, const PartDistance& other) {
   if (one.meet() || other.meet()) return one.meet() && !other.meet();
   const Interval &p = one.distance, &q = other.distance;
   if (p.high < q.low || q.high < p.low) return p.high < q.low;
-  const auto* x = std::get_if<solid::HullsApart>(&one.evidence);
-  const auto* y = std::get_if<solid::HullsApart>(&other.evidence);
-  return x != nullptr && y != nullptr ? solid::is_nearer(*x, *y) : p.high < q.high;
+  return solid::is_nearer(one.evidence, other.evidence).value_or(p.high < q.high);
 }
 
 }  // namespace

@@ -37,6 +37,8 @@ Triple direction_of(const WorldDirection& direction) {
 
 // The direction that proves how far apart they are.
 WorldDirection way_of(const RoundDistance& apart) {
+  const auto* closest = std::get_if<solid::ClosestFeatures>(&apart.evidence);
+  if (closest != nullptr) return solid::HullsApart{*closest}.direction();
   const auto* curved = std::get_if<solid::CurvedApart>(&apart.evidence);
   return curved != nullptr ? curved->nearest->direction : std::get<solid::HullsApart>(apart.evidence).direction();
 }

@@ -380,6 +380,15 @@ Sign gap_sign(const Dyadic& g, const Dyadic& u, const Dyadic& v) {
   return to_sign(sign_less_roots(g, {u, Dyadic(1.0)}, {v, Dyadic(1.0)}));
 }
 
+std::vector<ReachAlong> reaches_along(const Vector3<Dyadic>& direction, const RoundShape& shape) {
+  std::vector<ReachAlong> reaches;
+  const auto ends = ends_along<ExactStage>(shape, direction);
+  for (std::size_t k = 0; k < shape.ends(); ++k) {
+    reaches.push_back({dot(direction, ends[k].at), ends[k].root.square, ends[k].root.over});
+  }
+  return reaches;
+}
+
 Sign side_of(const RoundShape& shape, const WeightedPoint& point, StageTally* tally) {
   SUNDER_REQUIRE(shape.kind != RoundKind::hull);
   const Guess first = side_in_doubles(shape, point);

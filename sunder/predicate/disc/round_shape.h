@@ -19,6 +19,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace sunder {
 
@@ -54,6 +55,12 @@ Sign gap_sign(const Dyadic& g, const Dyadic& u, const Dyadic& v);
 // `least` that is not negative.
 Sign clear_sign(const WorldDirection& direction, const RoundShape& a, const RoundShape& b, double least,
                 StageTally* tally = nullptr);
+
+// How far the body reaches along a direction: as far as the furthest of q + sqrt(square / over), over above 0. Exact.
+struct ReachAlong {
+  Dyadic q, square, over;
+};
+std::vector<ReachAlong> reaches_along(const Vector3<Dyadic>& direction, const RoundShape& shape);
 
 // positive: the body holds the point, and not on its boundary; zero: on its boundary; negative: it does not. Requires
 // that it is no hull; of an ellipsoid, that L has an inverse.

@@ -180,6 +180,24 @@ double reach_beyond_core(const RoundBody& body) {
   return body.kind() == RoundKind::ellipsoid ? std::numeric_limits<double>::infinity() : body.radius();
 }
 
+RoundBody smaller(const RoundBody& body) {
+  constexpr double part = 1 - 0x1p-43;
+  const std::span<const Point3> p = body.points();
+  const double r = body.radius() * part;
+  if (!body.is_curved()) return RoundBody::rounded(body.core(), r);
+  if (body.kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = body.frame();
+    return RoundBody::ellipsoid({t[0], t[1], t[2]}, {m[0] * part, m[4] * part, m[8] * part});
+  }
+  const bool is_cone = body.kind() == RoundKind::cone;
+  const auto inwards = [&](const Point3& from, const Point3& to, double by) {
+    return Point3{from.x + by * (to.x - from.x), from.y + by * (to.y - from.y), from.z + by * (to.z - from.z)};
+  };
+  const Point3 from = inwards(p[0], p[1], 0x1p-44), to = inwards(p[1], p[0], is_cone ? 0x1p-42 : 0x1p-44);
+  if (from.x == to.x && from.y == to.y && from.z == to.z) return body;
+  return is_cone ? RoundBody::cone(from, to, r) : RoundBody::cylinder(from, to, r);
+}
+
 RoundWords words_of(const RoundBody& body) {
   const std::span<const Point3> p = body.points();
   if (body.kind() == RoundKind::ellipsoid) {
@@ -202,28 +220,21 @@ DrawnBody drawn_as(const RoundBody& body) {
   if (body.is_polyhedron()) return {body.core()};
   const std::span<const Point3> core = body.points();
   std::vector<Point3> points;
-  switch (body.kind()) {
-    case RoundKind::cylinder:
-    case RoundKind::cone: {
-      const Point3 axis = added(core[1], scaled(-1, core[0]));
-      add_circle(core[0], axis, body.radius(), points);
-      if (body.kind() == RoundKind::cylinder) {
-        add_circle(core[1], axis, body.radius(), points);
-      } else {
-        points.push_back(core[1]);
-      }
-      break;
+  if (body.kind() == RoundKind::hull) {
+    for (const Point3& p : ball_points()) {
+      for (const Point3& q : core) points.push_back(added(q, scaled(body.radius(), p)));
     }
-    case RoundKind::ellipsoid: {
-      const auto& [m, t] = body.frame();  // a diagonal
-      for (const Point3& p : ball_points()) points.push_back({m[0] * p.x + t[0], m[4] * p.y + t[1], m[8] * p.z + t[2]});
-      break;
+  } else if (body.kind() == RoundKind::ellipsoid) {
+    const auto& [m, t] = body.frame();  // a diagonal
+    for (const Point3& p : ball_points()) points.push_back({m[0] * p.x + t[0], m[4] * p.y + t[1], m[8] * p.z + t[2]});
+  } else {
+    const Point3 axis = added(core[1], scaled(-1, core[0]));
+    add_circle(core[0], axis, body.radius(), points);
+    if (body.kind() == RoundKind::cylinder) {
+      add_circle(core[1], axis, body.radius(), points);
+    } else {
+      points.push_back(core[1]);
     }
-    case RoundKind::hull:
-      for (const Point3& p : ball_points()) {
-        for (const Point3& q : core) points.push_back(added(q, scaled(body.radius(), p)));
-      }
-      break;
   }
   return {ConvexPolyhedron(points), false};
 }
@@ -236,10 +247,13 @@ void require_rigid(const RoundBody& body, const Pose& pose) {
               "pose");
 }
 
-PlacedRound::PlacedRound(const RoundBody& of, const Pose& at)
-    : body(of), pose(pose_of(of, at)), core(of.core(), pose), shape{of.kind(), {}, &pose.affine(), of.radius()} {
-  const std::span<const Point3> points = of.points();
-  if (of.is_curved()) std::copy(points.begin(), points.end(), shape.points.begin());
+RoundShape shape_of(const RoundBody& body, const Affine3& pose) {
+  RoundShape shape{body.kind(), {}, &pose, body.radius()};
+  if (body.is_curved()) std::copy(body.ends().begin(), body.ends().end(), shape.points.begin());
+  return shape;
 }
+
+PlacedRound::PlacedRound(const RoundBody& of, const Pose& at)
+    : body(of), pose(pose_of(of, at)), core(of.core(), pose), shape(shape_of(of, pose.affine())) {}
 
 }  // namespace sunder::solid

@@ -81,6 +81,10 @@ class RoundBody {
   // Where it is one along the axes, exactly. Else nullptr.
   const AxisBox* axis_box() const { return is_along_axes_ ? &axis_box_ : nullptr; }
 
+  // How far the body reaches beyond what searches walk on: the radius of hulls, of whose core they see; 0 of cylinders,
+  // cones and ellipsoids, which they see as they are.
+  double rounding() const { return is_curved() ? 0 : radius_; }
+
   bool is_polyhedron() const { return kind_ == RoundKind::hull && radius_ == 0; }
 
   // Cylinders, cones and ellipsoids. (Points within a radius of a polyhedron are decided through their cores.)
@@ -103,6 +107,9 @@ class RoundBody {
 // All of the body is within that of its core: cylinders and cones are within their radius of their axis. Infinite where
 // that is not known, of ellipsoids.
 double reach_beyond_core(const RoundBody& body);
+
+// A little smaller, within itself: what has a point in common with it then has one inside of it.
+RoundBody smaller(const RoundBody& body);
 
 // How people are told of a body.
 struct RoundWords {
@@ -127,6 +134,9 @@ DrawnBody drawn_as(const RoundBody& body);
 // translation, because the radius stays: Pose::is_rigid. Throws Error: bad_pose.
 void require_rigid(const RoundBody& body, const Pose& pose);
 
+// The body under the pose, which stays, as predicates see it. Of hulls its point is not set.
+RoundShape shape_of(const RoundBody& body, const Affine3& pose);
+
 // A body in its place. An ellipsoid's map is compose(pose, frame), in doubles, and these are what answers are exact
 // for.
 class PlacedRound {
@@ -139,7 +149,7 @@ class PlacedRound {
   const RoundBody& body;
   const Pose pose;
   const Placed core;  // the core under the pose
-  RoundShape shape;   // of hulls: its point is not set
+  const RoundShape shape;
 
   RoundKind kind() const { return body.kind(); }
   double radius() const { return body.radius(); }

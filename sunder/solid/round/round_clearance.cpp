@@ -5,6 +5,7 @@
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <cmath>
@@ -59,6 +60,22 @@ class ClearanceSearch {
     return true;
   }
 
+  // Two hulls: the distance of the cores against the sum of the radii and `least`. Nothing where they meet.
+  bool decide(const PolyhedronDistance& cores) {
+    found_.cost.exact += cores.cost.exact;
+    const ClosestFeatures* closest = closest_of(cores);
+    if (closest == nullptr) return false;
+    const auto [square, over] = closest->squared();
+    const ClosestPoints points = closest_points(*closest);
+    const Dyadic radii = Dyadic(a_.radius()) + Dyadic(b_.radius()), all = radii + Dyadic(least_);
+    if ((all * all * over - square).sign() != Sign::positive) {
+      const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
+      return keeps(WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}));
+    }
+    if ((radii * radii * over - square).sign() != Sign::negative) return false;
+    return breaks(points_nearer_than(least_, points, a_.radius(), b_.radius()));
+  }
+
   Point3 last_direction{};
 
  private:
@@ -79,9 +96,8 @@ class ClearanceSearch {
   bool breaks(const RoundSearch<Real>& search) {
     if (!proves_) {
       const auto places = near_places(search, a_, b_, tally_);
-      const auto radius = [](const PlacedRound& p) { return p.body.is_curved() ? 0 : p.radius(); };
-      if (places &&
-          nearness_within(places->of_a, radius(a_), places->of_b, radius(b_), least_, &tally_) == Sign::positive) {
+      if (places && nearness_within(places->of_a, a_.body.rounding(), places->of_b, b_.body.rounding(), least_,
+                                    &tally_) == Sign::positive) {
         found_.evidence = ClearanceBroken{};
         return true;
       }
@@ -99,35 +115,6 @@ class ClearanceSearch {
   std::uint32_t near_a_ = 0, near_b_ = 0;
 };
 
-// Two hulls: the distance of the cores against the sum of the radii and `least`. Nothing where they meet.
-class HullClearance {
- public:
-  HullClearance(const PlacedRound& a, const PlacedRound& b, double least, ClearanceSearch& search)
-      : a_(a), b_(b), least_(least), search_(search) {}
-
-  bool decide(Cost& cost) {
-    const PolyhedronDistance cores = polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    cost.exact += cores.cost.exact;
-    const ClosestFeatures* closest = closest_of(cores);
-    if (closest == nullptr) return false;
-    const auto [square, over] = closest->squared();
-    const ClosestPoints points = closest_points(*closest);
-    const Dyadic radii = Dyadic(a_.radius()) + Dyadic(b_.radius()), all = radii + Dyadic(least_);
-    if ((all * all * over - square).sign() != Sign::positive) {
-      const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
-      return search_.keeps(WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}));
-    }
-    if ((radii * radii * over - square).sign() != Sign::negative) return false;
-    return search_.breaks(points_nearer_than(least_, points, a_.radius(), b_.radius()));
-  }
-
- private:
-  const PlacedRound& a_;
-  const PlacedRound& b_;
-  double least_;
-  ClearanceSearch& search_;
-};
-
 RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least, bool proves) {
   SUNDER_REQUIRE(least > 0 && std::isfinite(least));
   RoundClearance found;
@@ -136,9 +123,9 @@ RoundClearance decided(const PlacedRound& a, const PlacedRound& b, double least,
   bool is_finished = false;
   const auto decide = [&] {
     if (search.run<double>({})) return;
-    if (!a.body.is_curved() && !b.body.is_curved()) {
+    if (const auto cores = distance_of_cores(a, b)) {
       is_finished = true;
-      if (HullClearance(a, b, least, search).decide(found.cost)) return;
+      if (search.decide(*cores)) return;
     } else {
       const Point3& d = search.last_direction;
       const bool is_some = std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z);

@@ -1,30 +1,15 @@
-#include <sunder/base/contract.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/predicate/point/shortest_way.h>
 #include <sunder/solid/round/round_closer.h>
+#include <sunder/solid/round/round_methods.h>
 
 #include <array>
-#include <cmath>
 #include <span>
 #include <utility>
 
 namespace sunder::solid {
 
 namespace {
-
-RoundCloser closer_polyhedra(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
-                             double least) {
-  const PolyhedronDistance found = polyhedron_polyhedron_distance(a.core(), pose_a, b.core(), pose_b);
-  RoundCloser answer{{}, found.decided_by, found.cost};
-  if (const auto* common = std::get_if<CommonVertices>(&found.evidence)) {
-    answer.evidence = Nearer{*common};
-  } else if (const ClosestFeatures& closest = *closest_of(found); compare_distance(found, least) == Sign::negative) {
-    answer.evidence = Nearer{HullsApart{closest}};
-  } else {
-    answer.evidence = closest;
-  }
-  return answer;
-}
 
 Point3 rounded_way(const WorldDirection& direction) {
   const Vector3<Interval> enclosed = direction.enclosure();
@@ -43,9 +28,22 @@ Point3 rounded_way(const ClosestFeatures& closest) {
 
 }  // namespace
 
-RoundCloser round_closer(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, double least) {
-  SUNDER_REQUIRE(least > 0 && std::isfinite(least));
-  if (a.is_polyhedron() && b.is_polyhedron()) return closer_polyhedra(a, pose_a, b, pose_b, least);
+RoundCloser closer_of_polyhedra(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
+                                double least) {
+  const PolyhedronDistance found = polyhedron_polyhedron_distance(a.core(), pose_a, b.core(), pose_b);
+  RoundCloser answer{{}, found.decided_by, found.cost};
+  if (const auto* common = std::get_if<CommonVertices>(&found.evidence)) {
+    answer.evidence = Nearer{*common};
+  } else if (const ClosestFeatures& closest = *closest_of(found); compare_distance(found, least) == Sign::negative) {
+    answer.evidence = Nearer{closest};
+  } else {
+    answer.evidence = closest;
+  }
+  return answer;
+}
+
+RoundCloser closer_searched(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
+                            double least) {
   const PlacedRound in_a(a, pose_a), in_b(b, pose_b);
   RoundClearance found = round_clearance(in_a, in_b, least);
   RoundCloser answer{{}, found.decided_by, found.cost};

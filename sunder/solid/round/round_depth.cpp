@@ -3,7 +3,7 @@
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 #include <sunder/solid/round/round_depth.h>
-#include <sunder/solid/round/round_depth_curved.h>
+#include <sunder/solid/round/round_methods.h>
 
 #include <algorithm>
 #include <bit>
@@ -55,7 +55,9 @@ DepthPoints common_point(const Placed& a, const Placed& b, const CommonVertices&
   return {{point.at, point.of_a}, {point.at, point.of_b}};
 }
 
-EnclosedDepth of_hulls(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
+}  // namespace
+
+EnclosedDepth depth_of_hulls(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
   const Dyadic radii = Dyadic(a.radius()) + Dyadic(b.radius());
   const PolyhedronDepth cores = polyhedron_polyhedron_depth(a.body.core(), a.pose, b.body.core(), b.pose);
   cost = cores.cost;
@@ -83,8 +85,6 @@ EnclosedDepth of_hulls(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
   return proved(std::move(found));
 }
 
-}  // namespace
-
 RoundDepth round_depth(const PlacedRound& a, const PlacedRound& b) {
   RoundAnswer answer = round_round(a, b);
   RoundDepth found;
@@ -96,10 +96,8 @@ RoundDepth round_depth(const PlacedRound& a, const PlacedRound& b) {
           }
         },
         answer.evidence);
-  } else if (a.body.is_curved() || b.body.is_curved()) {
-    found.evidence = depth_of_curved(a, b, found.cost);
   } else {
-    found.evidence = of_hulls(a, b, found.cost);
+    found.evidence = depth_of_meeting(a, b, found.cost);
   }
   found.cost.probes += answer.cost.probes;
   found.cost.iterations += answer.cost.iterations;

@@ -1,12 +1,12 @@
 // A polytope of differences of points that the bodies hold, exactly, grows where it is nearest to the origin, until
 // hardly anything of the difference is beyond it there; of hulls with a radius these are points of the cores, and D is
 // the difference of cores. Where the origin is not in D, or hardly, one point of D is as near to it as the radii tell.
-#include <sunder/base/contract.h>
 #include <sunder/number/root.h>
 #include <sunder/predicate/coordinates.h>
-#include <sunder/solid/round/round_depth_curved.h>
 #include <sunder/solid/round/round_distance.h>
+#include <sunder/solid/round/round_methods.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/search/expanding_polytope.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
@@ -24,37 +24,14 @@ namespace {
 using Exact = Vector3<Dyadic>;
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// How far a body reaches along a direction: as far as the furthest of q + sqrt(square / over). Of a hull its core.
-struct Furthest {
-  Dyadic q, square{}, over{1.0};
-};
-
-Exact image(const PlacedRound& body, const Point3& p) { return coordinates<Dyadic>(Posed3{p, &body.core.pose, false}); }
-
-std::vector<Furthest> reaches(const PlacedRound& body, const WorldDirection& direction, End end, Cost& cost) {
-  Exact d = direction.exact();
-  if (end == End::least) d = {-d.x, -d.y, -d.z};
-  if (!body.body.is_curved()) {
-    StageTally tally;
-    Along along(direction, body.core.pose, body.core.tame);
-    const std::uint32_t v = extreme_vertex_from(body.core, along, end, 0, cost, tally);
-    cost.exact += tally.exact;
-    return {{dot(d, coordinates<Dyadic>(body.core[v]))}};
-  }
-  const Dyadic square = Dyadic(body.shape.radius) * Dyadic(body.shape.radius);
-  const Exact first = image(body, body.shape.points[0]);
-  if (body.kind() == RoundKind::ellipsoid) {
-    const auto& m = body.shape.pose->linear;
-    const auto column = [&](std::size_t j) {
-      return Dyadic(m[j]) * d.x + Dyadic(m[3 + j]) * d.y + Dyadic(m[6 + j]) * d.z;
-    };
-    const Exact pulled{column(0), column(1), column(2)};
-    return {{dot(d, first), square * dot(pulled, pulled)}};
-  }
-  const Exact second = image(body, body.shape.points[1]), axis = second - first, across = cross(d, axis);
-  const Furthest base{dot(d, first), square * dot(across, across), dot(axis, axis)};
-  if (body.kind() == RoundKind::cone) return {base, {dot(d, second)}};
-  return {base, {dot(d, second), base.square, base.over}};
+// Of a hull its core.
+std::vector<ReachAlong> reaches(const PlacedRound& body, const WorldDirection& direction, End end, Cost& cost) {
+  StageTally tally;
+  RoundShape shape = shape_along(body, direction, end, 0, cost, tally);
+  shape.radius -= body.body.rounding();
+  cost.exact += tally.exact;
+  const Exact d = direction.exact();
+  return reaches_along(end == End::least ? Exact{-d.x, -d.y, -d.z} : d, shape);
 }
 
 // How far A reaches along the direction beyond where B begins, over the length of the direction: no further than that.
@@ -62,16 +39,14 @@ double reach_at_most(const PlacedRound& a, const PlacedRound& b, const WorldDire
   const Exact d = direction.exact();
   const Interval length = root(dot(d, d), Dyadic(1.0));
   double most = -unlimited;
-  for (const Furthest& last : reaches(a, direction, End::greatest, cost)) {
-    for (const Furthest& first : reaches(b, direction, End::least, cost)) {
+  for (const ReachAlong& last : reaches(a, direction, End::greatest, cost)) {
+    for (const ReachAlong& first : reaches(b, direction, End::least, cost)) {
       const Interval roots = root(last.square, last.over) + root(first.square, first.over);
       most = std::max(most, (((last.q + first.q).enclosure() + roots) / length).high);
     }
   }
   return most;
 }
-
-double radius_around(const PlacedRound& body) { return body.body.is_curved() ? 0 : body.radius(); }
 
 class CurvedDepth {
  public:
@@ -81,14 +56,10 @@ class CurvedDepth {
         cost_(cost),
         search_(a, b),
         scale_(search_.simplex.scale),
-        radii_(Dyadic(radius_around(a)) + Dyadic(radius_around(b))),
+        radii_(Dyadic(a.body.rounding()) + Dyadic(b.body.rounding())),
         polytope_([this](std::uint32_t k) { return exact_[k]; }) {
     std::frexp(scale_, &shift_);
     --shift_;
-    const auto size_of = [](const PlacedRound& p) {
-      const bool is_mapped = p.kind() == RoundKind::ellipsoid;
-      return std::max(p.core.size, p.radius() * (is_mapped ? p.pose.linear_range().greatest : 1));
-    };
     size_ = std::max(size_of(a), size_of(b)) * scale_;
   }
 
@@ -111,7 +82,7 @@ class CurvedDepth {
   };
   std::optional<EndOf> end_of(const PlacedRound& body, const Point3& seen, std::uint32_t vertex,
                               std::vector<PointOf>& points) {
-    if (!body.body.is_curved()) return EndOf{vertex, coordinates<Dyadic>(body.core[vertex])};
+    if (vertex != no_vertex) return EndOf{vertex, coordinates<Dyadic>(body.core[vertex])};
     const auto& origin = a_.core.pose.translation;
     const auto part = [&](double x, std::size_t k) { return Dyadic(origin[k]) + Dyadic(x).scaled(-shift_); };
     if (!std::isfinite(seen.x + seen.y + seen.z)) return std::nullopt;
@@ -254,16 +225,17 @@ class CurvedDepth {
   void take_directions() {
     take(WorldDirection(make_tame(best_) ? best_ : Point3{1, 0, 0}));
     for (const PlacedRound* body : {&a_, &b_}) {
-      if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
-      const Exact axis = image(*body, body->shape.points[1]) - image(*body, body->shape.points[0]);
-      take(WorldDirection(axis));
-      take(WorldDirection(Exact{-axis.x, -axis.y, -axis.z}));
+      const auto axis = axis_of(*body);
+      if (!axis) continue;
+      const Exact& way = axis->way;
+      take(WorldDirection(way));
+      take(WorldDirection(Exact{-way.x, -way.y, -way.z}));
     }
   }
 
   // The cores, and what is curved, have a point of the difference that is near enough: where they meet, the origin.
   void take_points() {
-    const bool is_a = !a_.body.is_curved();  // the other one is
+    const bool is_a = a_.body.rounding() > 0;  // the other one is curved
     const PlacedRound& hull = is_a ? a_ : b_;
     const RoundBody bare = RoundBody::rounded(hull.body.core(), 0);
     const PlacedRound core(bare, hull.pose);
@@ -279,7 +251,7 @@ class CurvedDepth {
     const double low = (radii_ - Dyadic(root(points.square, points.over).high)).enclosure().low;
     if (!(low > 0) || !is_near(low)) return;
     depth_.low = low;
-    proof_ = DepthPoints{points.of_a, points.of_b, a_.body.is_curved(), b_.body.is_curved()};
+    proof_ = DepthPoints{points.of_a, points.of_b, !is_a, is_a};
   }
 
   const PlacedRound& a_;
@@ -302,7 +274,6 @@ class CurvedDepth {
 }  // namespace
 
 EnclosedDepth depth_of_curved(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
-  SUNDER_REQUIRE(a.body.is_curved() || b.body.is_curved());
   return CurvedDepth(a, b, cost).run();
 }
 

@@ -3,7 +3,9 @@
 #include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_distance.h>
+#include <sunder/solid/round/round_methods.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <algorithm>
@@ -158,10 +160,7 @@ class DistanceSearch {
   // In the precision of the search: what it has of it is rounded.
   template <class Real>
   Real reach(const RoundSearch<Real>& search) const {
-    const auto of = [&](const PlacedRound& p) -> Real {
-      return p.body.is_curved() ? 0 : p.radius() * search.simplex.scale;
-    };
-    return of(a_) + of(b_);
+    return Real(a_.body.rounding() * search.simplex.scale) + Real(b_.body.rounding() * search.simplex.scale);
   }
 
   const PlacedRound& a_;
@@ -182,14 +181,12 @@ class DistanceSearch {
 }  // namespace
 
 Interval HullsApart::distance() const {
-  if (are_polyhedra()) return cores.distance();
   const auto [square, over] = cores.squared();
   return less_radii(square, over, Dyadic(radius_a) + Dyadic(radius_b));
 }
 
 std::array<PointOf, 2> HullsApart::points() const {
   const ClosestPoints points = closest_points(cores);
-  if (are_polyhedra()) return {points.of_a, points.of_b};
   NearPoints found = points_nearer_than(std::nextafter(distance().high, infinity), points, radius_a, radius_b);
   return {std::move(found.of_a), std::move(found.of_b)};
 }
@@ -198,6 +195,15 @@ WorldDirection HullsApart::direction() const {
   const ClosestPoints points = closest_points(cores);
   const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
   return WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]});
+}
+
+namespace {
+
+// Of two hulls that are apart, polyhedra too.
+std::optional<HullsApart> hulls_of(const RoundDistanceEvidence& evidence) {
+  if (const auto* closest = std::get_if<ClosestFeatures>(&evidence)) return HullsApart{*closest};
+  const auto* hulls = std::get_if<HullsApart>(&evidence);
+  return hulls != nullptr ? std::optional(*hulls) : std::nullopt;
 }
 
 bool is_nearer(const HullsApart& one, const HullsApart& other) {
@@ -215,19 +221,37 @@ bool is_nearer(const HullsApart& one, const HullsApart& other) {
   return left.sign() == Sign::positive && (left * left - (t * t * n * d * e * e).scaled(2)).sign() == Sign::positive;
 }
 
-std::optional<std::array<Point3, 2>> rounded_nearest(const RoundDistanceEvidence& evidence) {
-  const auto rounded = [](const std::array<PointOf, 2>& points) {
-    return std::array{nearest(points[0].at), nearest(points[1].at)};
-  };
-  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) {
-    return hulls->are_polyhedra() ? hulls->cores.nearest_points() : rounded(hulls->points());
+// As nearest_of says; nothing of evidence that names vertices of both alone.
+std::optional<std::array<PointOf, 2>> points_of(const RoundDistanceEvidence& evidence) {
+  if (const auto* closest = std::get_if<ClosestFeatures>(&evidence)) {
+    ClosestPoints points = closest_points(*closest);
+    return std::array{std::move(points.of_a), std::move(points.of_b)};
   }
-  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return rounded(curved->nearest->points);
-  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return rounded(*perhaps->points);
+  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) return hulls->points();
+  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return curved->nearest->points;
+  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return *perhaps->points;
+  if (const auto* exact = std::get_if<ExactCommonPoint>(&evidence)) {
+    return std::array{PointOf{exact->point->at, exact->point->of_a}, PointOf{exact->point->at, exact->point->of_b}};
+  }
   return std::nullopt;
 }
 
+}  // namespace
+
+std::optional<bool> is_nearer(const RoundDistanceEvidence& one, const RoundDistanceEvidence& other) {
+  const auto x = hulls_of(one), y = hulls_of(other);
+  return x && y ? std::optional(is_nearer(*x, *y)) : std::nullopt;
+}
+
+std::optional<std::array<Point3, 2>> rounded_nearest(const RoundDistanceEvidence& evidence) {
+  if (verdict_of(evidence) == Verdict::meet) return std::nullopt;
+  if (const auto* closest = std::get_if<ClosestFeatures>(&evidence)) return closest->nearest_points();
+  const auto points = points_of(evidence);
+  return std::array{nearest((*points)[0].at), nearest((*points)[1].at)};
+}
+
 Interval distance_of(const RoundDistanceEvidence& evidence) {
+  if (const auto* closest = std::get_if<ClosestFeatures>(&evidence)) return closest->distance();
   if (const auto* hulls = std::get_if<HullsApart>(&evidence)) return hulls->distance();
   if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return curved->distance;
   if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return {0, perhaps->at_most};
@@ -235,34 +259,22 @@ Interval distance_of(const RoundDistanceEvidence& evidence) {
 }
 
 std::array<PointOf, 2> nearest_of(const PlacedRound& a, const PlacedRound& b, const RoundDistanceEvidence& evidence) {
-  if (const auto* hulls = std::get_if<HullsApart>(&evidence)) return hulls->points();
-  if (const auto* curved = std::get_if<CurvedApart>(&evidence)) return curved->nearest->points;
-  if (const auto* perhaps = std::get_if<PerhapsApart>(&evidence)) return *perhaps->points;
-  const auto* exact = std::get_if<ExactCommonPoint>(&evidence);
-  const CommonPoint common =
-      exact != nullptr ? *exact->point : common_point(std::get<CommonVertices>(evidence), a.core, b.core);
+  if (auto points = points_of(evidence)) return *std::move(points);
+  const CommonPoint common = common_point(std::get<CommonVertices>(evidence), a.core, b.core);
   return {PointOf{common.at, common.of_a}, PointOf{common.at, common.of_b}};
 }
 
-RoundDistance round_distance(const PlacedRound& a, const PlacedRound& b) {
-  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
-    const PolyhedronDistance found = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-    if (const ClosestFeatures* closest = closest_of(found)) {
-      return {HullsApart{*closest}, found.decided_by, found.cost};
-    }
-    return {std::get<CommonVertices>(found.evidence), found.decided_by, found.cost};
-  }
+RoundDistance distance_searched(const PlacedRound& a, const PlacedRound& b) {
   RoundDistance found;
   const RoundAnswer answer = round_round(a, b);
   StageTally tally;
   bool is_finished = answer.decided_by == DecidedBy::finishing;
   if (answer.meet()) {
     found.evidence = ExactCommonPoint{std::make_shared<const CommonPoint>(common_point_of(a, b, answer.evidence))};
-  } else if (!a.body.is_curved() && !b.body.is_curved()) {
-    const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
-    found.evidence = HullsApart{*closest_of(cores), a.radius(), b.radius()};
-    found.cost = cores.cost;
-    is_finished = is_finished || cores.decided_by == DecidedBy::finishing;
+  } else if (const auto cores = distance_of_cores(a, b)) {
+    found.evidence = HullsApart{*closest_of(*cores), a.radius(), b.radius()};
+    found.cost = cores->cost;
+    is_finished = is_finished || cores->decided_by == DecidedBy::finishing;
   } else {
     found.evidence = DistanceSearch(a, b, found.cost, tally).decide(answer);
   }
@@ -278,46 +290,31 @@ RoundDistance round_distance(const RoundBody& a, const Pose& pose_a, const Round
 
 void add_claims(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const RoundDistance& distance) {
   const Interval bounds = distance_of(distance);
-  const auto state = [&](const PointOf& of_a, const PointOf& of_b) {
-    const NearPoints points(of_a, of_b);
-    for (double least = bounds.high; std::isfinite(least); least = std::nextafter(least, infinity)) {
-      if (least == 0 || !points.nearer_than(least)) continue;
-      return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
-    }
-  };
-  const auto state_both = [&](const WorldDirection& direction, const std::array<PointOf, 2>& points) {
-    const Vector3<Dyadic> d = direction.exact();
-    if (bounds.low > 0) pairs.add_clearance(index_a, index_b, bounds.low, {d.x, d.y, d.z});
-    state(points[0], points[1]);
-  };
-  const auto state_common = [&](const CommonPoint& common) {
-    state({common.at, common.of_a}, {common.at, common.of_b});
-  };
-  if (const auto* hulls = std::get_if<HullsApart>(&distance.evidence)) {
-    state_both(hulls->direction(), hulls->points());
-  } else if (const auto* curved = std::get_if<CurvedApart>(&distance.evidence)) {
-    state_both(curved->nearest->direction, curved->nearest->points);
-  } else if (const auto* perhaps = std::get_if<PerhapsApart>(&distance.evidence)) {
-    state((*perhaps->points)[0], (*perhaps->points)[1]);
-  } else if (const auto* exact = std::get_if<ExactCommonPoint>(&distance.evidence)) {
-    state_common(*exact->point);
-  } else {
-    state_common(pairs.common_point(index_a, index_b, std::get<CommonVertices>(distance.evidence)));
+  const auto* curved = std::get_if<CurvedApart>(&distance.evidence);
+  const auto hulls = hulls_of(distance.evidence);
+  if (bounds.low > 0 && (curved != nullptr || hulls)) {
+    const Vector3<Dyadic> d = (curved != nullptr ? curved->nearest->direction : hulls->direction()).exact();
+    pairs.add_clearance(index_a, index_b, bounds.low, {d.x, d.y, d.z});
+  }
+  auto found = points_of(distance.evidence);
+  if (!found) {
+    const CommonPoint common = pairs.common_point(index_a, index_b, std::get<CommonVertices>(distance.evidence));
+    found = {PointOf{common.at, common.of_a}, PointOf{common.at, common.of_b}};
+  }
+  const auto& [of_a, of_b] = *found;
+  const NearPoints points(of_a, of_b);
+  for (double least = bounds.high; std::isfinite(least); least = std::nextafter(least, infinity)) {
+    if (least == 0 || !points.nearer_than(least)) continue;
+    return pairs.add_clearance_broken(index_a, index_b, least, of_a, of_b);
   }
 }
 
 void add_distance(PairClaims& pairs, std::uint32_t index_a, std::uint32_t index_b, const RoundDistanceEvidence& found) {
+  if (verdict_of(found) == Verdict::meet) return;
+  const auto [of_a, of_b] = *points_of(found);
+  if (std::holds_alternative<ClosestFeatures>(found)) return pairs.add_distance(index_a, index_b, of_a, of_b);
   const double above = std::nextafter(distance_of(found).high, infinity);
-  const auto state = [&](const std::array<PointOf, 2>& points) {
-    if (std::isfinite(above)) pairs.add_clearance_broken(index_a, index_b, above, points[0], points[1]);
-  };
-  if (const auto* hulls = std::get_if<HullsApart>(&found)) {
-    const auto [of_a, of_b] = hulls->points();
-    if (hulls->are_polyhedra()) return pairs.add_distance(index_a, index_b, of_a, of_b);
-    return state({of_a, of_b});
-  }
-  if (const auto* curved = std::get_if<CurvedApart>(&found)) return state(curved->nearest->points);
-  if (const auto* perhaps = std::get_if<PerhapsApart>(&found)) return state(*perhaps->points);
+  if (std::isfinite(above)) pairs.add_clearance_broken(index_a, index_b, above, of_a, of_b);
 }
 
 }  // namespace sunder::solid

@@ -33,17 +33,15 @@
 
 namespace sunder::solid {
 
-// They are apart, and hulls: their cores are nearest at these features, and further apart than the radii together.
+// They are apart, and hulls of which one has a radius: their cores are nearest at these features, and further apart than the radii together.
 struct HullsApart {
   static constexpr Verdict verdict = Verdict::apart;
   ClosestFeatures cores;
   double radius_a = 0, radius_b = 0;
 
-  bool are_polyhedra() const { return radius_a == 0 && radius_b == 0; }
-
-  // Made when asked for; where a radius is above 0, in exact numbers.
+  // Made when asked for, in exact numbers.
   Interval distance() const;
-  std::array<PointOf, 2> points() const;  // of A and of B, as D1 says; of polyhedra the nearest ones
+  std::array<PointOf, 2> points() const;  // of A and of B, as D1 says
   WorldDirection direction() const;       // from A to B, along which they are so far apart
 };
 
@@ -66,16 +64,17 @@ struct PerhapsApart {
   std::shared_ptr<const std::array<PointOf, 2>> points;  // as D1 says; not null
 };
 
-// Where they meet, of two polyhedra CommonVertices.
-using RoundDistanceEvidence = std::variant<PerhapsApart, CommonVertices, ExactCommonPoint, HullsApart, CurvedApart>;
+// Of two polyhedra CommonVertices, or their closest features.
+using RoundDistanceEvidence =
+    std::variant<PerhapsApart, CommonVertices, ClosestFeatures, ExactCommonPoint, HullsApart, CurvedApart>;
 using RoundDistance = Answer<RoundDistanceEvidence>;
 
 // Beyond the range of doubles: the largest, and infinity.
 Interval distance_of(const RoundDistanceEvidence& evidence);
 inline Interval distance_of(const RoundDistance& answer) { return distance_of(answer.evidence); }
 
-// Is the first distance less than the second? Exact.
-bool is_nearer(const HullsApart& one, const HullsApart& other);
+// Is the first distance less than the second? Exact. Nothing, unless both are of hulls that are apart.
+std::optional<bool> is_nearer(const RoundDistanceEvidence& one, const RoundDistanceEvidence& other);
 
 // The nearest points of A and of B, rounded (of curved ones, about so near as `high`); where they meet, nothing.
 std::optional<std::array<Point3, 2>> rounded_nearest(const RoundDistanceEvidence& evidence);

@@ -2,6 +2,7 @@
 #include <sunder/number/exact_vector.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/search/closest_features.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
@@ -15,7 +16,6 @@ using Exact = Vector3<Dyadic>;
 
 Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
-Exact image(const Point3& p, const Affine3& pose) { return coordinates<Dyadic>(Posed3{p, &pose, false}); }
 
 // The nearest point to the origin of the hull of up to three points: the way there, and its weights.
 struct NearestPoint {
@@ -52,7 +52,7 @@ VertexSet<Dyadic> reduced(const VertexSet<Dyadic>& set, StageTally& tally) {
 
 CommonPoint common(const PlacedRound& curved, const Exact& at, const Dyadic& weight, Combination of_polyhedron) {
   const ExactPoint3 point = exact_point(at, weight);
-  return {point, combination_of(curved, point), std::move(of_polyhedron)};
+  return {point, made_by(curved, point), std::move(of_polyhedron)};
 }
 
 // ---- Ellipsoids: L^-1 times the determinant makes balls of them.
@@ -358,8 +358,20 @@ class EdgeAndCone {
   Dyadic length2_;
 };
 
-CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhedron, const Exact& base,
-                              const Exact& axis, StageTally& tally) {
+}  // namespace
+
+CurvedVerdict ellipsoid_polyhedron(const PlacedRound& ellipsoid, const PlacedRound& polyhedron, std::uint32_t near,
+                                   Cost& cost, StageTally& tally) {
+  return BallAndImages(ellipsoid, polyhedron).decide(near, cost, tally);
+}
+
+CurvedVerdict cylinder_polyhedron(const PlacedRound& cylinder, const PlacedRound& polyhedron, StageTally& tally) {
+  const auto [base, axis] = *axis_of(cylinder);
+  return within_radius(cylinder, Slab(polyhedron, base, axis, dot(axis, axis), tally), axis);
+}
+
+CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhedron, StageTally& tally) {
+  const auto [base, axis] = *axis_of(cone);
   CurvedVerdict verdict;
   const Slab disc(polyhedron, base, axis, Dyadic(0.0), tally);
   if (!disc.corners.empty()) {
@@ -383,41 +395,6 @@ CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhe
   }
   verdict.sign = Sign::negative;
   return verdict;
-}
-
-}  // namespace
-
-Combination combination_of(const PlacedRound& curved, const ExactPoint3& point) {
-  const Exact at = point.numerators();
-  const Dyadic& weight = point.denominator;
-  const Affine3& pose = curved.core.pose;
-  if (curved.kind() == RoundKind::ellipsoid) {
-    const std::array<Dyadic, 9> m = adjoint(pose);
-    const auto& l = pose.linear;
-    const Dyadic determinant = m[0] * Dyadic(l[0]) + m[1] * Dyadic(l[3]) + m[2] * Dyadic(l[6]);
-    const auto& t = pose.translation;
-    const Exact p = at - times(weight, coordinates<Dyadic>(Point3{t[0], t[1], t[2]}));
-    const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z; };
-    return {{{0, Dyadic(1.0)}}, 1.0, ExactPoint3{row(0), row(3), row(6), determinant * weight}};
-  }
-  SUNDER_REQUIRE(curved.kind() != RoundKind::hull);
-  const Exact base = image(curved.shape.points[0], pose), axis = image(curved.shape.points[1], pose) - base;
-  const Dyadic along = dot(at - times(weight, base), axis), all = weight * dot(axis, axis);
-  Combination made{{}, all};
-  const Dyadic rest = all - along;
-  if (rest.sign() != Sign::zero) made.parts.push_back({0, rest});
-  if (along.sign() != Sign::zero) made.parts.push_back({1, along});
-  return made;
-}
-
-CurvedVerdict curved_polyhedron(const PlacedRound& curved, const PlacedRound& polyhedron, std::uint32_t near,
-                                Cost& cost, StageTally& tally) {
-  SUNDER_REQUIRE(curved.body.is_curved() && polyhedron.body.is_polyhedron());
-  if (curved.kind() == RoundKind::ellipsoid) return BallAndImages(curved, polyhedron).decide(near, cost, tally);
-  const Affine3& pose = curved.core.pose;
-  const Exact base = image(curved.shape.points[0], pose), axis = image(curved.shape.points[1], pose) - base;
-  if (curved.kind() == RoundKind::cone) return cone_polyhedron(curved, polyhedron, base, axis, tally);
-  return within_radius(curved, Slab(polyhedron, base, axis, dot(axis, axis), tally), axis);
 }
 
 }  // namespace sunder::solid

@@ -22,17 +22,19 @@ struct CurvedVerdict {
   std::optional<Vector3<Dyadic>> direction;
 };
 
-// Exact. Requires a curved body, a polyhedron, and cores that are apart; near: a vertex to begin with.
+// Exact; nothing unless the first body is curved, and the second one a polyhedron. Requires cores that are apart; near:
+// a vertex to begin with.
 //   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: a descent from
 //     features to vertices further along.
 //   cylinder: the same across the axis, of what of the polyhedron lies between the planes of base and top. O(n) exact
 //     numbers a step.
 //   cone: it meets the polyhedron where the base disc or an edge does, given that the axis does not: a facet that meets
 //     it elsewhere is cut by the axis. Along an edge, signs of a quadratic. O(n) exact numbers.
-CurvedVerdict curved_polyhedron(const PlacedRound& curved, const PlacedRound& polyhedron, std::uint32_t near,
-                                Cost& cost, StageTally& tally);
-
-// How a placed body that is curved makes a point that it holds.
-Combination combination_of(const PlacedRound& curved, const ExactPoint3& point);
+std::optional<CurvedVerdict> curved_polyhedron(const PlacedRound& curved, const PlacedRound& polyhedron,
+                                               std::uint32_t near, Cost& cost, StageTally& tally);
+CurvedVerdict ellipsoid_polyhedron(const PlacedRound& ellipsoid, const PlacedRound& polyhedron, std::uint32_t near,
+                                   Cost& cost, StageTally& tally);
+CurvedVerdict cylinder_polyhedron(const PlacedRound& cylinder, const PlacedRound& polyhedron, StageTally& tally);
+CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhedron, StageTally& tally);
 
 }  // namespace sunder::solid

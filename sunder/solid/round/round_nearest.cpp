@@ -1,7 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
 #include <sunder/predicate/coordinates.h>
-#include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_nearest.h>
 #include <sunder/solid/round/simple_numbers.h>
 
@@ -14,42 +13,6 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-
-Exact image_of(const PlacedRound& body, const Point3& p) {
-  return coordinates<Dyadic>(Posed3{p, &body.core.pose, false});
-}
-
-RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near,
-                       Cost& cost, StageTally& tally) {
-  RoundShape shape = body.shape;
-  if (body.body.is_curved()) return shape;
-  std::uint32_t v = 0;
-  if (body.core.graph.vertices.size() > 1) {
-    Along along(direction, body.core.pose, body.core.tame);
-    v = extreme_vertex_from(body.core, along, end, near, cost, tally);
-  }
-  shape.points[0] = body.core.graph.vertices[v];
-  return shape;
-}
-
-// A point of the body that is well inside, where it has an inside.
-Exact middle_of(const PlacedRound& curved) {
-  Exact first = image_of(curved, curved.shape.points[0]);
-  if (curved.kind() == RoundKind::ellipsoid) return first;
-  const Exact way = image_of(curved, curved.shape.points[1]) - first;
-  return sum(first, times(Dyadic(curved.kind() == RoundKind::cone ? 0.25 : 0.5), way));
-}
-
-// Of a cylinder's or a cone's axis, or of an ellipsoid the centre: that is nearest to the point.
-ExactPoint3 on_core(const PlacedRound& curved, const Exact& near) {
-  Exact first = image_of(curved, curved.shape.points[0]);
-  if (curved.kind() == RoundKind::ellipsoid) return exact_point(first);
-  const Exact way = image_of(curved, curved.shape.points[1]) - first;
-  const Dyadic along = dot(near - first, way), all = dot(way, way);
-  if (along.sign() != Sign::positive) return exact_point(first);
-  if ((all - along).sign() != Sign::positive) return exact_point(sum(first, way));
-  return exact_point(sum(times(all, first), times(along, way)), all);
-}
 
 // p + part (q - p)
 PointOf moved(const PointOf& p, const PointOf& q, const Dyadic& part) {
@@ -85,37 +48,15 @@ NearPoints::NearPoints(PointOf p, PointOf q) : of_a(std::move(p)), of_b(std::mov
   over = weight * weight;
 }
 
-PointOf held_by(const PlacedRound& curved, const Exact& near, int bits) {
-  SUNDER_REQUIRE(curved.body.is_curved());
-  const Exact inwards = middle_of(curved) - near;
-  ExactPoint3 x = exact_point(near);
-  for (int k = bits; k >= 8 && side_of(curved.shape, x) == Sign::negative; k -= k > 24 ? 6 : 4) {
-    x = exact_point(sum(near, times(Dyadic::power_of_two(-k), inwards)));
-  }
-  if (side_of(curved.shape, x) == Sign::negative) x = on_core(curved, near);
-  return {x, combination_of(curved, x)};
-}
-
-PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weights) {
-  Combination made;
-  made.denominator = Dyadic(0.0);
-  for (const auto& [index, weight] : weights) {
-    made.add(index, weight);
-    made.denominator = made.denominator + weight;
-  }
-  const Exact sum = numerators_of(made, [&](std::uint32_t v) { return coordinates<Dyadic>(hull.core[v]); });
-  return {exact_point(sum, made.denominator), std::move(made)};
-}
-
 NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b) {
   const auto point = [](const PlacedRound& body) {
-    return body.body.is_curved() ? held_by(body, image_of(body, body.shape.points[0]), 48)
-                                 : of_core(body, {{0, Dyadic(1.0)}});
+    auto of_core = core_point(body, {{0, Dyadic(1.0)}});
+    return of_core ? *std::move(of_core) : held_by(body, round_detail::exact_image(body, body.shape.points[0]), 48);
   };
   return {point(a), point(b)};
 }
 
-PointOf towards(const PointOf& of_core, double radius, const PointOf& to) {
+PointOf towards(PointOf of_core, double radius, const PointOf& to) {
   if (radius == 0) return of_core;
   const NearPoints between(of_core, to);
   const Dyadic limit = Dyadic(radius) * Dyadic(radius) * between.over;
@@ -152,10 +93,11 @@ std::vector<WorldDirection> simple_directions(const PlacedRound& a, const Placed
   for (const int bits : {40, 20, 10}) found.emplace_back(snapped(d, bits));
   found.emplace_back(simple_fractions(d).numerators());
   for (const PlacedRound* body : {&a, &b}) {
-    if (body->shape.ends() != 2 || !body->body.is_curved()) continue;
-    const Exact axis = image_of(*body, body->shape.points[1]) - image_of(*body, body->shape.points[0]);
+    const auto axis = axis_of(*body);
+    if (!axis) continue;
     const Exact exact_near = coordinates<Dyadic>(d);
-    found.emplace_back(dot(axis, exact_near).sign() == Sign::negative ? Exact{-axis.x, -axis.y, -axis.z} : axis);
+    const Exact& way = axis->way;
+    found.emplace_back(dot(way, exact_near).sign() == Sign::negative ? Exact{-way.x, -way.y, -way.z} : way);
   }
   const PolyhedronDistance cores = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
   if (const ClosestFeatures* closest = closest_of(cores)) {

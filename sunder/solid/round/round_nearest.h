@@ -7,6 +7,7 @@
 #include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_body.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_search.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
@@ -14,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sunder::solid {
@@ -53,19 +55,12 @@ struct NearPoints {
 inline Dyadic exact(double x) { return Dyadic(x); }
 inline Dyadic exact(const DoubleDouble& x) { return Dyadic(x.high) + Dyadic(x.low); }
 
-// A point that the curved body holds: near this one, which is off it by about 2^-bits of the body's size; of one that
-// is hardly as large, a point of the core.
-PointOf held_by(const PlacedRound& curved, const Vector3<Dyadic>& near, int bits);
-
-// The point of a hull's core that these weights make.
-PointOf of_core(const PlacedRound& hull, const std::vector<Weights::Part>& weights);
-
 // A point of each core: where a search makes none that are nearer.
 NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b);
 
 // As far as the radius from a point of a core towards the other point, or a little less; that point, where it is as
 // near.
-PointOf towards(const PointOf& of_core, double radius, const PointOf& to);
+PointOf towards(PointOf of_core, double radius, const PointOf& to);
 
 // Of two hulls, whose cores are nearest at these points: points of both that are nearer to each other than `least`,
 // which may be infinite. Requires that the cores are further apart than the radii together, and nearer than these and
@@ -106,13 +101,13 @@ std::optional<NearPoints> near_points(const RoundSearch<Real>& search, const Pla
       sum = round_detail::sum<Real>(sum, part.weight / mean->total, is_a ? slot.of_a : slot.of_b);
       parts.push_back({is_a ? slot.vertex_a : slot.vertex_b, exact(part.weight)});
     }
-    if (!body.body.is_curved()) return of_core(body, parts);
+    if (auto of_core = core_point(body, parts)) return *std::move(of_core);
     const auto part = [&](const Real& x, std::size_t i) { return Dyadic(origin[i]) + exact(x).scaled(1 - shift); };
     return held_by(body, {part(sum.x, 0), part(sum.y, 1), part(sum.z, 2)}, bits);
   };
   PointOf p = point(a), q = point(b);
-  if (!a.body.is_curved()) p = towards(p, a.radius(), q);
-  if (!b.body.is_curved()) q = towards(q, b.radius(), p);
+  p = towards(std::move(p), a.body.rounding(), q);
+  q = towards(std::move(q), b.body.rounding(), p);
   return NearPoints(std::move(p), std::move(q));
 }
 
@@ -127,7 +122,9 @@ std::optional<NearPlaces> near_places(const RoundSearch<Real>& search, const Pla
   const auto made = made_of(search);
   if (!made) return std::nullopt;
   const auto place = [&](const PlacedRound& body, bool is_a) -> std::optional<WeightedPoint> {
-    if (!body.body.is_curved()) return round_detail::weighted(body, is_a ? made->a : made->b);
+    if (const RoundCombination& of_core = is_a ? made->a : made->b; of_core.count() > 0) {
+      return round_detail::weighted(body, of_core);
+    }
     // A little inwards, because of rounding.
     const VectorOf<Real>& at = is_a ? made->of_a : made->of_b;
     const VectorOf<Real> inwards = minus(search.support.middle_of(is_a), at);

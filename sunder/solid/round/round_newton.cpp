@@ -38,31 +38,6 @@ void turn_to(const Side& side, Pieces& pieces, const V& out) {
   }
 }
 
-// How far d has to turn towards `up`, which is perpendicular to it and of length 1, until the other rim, or apex or
-// rim, reaches as far: there the cosine with the axis is that of the normal of the side.
-double until_other(const Side& side, const V& d, const V& up) {
-  const RoundImage& of = side.image;
-  if (of.kind != RoundKind::cylinder && of.kind != RoundKind::cone) return HUGE_VAL;
-  const double along = dot(d, of.axis), gain = dot(up, of.axis), size = std::hypot(along, gain);
-  const double cosine = of.kind == RoundKind::cylinder ? 0 : of.radius / std::hypot(of.radius, of.length);
-  if (!(cosine < size)) return HUGE_VAL;
-  const double top = std::atan2(gain, along),
-               half = std::acos(cosine / size);  // beyond it from top - half to top + half
-  return along > cosine ? top + half : top > half ? top - half : HUGE_VAL;
-}
-
-V axis_towards(const Side& side, const V& up) {
-  const V& axis = side.image.axis;
-  return dot(up, axis) > 0 ? axis : V{} - axis;
-}
-
-// And until it is along the axis.
-double until_axis(const Side& side, const V& d, const V& up) {
-  if (side.image.kind == RoundKind::ellipsoid) return HUGE_VAL;
-  const V axis = axis_towards(side, up);
-  return std::atan2(dot(up, axis), dot(d, axis));
-}
-
 // From the direction of an axis towards a point that is beyond the rim.
 V tilted(const V& d, const Side& own, const V& to) {
   const V& axis = own.image.axis;

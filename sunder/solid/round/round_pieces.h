@@ -229,6 +229,11 @@ inline Nearest nearest_in(const Side& side, const V& x) {
   return on_segment(image, std::clamp(dot(x - image.from, image.axis) / dot(image.axis, image.axis), 0.0, 1.0));
 }
 
+// The point of a body that is nearest; of an ellipsoid, on the way from its centre. Requires as much of hulls.
+inline Nearest nearest_or_towards(const Side& side, const V& x) {
+  return side.image.kind == RoundKind::ellipsoid ? in_ellipsoid(side, x) : nearest_in(side, x);
+}
+
 // Where segments are nearest to each other: of the first, from 0 to 1. Source: Ericson 2005, section 5.1.9.
 inline double nearest_of_segments(const RoundImage& a, const RoundImage& b) {
   const V way = a.from - b.from;
@@ -346,6 +351,31 @@ inline Turn turn_of(const Side& side, const V& d, const V& s, const V& t) {
   const double by = of.radius / std::sqrt(far2), bent = by / far2, along = by * dot(d, of.axis);
   return {{by * d.x - along * of.axis.x, by * d.y - along * of.axis.y, by * d.z - along * of.axis.z},
           {bent * it * it, -bent * is * it, bent * is * is}};
+}
+
+// How far d has to turn towards `up`, which is perpendicular to it and of length 1, until the other rim, or apex or
+// rim, reaches as far: there the cosine with the axis is that of the normal of the side.
+inline double until_other(const Side& side, const V& d, const V& up) {
+  const RoundImage& of = side.image;
+  if (of.kind != RoundKind::cylinder && of.kind != RoundKind::cone) return HUGE_VAL;
+  const double along = dot(d, of.axis), gain = dot(up, of.axis), size = std::hypot(along, gain);
+  const double cosine = of.kind == RoundKind::cylinder ? 0 : of.radius / std::hypot(of.radius, of.length);
+  if (!(cosine < size)) return HUGE_VAL;
+  const double top = std::atan2(gain, along),
+               half = std::acos(cosine / size);  // beyond it from top - half to top + half
+  return along > cosine ? top + half : top > half ? top - half : HUGE_VAL;
+}
+
+inline V axis_towards(const Side& side, const V& up) {
+  const V& axis = side.image.axis;
+  return dot(up, axis) > 0 ? axis : V{} - axis;
+}
+
+// And until it is along the axis.
+inline double until_axis(const Side& side, const V& d, const V& up) {
+  if (side.image.kind == RoundKind::ellipsoid) return HUGE_VAL;
+  const V axis = axis_towards(side, up);
+  return std::atan2(dot(up, axis), dot(d, axis));
 }
 
 // Two directions that are perpendicular to d, of length 1, and to each other. Source: Duff et al. 2017.

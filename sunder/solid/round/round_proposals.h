@@ -2,13 +2,22 @@
 // with an error bound makes of them. For the sources of solid/round.
 #pragma once
 
-#include <sunder/solid/round/round_balls.h>
+#include <sunder/solid/round/round_pieces.h>
 #include <sunder/solid/round/round_round.h>
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 namespace sunder::solid::round_quick {
+
+// A ball and a ball, a box or a cylinder, in closed form. True: decided, surely, and the answer's evidence is filled in;
+// nothing of others. `way`: from A to B, about, or as it was.
+std::optional<bool> decide_of_ball(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
+                                   RoundAnswer& answer, Point3& way);
+
+// The direction parts A from B, surely.
+bool parts(const V& direction, const RoundImage& a, const RoundImage& b, RoundAnswer& answer, Point3& way);
 
 inline V across(const V& v, const V& axis) { return sum(v, -dot(v, axis) / dot(axis, axis), axis); }
 
@@ -31,6 +40,8 @@ class Proposals {
   // common point? Thoroughly: more than doubles tell is asked for.
   bool holds(const Nearest& p, const Nearest& q);
   bool holds_thoroughly(const Nearest& p, const Nearest& q);
+  // Of a ball or a capsule, and a body whose nearest points are known in closed form; nothing of others.
+  std::optional<bool> by_nearest_points();
   // p of the core of `own`, a ball or a capsule, and q of the other's are nearest to each other.
   bool settles(const Side& own, const Nearest& p, const Side& other, const Nearest& q);
   // Does the point of `own` that is nearest to the other's middle lie in the other?
@@ -45,6 +56,9 @@ class Proposals {
   static void add(const Side& side, Nearest& made, const Far& far, double weight);
 
  private:
+  // A ball that moves along the axis: its distance is convex. Where it is least: by the false position, as Illinois
+  // has it. Source: Dowell and Jarratt 1971.
+  bool capsule(const Side& own, const Side& other);
   // Is the point in doubles that of the combination, whose weights are over their sum? (round_image.h)
   static bool is_whole(const Nearest& p);
   bool holds(const V& x);

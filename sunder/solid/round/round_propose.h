@@ -14,20 +14,6 @@
 
 namespace sunder::solid {
 
-namespace round_detail {
-
-inline Combination exact(const RoundCombination& c) {
-  Combination made;
-  made.denominator = Dyadic(0.0);
-  for (std::size_t k = 0; k < c.count(); ++k) {
-    made.parts.push_back({c.vertices[k], Dyadic(c.weights[k])});
-    made.denominator = made.denominator + Dyadic(c.weights[k]);
-  }
-  return made;
-}
-
-}  // namespace round_detail
-
 // Checks what is proposed. True: the evidence is filled in.
 class RoundDisposal {
  public:
@@ -39,8 +25,8 @@ class RoundDisposal {
   // The direction parts A from B. Vertices of hulls to look from.
   bool parts(const WorldDirection& direction, std::uint32_t near_a, std::uint32_t near_b) {
     ++answer_.cost.proposals;
-    const RoundShape a = shape_along(a_, direction, End::greatest, near_a);
-    const RoundShape b = shape_along(b_, direction, End::least, near_b);
+    const RoundShape a = shape_along(a_, direction, End::greatest, near_a, answer_.cost, tally_);
+    const RoundShape b = shape_along(b_, direction, End::least, near_b, answer_.cost, tally_);
     if (gap_sign(direction, a, b, &tally_) != Sign::positive) return false;
     return is(separation_along(direction));
   }
@@ -59,16 +45,18 @@ class RoundDisposal {
     if (!round_detail::is_finite(point)) return false;
     ++answer_.cost.proposals;
     const WeightedPoint x = round_detail::weighted(point);
-    return holds(a_, x, a) && holds(b_, x, b) && is(PointInDoubles{point, a, b});
+    return side_of(a_, x, a, &tally_) >= least_ && side_of(b_, x, b, &tally_) >= least_ &&
+           is(PointInDoubles{point, a, b});
   }
 
   // The same of a point in exact numbers.
   bool meets_at(const ExactPoint3& x, const RoundCombination& a, const RoundCombination& b) {
     ++answer_.cost.proposals;
     tally_.exact += 2;
-    if (!holds(a_, x, a) || !holds(b_, x, b)) return false;
+    const Combination of_a = round_detail::exact(a), of_b = round_detail::exact(b);
+    if (side_of(a_, x, of_a) < least_ || side_of(b_, x, of_b) < least_) return false;
     return is(ExactCommonPoint{
-        std::make_shared<const CommonPoint>(CommonPoint{x, combination(a_, x, a), combination(b_, x, b)})});
+        std::make_shared<const CommonPoint>(CommonPoint{x, made_by(a_, x, of_a), made_by(b_, x, of_b)})});
   }
 
   // A point of one core, which the other body holds. `core_a`: of A.
@@ -80,28 +68,6 @@ class RoundDisposal {
   }
 
  private:
-  RoundShape shape_along(const PlacedRound& body, const WorldDirection& direction, End end, std::uint32_t near) {
-    RoundShape shape = body.shape;
-    if (body.body.is_curved()) return shape;
-    if (body.core.graph.vertices.size() == 1) {
-      shape.points[0] = body.core.graph.vertices[0];
-      return shape;
-    }
-    Along along(direction, body.core.pose, body.core.tame);
-    shape.points[0] = body.core.graph.vertices[extreme_vertex_from(body.core, along, end, near, answer_.cost, tally_)];
-    return shape;
-  }
-  bool holds(const PlacedRound& body, const WeightedPoint& x, const RoundCombination& c) {
-    if (body.body.is_curved()) return side_of(body.shape, x, &tally_) >= least_;
-    return c.count() > 0 && nearness(round_detail::weighted(body, c), body.radius(), x, 0, &tally_) >= least_;
-  }
-  bool holds(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) const {
-    if (body.body.is_curved()) return side_of(body.shape, x) >= least_;
-    return c.count() > 0 && nearness(exact_point(round_detail::weighted(body, c)), body.radius(), x, 0) >= least_;
-  }
-  static Combination combination(const PlacedRound& body, const ExactPoint3& x, const RoundCombination& c) {
-    return body.body.is_curved() ? combination_of(body, x) : round_detail::exact(c);
-  }
   template <class Evidence>
   bool is(Evidence&& evidence) {
     answer_.evidence = std::forward<Evidence>(evidence);
@@ -122,14 +88,14 @@ class RoundProposer {
   using Vector = VectorOf<Real>;
 
   RoundProposer(const PlacedRound& a, const PlacedRound& b, RoundDisposal& dispose, Cost& cost)
-      : a_(a), b_(b), dispose_(dispose), cost_(cost), search(a, b) {}
+      : dispose_(dispose), cost_(cost), search(a, b) {}
 
   // As they are; and where that neither parts them nor finds a point that both hold, as curved bodies are when they
   // have shrunk a little: what is of the surface there is inside of them. Where they overlap by less than they shrink,
   // they have to shrink by less.
   bool propose(const Vector& first) {
     if (run(first)) return true;
-    if (!is_near_ || !(a_.body.is_curved() || b_.body.is_curved())) return false;
+    if (!is_near_ || !search.support.can_shrink) return false;
     const std::array<Point3, 2> found = nearest_points;
     const std::array<RoundCombination, 2> made = nearest_made;
     for (const double shrink : shrinks) {
@@ -203,13 +169,13 @@ class RoundProposer {
   bool meets(bool is_last = false) {
     const auto made = made_of(search);
     if (!made) return false;
-    const bool curved_a = a_.body.is_curved(), curved_b = b_.body.is_curved();
-    if (!curved_a && !curved_b) return dispose_.meets_between(made->a, made->b);
-    const RoundCombination of_a = curved_a ? RoundCombination{} : made->a,
-                           of_b = curved_b ? RoundCombination{} : made->b;
-    if (!curved_a && dispose_.meets_in_core(true, of_a)) return true;
-    if (!curved_b && dispose_.meets_in_core(false, of_b)) return true;
-    if (a_.body.is_polyhedron() || b_.body.is_polyhedron()) return false;
+    const RoundCombination &of_a = made->a, &of_b = made->b;
+    const bool core_a = of_a.count() > 0, core_b = of_b.count() > 0;
+    if (core_a && core_b) return dispose_.meets_between(of_a, of_b);
+    if (core_a && dispose_.meets_in_core(true, of_a)) return true;
+    if (core_b && dispose_.meets_in_core(false, of_b)) return true;
+    const bool is_all_core = (core_a || core_b) && !(search.support.reach > Real(0));
+    if (is_all_core) return false;
     // Between the points of both that are nearest: of a hull as far from the core as its radius lets it be, and half of
     // what is left over.
     const Vector way = minus(made->of_b, made->of_a);
@@ -222,8 +188,9 @@ class RoundProposer {
     nearest_made = {of_a, of_b};
     for (const double part : {0.5, 0.0625, 0.0, 1.0}) {
       const Real depth = slack > Real(0) ? slack * Real(part) : Real(0);
-      const Vector& from = curved_a ? made->of_a : made->of_b;
-      const Vector x = curved_a && curved_b ? at(made->of_a, length * Real(part)) : at(from, curved_a ? -depth : depth);
+      const Vector x = core_a   ? at(made->of_b, depth)
+                       : core_b ? at(made->of_a, -depth)
+                                : at(made->of_a, length * Real(part));
       if (dispose_.meets_at(search.support.in_world(x), of_a, of_b)) return true;
       if (is_last && meets_exactly(x, of_a, of_b)) return true;
     }
@@ -236,8 +203,6 @@ class RoundProposer {
     return in_world && dispose_.meets_at(*in_world, a, b);
   }
 
-  const PlacedRound& a_;
-  const PlacedRound& b_;
   RoundDisposal& dispose_;
   Cost& cost_;
   double best_gap_ = -std::numeric_limits<double>::infinity();

@@ -1,4 +1,3 @@
-#include <sunder/solid/round/round_balls.h>
 #include <sunder/solid/round/round_newton.h>
 #include <sunder/solid/round/round_quick.h>
 #include <sunder/solid/search/gjk.h>
@@ -14,7 +13,7 @@ namespace round_quick {
 
 namespace {
 
-constexpr int most_steps = 20, most_searched = 30;
+constexpr int most_searched = 30;
 
 // Both bodies, in doubles; a hull's radius is left out. `size`: of both.
 struct QuickSupport {
@@ -50,64 +49,13 @@ class Quick {
 
   bool run() {
     if (!(a_.image.is_tame && b_.image.is_tame)) return false;
-    const bool first = a_.is_ball() || (a_.is_capsule() && !b_.is_ball());
-    if (first || b_.is_ball() || b_.is_capsule()) {
-      const Side &own = first ? a_ : b_, &other = first ? b_ : a_;
-      if (has_nearest(other)) return own.is_ball() ? ball(own, other) : capsule(own, other);
-    }
+    if (const auto told = pair_.by_nearest_points()) return *told;
     const bool found = search();
     conclude(pair_.answer(), pair_.exact());
     return found;
   }
 
  private:
-  bool ball(const Side& own, const Side& other) {
-    const Nearest centre{own.image.from, {{0}, {1}}};
-    return pair_.settles(own, centre, other, nearest_in(other, centre.at));
-  }
-
-  // A ball that moves along the axis: its distance is convex. Where it is least: by the false position, as Illinois
-  // has it. Source: Dowell and Jarratt 1971.
-  bool capsule(const Side& own, const Side& other) {
-    const RoundImage& image = own.image;
-    const double length2 = dot(image.axis, image.axis);
-    if (!(length2 > 0)) return false;
-    // By how much the square of the distance grows, half of it.
-    const auto look = [&](double t) {
-      ++pair_.answer().cost.iterations;
-      const Nearest p = on_segment(image, t), q = nearest_in(other, p.at);
-      const double growth = dot(p.at - q.at, image.axis);
-      const bool held = pair_.settles(own, p, other, q);
-      return std::pair(growth, held);
-    };
-    if (other.is_capsule()) return look(nearest_of_segments(image, other.image)).second;
-    double t = std::clamp(dot(other.middle() - image.from, image.axis) / length2, 0.0, 1.0);
-    double low = 0, high = 1, of_low = 0, of_high = 0;  // the growth there; 0: not known
-    int last = 0;
-    for (int i = 0; i < most_steps; ++i) {
-      const auto [growth, held] = look(t);
-      if (held) return true;
-      if (growth == 0) return false;
-      if (growth > 0) {
-        if (t == 0) return false;
-        high = t;
-        of_high = growth;
-        if (last > 0) of_low /= 2;
-        last = 1;
-      } else {
-        if (t == 1) return false;
-        low = t;
-        of_low = growth;
-        if (last < 0) of_high /= 2;
-        last = -1;
-      }
-      const double next = of_low == 0 ? 0 : of_high == 0 ? 1 : low + (high - low) * (of_low / (of_low - of_high));
-      if (next == t || !(next >= low && next <= high)) return false;
-      t = next;
-    }
-    return false;
-  }
-
   // Gilbert, Johnson and Keerthi's search, and Newton's method where it has come near.
   bool search() {
     const V middle_a = a_.middle(), middle_b = b_.middle(), first = middle_b - middle_a;
@@ -167,9 +115,7 @@ class Quick {
 
 bool decide_quickly(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, RoundAnswer& answer,
                     Point3& way) {
-  const bool ball_a = round_quick::is_ball(a), ball_b = round_quick::is_ball(b);
-  if (ball_a && ball_b) return round_quick::balls(a, pose_a, b, pose_b, answer, way);
-  if ((ball_a || ball_b) && round_quick::ball_and(a, pose_a, b, pose_b, answer, way)) return true;
+  if (const auto told = round_quick::decide_of_ball(a, pose_a, b, pose_b, answer, way)) return *told;
   const round_quick::Side of_a(a, pose_a), of_b(b, pose_b);
   round_quick::Proposals pair(of_a, of_b, answer, way);
   return round_quick::Quick(pair).run();

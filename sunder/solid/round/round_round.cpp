@@ -7,10 +7,14 @@
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_methods.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_propose.h>
 #include <sunder/solid/round/round_quick.h>
 #include <sunder/solid/round/round_round.h>
+#include <sunder/solid/round/round_round_warm.h>
 #include <sunder/solid/round/simple_numbers.h>
+#include <sunder/solid/round/world_box.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +29,6 @@ using round_detail::is_finite, round_detail::weighted;
 
 // ---- What is exact.
 
-// A point of the core of `body`, as certificates number its points.
-Combination in_points(const PlacedRound& body, Combination of_core) {
-  if (body.kind() == RoundKind::ellipsoid) {
-    of_core.from = ExactPoint3{};
-  } else if (body.body.is_curved()) {
-    for (auto& part : of_core.parts) part.index = body.body.core().source()[part.index];
-  }
-  return of_core;
-}
-
 class RoundFinish {
   using Exact = Vector3<Dyadic>;
 
@@ -42,36 +36,21 @@ class RoundFinish {
   RoundFinish(const PlacedRound& a, const PlacedRound& b, RoundAnswer& answer, StageTally& tally)
       : a_(a), b_(b), answer_(answer), tally_(tally) {}
 
-  void hulls() {
-    const PolyhedronDistance distance =
-        polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
-    count(distance);
-    if (const auto* common = std::get_if<CommonVertices>(&distance.evidence)) return cores(*common);
-    const ClosestFeatures& features = *closest_of(distance);
-    const auto [square, over] = features.squared();
-    const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
-    ++tally_.exact;
-    const ClosestPoints closest = closest_points(features);
-    if ((reach * reach * over - square).sign() == Sign::negative) {
-      return apart(way_between(closest.of_a, closest.of_b));
-    }
-    meet(point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius()));
-  }
-
   // True: decided. The core of one of the bodies meets the other, or does not, and is all of its body. Requires that
   // one is curved.
   bool cores_decide(std::uint32_t near_a, std::uint32_t near_b) {
     const PairAnswer of_cores = polyhedron_polyhedron(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(of_cores);
     if (const auto* common = std::get_if<CommonVertices>(&of_cores.evidence)) {
-      cores(*common);
+      meet_in_cores(*common);
       return true;
     }
     return core_decides(true, near_a) || core_decides(false, near_b);
   }
 
-  // True: decided, with cylinders as the capsules that hold them. Where these are apart the bodies are; where they
-  // meet, and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders themselves.
+  // True: decided, of hulls always; of cylinders as of the capsules that hold them. Where these are apart the bodies are;
+  // where they meet, and the shortest way between the cores is perpendicular to every axis, it ends on the cylinders
+  // themselves.
   bool capsules_decide() {
     for (const PlacedRound* body : {&a_, &b_}) {
       if (body->kind() != RoundKind::hull && body->kind() != RoundKind::cylinder) return false;
@@ -79,10 +58,13 @@ class RoundFinish {
     const PolyhedronDistance distance =
         polyhedron_polyhedron_distance(a_.body.core(), a_.pose, b_.body.core(), b_.pose);
     count(distance);
-    const ClosestFeatures* features = closest_of(distance);
-    if (features == nullptr) return false;
-    const auto [square, over] = features->squared();
-    const ClosestPoints closest = closest_points(*features);
+    if (const auto* common = std::get_if<CommonVertices>(&distance.evidence)) {
+      meet_in_cores(*common);
+      return true;
+    }
+    const ClosestFeatures& features = *closest_of(distance);
+    const auto [square, over] = features.squared();
+    const ClosestPoints closest = closest_points(features);
     const std::array<Dyadic, 3> way = way_between(closest.of_a, closest.of_b);
     const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
     ++tally_.exact;
@@ -91,9 +73,8 @@ class RoundFinish {
       return true;
     }
     for (const PlacedRound* body : {&a_, &b_}) {
-      if (body->kind() != RoundKind::cylinder) continue;
-      const Vector3<Dyadic> axis = coordinates<Dyadic>(body->core[1]) - coordinates<Dyadic>(body->core[0]);
-      if (dot(axis, Vector3<Dyadic>{way[0], way[1], way[2]}).sign() != Sign::zero) return false;
+      const auto axis = axis_of(*body);
+      if (axis && dot(axis->way, Exact{way[0], way[1], way[2]}).sign() != Sign::zero) return false;
     }
     CommonPoint point = point_between(closest.of_a, a_.radius(), closest.of_b, b_.radius());
     point.of_a = in_points(a_, std::move(point.of_a));
@@ -102,20 +83,14 @@ class RoundFinish {
     return true;
   }
 
-  // True: both hold the point. Requires that the hull is a ball, if one of the bodies is a hull.
-  bool meet_at(const ExactPoint3& x) {
+  // True: both hold the point; of hulls, as far as the points of their cores tell that are made so.
+  bool meet_at(const ExactPoint3& x, const std::array<Combination, 2>& of_cores) {
     CommonPoint common{x, {}, {}};
     for (const PlacedRound* body : {&a_, &b_}) {
-      Combination& made = body == &a_ ? common.of_a : common.of_b;
+      const Combination& of_core = of_cores[body == &a_ ? 0 : 1];
       ++tally_.exact;
-      if (body->body.is_curved()) {
-        if (side_of(body->shape, x) == Sign::negative) return false;
-        made = combination_of(*body, x);
-      } else {
-        const ExactPoint3 centre = exact_point(coordinates<Dyadic>(body->core[0]));
-        if (nearness(centre, body->radius(), x, 0) == Sign::negative) return false;
-        made.parts.push_back({0, Dyadic(1.0)});
-      }
+      if (side_of(*body, x, of_core) == Sign::negative) return false;
+      (body == &a_ ? common.of_a : common.of_b) = made_by(*body, x, of_core);
     }
     meet(std::move(common));
     return true;
@@ -148,23 +123,7 @@ class RoundFinish {
     Middle middle(x, thin);
     for (const PlacedRound* body : {&a_, &b_}) add_middle(*body, middle);
     if (middle.planes.empty() || middle.planes.size() > 3) return false;
-    const ExactPoint3 at = middle.nearest();
-    CommonPoint common{at, {}, {}};
-    for (const PlacedRound* body : {&a_, &b_}) {
-      ++tally_.exact;
-      if (body->body.is_curved()) {
-        if (side_of(body->shape, at) == Sign::negative) return false;
-        (body == &a_ ? common.of_a : common.of_b) = combination_of(*body, at);
-        continue;
-      }
-      const RoundCombination& of = made[body == &a_ ? 0 : 1];
-      if (of.count() == 0 || nearness(exact_point(weighted(*body, of)), body->radius(), at, 0) == Sign::negative) {
-        return false;
-      }
-      (body == &a_ ? common.of_a : common.of_b) = round_detail::exact(of);
-    }
-    meet(std::move(common));
-    return true;
+    return meet_at(middle.nearest(), {round_detail::exact(made[0]), round_detail::exact(made[1])});
   }
 
   // True: both hold the point, of curved bodies by their own formulas, of hulls by the exact distance of the core.
@@ -177,7 +136,7 @@ class RoundFinish {
       Combination& made = body == &a_ ? common.of_a : common.of_b;
       if (body->body.is_curved()) {
         if (side_of(body->shape, x, &tally_) == Sign::negative) return false;
-        made = combination_of(*body, exact_point(x));
+        made = made_by(*body, exact_point(x));
         continue;
       }
       const PolyhedronDistance distance =
@@ -249,13 +208,12 @@ class RoundFinish {
       for (std::size_t k = 0; k < 3; ++k) {
         if (is_thin(lengths[k], wide)) middle.add({rows[3 * k], rows[3 * k + 1], rows[3 * k + 2]}, centre);
       }
-    } else if (body.body.is_curved()) {
-      const auto end = [&](std::size_t k) { return coordinates<Dyadic>(Posed3{body.shape.points[k], &pose, false}); };
-      const Exact from = end(0), to = end(1), axis = to - from;
-      const double length = std::hypot(axis.x.nearest(), axis.y.nearest(), axis.z.nearest());
+    } else if (const auto axis = axis_of(body)) {
+      const auto& [base, way] = *axis;
+      const double length = std::hypot(way.x.nearest(), way.y.nearest(), way.z.nearest());
       if (!is_thin(length, body.radius())) return;
       const Dyadic half(body.kind() == RoundKind::cone ? 0.0 : 0.5);
-      middle.add(axis, {from.x + half * axis.x, from.y + half * axis.y, from.z + half * axis.z});
+      middle.add(way, sum(base, times(half, way)));
     }
   }
 
@@ -273,14 +231,13 @@ class RoundFinish {
     }
     ++tally_.exact;
     std::optional<CommonPoint> point;
-    if (other.body.is_curved()) {
-      CurvedVerdict found = curved_polyhedron(other, core, near, answer_.cost, tally_);
-      if (!found.point && found.direction && own.body.is_polyhedron()) {
-        const auto& d = *found.direction;
+    if (auto found = curved_polyhedron(other, core, near == no_vertex ? 0 : near, answer_.cost, tally_)) {
+      if (!found->point && found->direction && own.body.is_polyhedron()) {
+        const auto& d = *found->direction;
         apart(of_a ? std::array{-d.x, -d.y, -d.z} : std::array{d.x, d.y, d.z});
         return true;
       }
-      point = std::move(found.point);
+      point = std::move(found->point);
       if (point) std::swap(point->of_a, point->of_b);  // now the core's first
     } else {
       const PolyhedronDistance distance =
@@ -304,7 +261,7 @@ class RoundFinish {
     answer_.cost.iterations += of.cost.iterations;
     tally_.exact += of.cost.exact;
   }
-  void cores(const CommonVertices& common) { answer_.evidence = CoresMeet{common}; }
+  void meet_in_cores(const CommonVertices& common) { answer_.evidence = CoresMeet{common}; }
   void meet(CommonPoint point) {
     answer_.evidence = ExactCommonPoint{std::make_shared<const CommonPoint>(std::move(point))};
   }
@@ -328,7 +285,7 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
   }
   RoundFinish finish(a, b, answer, tally);
   if (!a.body.is_curved() && !b.body.is_curved()) {
-    finish.hulls();
+    finish.capsules_decide();
     return conclude(answer, tally.exact, true);
   }
   const Point3& d = first.search.direction;
@@ -339,11 +296,13 @@ void search(const PlacedRound& a, const PlacedRound& b, const Point3& way, Round
     const auto is_simple = [](const PlacedRound& body) {
       return body.body.is_curved() || body.body.core().dimension() == 0;
     };
+    const Combination centre{{{0, Dyadic(1.0)}}};
     for (const Point3& x : second.nearest_points) {
       for (const int bits : {40, 20, 10}) {
         if (answer.undecided()) finish.meet_at(snapped(x, bits));
       }
-      if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x)) finish.meet_at(simple_fractions(x));
+      if (answer.undecided() && is_simple(a) && is_simple(b) && is_finite(x))
+        finish.meet_at(simple_fractions(x), {centre, centre});
     }
     if (answer.undecided()) finish.meet_in_the_middle(second.nearest_points, second.nearest_made);
     if (answer.undecided()) answer.evidence = NearlyTouching{second.best_direction};
@@ -380,17 +339,24 @@ RoundAnswer round_answer(PairAnswer&& of_polyhedra) {
   return {std::visit(take, of_polyhedra.evidence), of_polyhedra.decided_by, of_polyhedra.cost};
 }
 
+// ---- The front doors of all questions about two bodies: polyhedra have methods of their own.
+
+namespace {
+
+bool are_polyhedra(const RoundBody& a, const RoundBody& b) { return a.is_polyhedron() && b.is_polyhedron(); }
+bool are_hulls(const RoundBody& a, const RoundBody& b) { return !a.is_curved() && !b.is_curved(); }
+
+}  // namespace
+
 RoundAnswer round_round(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b) {
-  if (a.is_polyhedron() && b.is_polyhedron()) {
-    return round_answer(polyhedron_polyhedron(a.core(), pose_a, b.core(), pose_b));
-  }
+  if (are_polyhedra(a, b)) return round_answer(polyhedron_polyhedron(a.core(), pose_a, b.core(), pose_b));
   const bool ellipsoids = a.kind() == RoundKind::ellipsoid || b.kind() == RoundKind::ellipsoid;
   return ellipsoids ? round_round(PlacedRound(a, pose_a), PlacedRound(b, pose_b))
                     : of_poses_as_given(a, pose_a, b, pose_b);
 }
 
 RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {
-  if (a.body.is_polyhedron() && b.body.is_polyhedron()) {
+  if (are_polyhedra(a.body, b.body)) {
     return round_answer(polyhedron_polyhedron(a.body.core(), a.pose, b.body.core(), b.pose));
   }
   RoundAnswer answer;
@@ -399,6 +365,68 @@ RoundAnswer round_round(const PlacedRound& a, const PlacedRound& b) {
     search(a, b, way, answer);
   }
   return answer;
+}
+
+RoundAnswer round_round_by(PolyhedronMethod method, const RoundBody& a, const Pose& pose_a, const RoundBody& b,
+                           const Pose& pose_b) {
+  if (!are_polyhedra(a, b)) return round_round(a, pose_a, b, pose_b);
+  return round_answer(method(a.core(), pose_a, b.core(), pose_b));
+}
+
+RoundAnswer round_round_warm(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b,
+                             WarmStart& last) {
+  if (!are_polyhedra(a, b)) return round_round(a, pose_a, b, pose_b);
+  return round_answer(polyhedron_polyhedron_warm(a.core(), pose_a, b.core(), pose_b, last));
+}
+
+std::optional<RoundEvidence> apart_by_boxes(const RoundBody& a, const WorldBox& box_a, const RoundBody& b,
+                                            const WorldBox& box_b) {
+  const std::optional<Separation> boxes = apart_by_boxes(box_a, box_b);
+  if (!boxes) return std::nullopt;
+  if (are_polyhedra(a, b)) return *boxes;
+  return SeparatingDirection{boxes->direction.given};
+}
+
+RoundContact round_round_contact(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
+  if (verdict_of(evidence) != Verdict::meet) return {};
+  if (!are_polyhedra(a.body, b.body)) return contact_searched(a, b, evidence);
+  const Interiors found = interiors(a.body.core(), a.pose, b.body.core(), b.pose);
+  if (found.meet) return OverlappingAt{found.point};
+  return TouchingAt{common_point_of(a, b, evidence), found.direction};
+}
+
+RoundDistance round_distance(const PlacedRound& a, const PlacedRound& b) {
+  if (!are_polyhedra(a.body, b.body)) return distance_searched(a, b);
+  const PolyhedronDistance found = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
+  const auto take = [](const auto& evidence) { return RoundDistanceEvidence(evidence); };
+  return {std::visit(take, found.evidence), found.decided_by, found.cost};
+}
+
+RoundCloser round_closer(const RoundBody& a, const Pose& pose_a, const RoundBody& b, const Pose& pose_b, double least) {
+  SUNDER_REQUIRE(least > 0 && std::isfinite(least));
+  return are_polyhedra(a, b) ? closer_of_polyhedra(a, pose_a, b, pose_b, least)
+                             : closer_searched(a, pose_a, b, pose_b, least);
+}
+
+EnclosedDepth depth_of_meeting(const PlacedRound& a, const PlacedRound& b, Cost& cost) {
+  return are_hulls(a.body, b.body) ? depth_of_hulls(a, b, cost) : depth_of_curved(a, b, cost);
+}
+
+SweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
+                              const RoundBody& b, const Translation& of_b) {
+  return are_polyhedra(a, b) ? polyhedron_polyhedron_sweep(a.core(), of_a, b.core(), of_b)
+                             : sweep_searched(a, of_a, b, of_b, are_hulls(a, b));
+}
+
+RoundFirstContact round_round_first_contact(const RoundBody& a, const Translation& of_a,  //
+                                            const RoundBody& b, const Translation& of_b,  //
+                                            const SweepAnswer& answer) {
+  const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
+  if (contact.time.sign() == Sign::zero) return {{0, 0}, contact};
+  if (!are_polyhedra(a, b)) return first_contact_searched(a, of_a, b, of_b, are_hulls(a, b), contact);
+  SweepContact first = *polyhedron_polyhedron_first_contact(a.core(), of_a, b.core(), of_b);
+  const Interval time = first.about();
+  return {time, std::move(first)};
 }
 
 Point3 rounded_point_of(const PlacedRound& a, const PlacedRound& b, const RoundEvidence& evidence) {
@@ -467,13 +495,13 @@ class CommonPointOf {
   CommonPoint operator()(const PointInDoubles& point) const {
     const ExactPoint3 x = exact_point(weighted(point.at));
     const auto made = [&](const PlacedRound& body, const RoundCombination& c) {
-      return body.body.is_curved() ? combination_of(body, x) : of_core(body, c).of_body;
+      return made_by(body, x, round_detail::exact(c));
     };
     return {x, made(a_, point.of_a), made(b_, point.of_b)};
   }
   CommonPoint operator()(const PointOfCore& point) const {
     const auto [x, made] = of_core(point.is_of_a ? a_ : b_, point.made);
-    const Combination of_curved = combination_of(point.is_of_a ? b_ : a_, x);
+    const Combination of_curved = made_by(point.is_of_a ? b_ : a_, x);
     return point.is_of_a ? CommonPoint{x, made, of_curved} : CommonPoint{x, of_curved, made};
   }
   template <class Other>  // of bodies that do not meet

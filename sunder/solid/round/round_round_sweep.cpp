@@ -2,8 +2,9 @@
 #include <sunder/number/exact_vector.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/round/nearest_on_the_way.h>
-#include <sunder/solid/round/round_finish.h>
+#include <sunder/solid/round/round_methods.h>
 #include <sunder/solid/round/round_nearest.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_round_sweep.h>
 #include <sunder/solid/round/round_search.h>
 
@@ -41,25 +42,6 @@ Pose pose_at(const Translation& of, double time) {
   return Pose::from_matrix(of.begin().affine().linear, {part(0), part(1), part(2)});
 }
 
-// A little smaller, within itself: what has a point in common with it then has one inside of it.
-RoundBody smaller(const RoundBody& body) {
-  constexpr double part = 1 - 0x1p-43;
-  const std::span<const Point3> p = body.points();
-  const double r = body.radius() * part;
-  if (!body.is_curved()) return RoundBody::rounded(body.core(), r);
-  if (body.kind() == RoundKind::ellipsoid) {
-    const auto& [m, t] = body.frame();
-    return RoundBody::ellipsoid({t[0], t[1], t[2]}, {m[0] * part, m[4] * part, m[8] * part});
-  }
-  const bool is_cone = body.kind() == RoundKind::cone;
-  const auto inwards = [&](const Point3& from, const Point3& to, double by) {
-    return Point3{from.x + by * (to.x - from.x), from.y + by * (to.y - from.y), from.z + by * (to.z - from.z)};
-  };
-  const Point3 from = inwards(p[0], p[1], 0x1p-44), to = inwards(p[1], p[0], is_cone ? 0x1p-42 : 0x1p-44);
-  if (from.x == to.x && from.y == to.y && from.z == to.z) return body;
-  return is_cone ? RoundBody::cone(from, to, r) : RoundBody::cylinder(from, to, r);
-}
-
 // A direction of doubles, and how far it parts the bodies at the beginning and at the end, about, over its length.
 struct Cut {
   Point3 direction{};
@@ -71,8 +53,9 @@ struct Cut {
 
 class RoundSweep {
  public:
-  RoundSweep(const RoundBody& a, const Translation& of_a, const RoundBody& b, const Translation& of_b)
-      : of_a_(of_a),
+  RoundSweep(const RoundBody& a, const Translation& of_a, const RoundBody& b, const Translation& of_b, bool cores_tell)
+      : cores_tell_(cores_tell),
+        of_a_(of_a),
         of_b_(of_b),
         a_(a, of_a.begin()),
         b_(b, of_b.begin()),
@@ -86,7 +69,7 @@ class RoundSweep {
     if (ends_decide() || cuts_decide()) {
       conclude(answer_, tally_.exact);
     } else {
-      if (!a_.body.is_curved() && !b_.body.is_curved()) hulls_decide();
+      if (cores_tell_) hulls_decide();
       conclude(answer_, tally_.exact, true);
     }
     return std::move(answer_);
@@ -164,16 +147,11 @@ class RoundSweep {
     return at_rest;
   }
 
-  // The point of a hull's core that the weights make, then.
-  ExactPoint3 at(const PlacedRound& body, const Exact& way, const Combination& of, const Time& time) const {
-    const Exact all = numerators_of(of, [&](std::uint32_t v) { return coordinates<Dyadic>(body.core[v]); });
-    Dyadic weight(0.0);
-    for (const auto& part : of.parts) weight = weight + part.numerator;
-    return exact_point(sum(times(time.denominator, all), times(time.numerator * weight, way)),
-                       weight * time.denominator);
+  // Where a point of a body is then that is here at the beginning; and the other way round.
+  static ExactPoint3 after(const ExactPoint3& x, const Exact& way, const Time& time) {
+    const Dyadic by = time.numerator * x.denominator;
+    return exact_point(sum(times(time.denominator, x.numerators()), times(by, way)), x.denominator * time.denominator);
   }
-
-  // The same point, where the body has not moved yet.
   static ExactPoint3 before(const ExactPoint3& x, const Exact& way, const Time& time) {
     const Dyadic by = time.numerator * x.denominator;
     return exact_point(times(time.denominator, x.numerators()) - times(by, way), x.denominator * time.denominator);
@@ -183,28 +161,20 @@ class RoundSweep {
   bool meets_at(const Time& time, const CommonPoint& near) {
     ++answer_.cost.proposals;
     ++tally_.exact;
-    const bool hull_a = !a_.body.is_curved(), hull_b = !b_.body.is_curved();
-    std::optional<ExactPoint3> of_a, of_b;
-    if (hull_a) of_a = at(a_, way_a_, near.of_a, time);
-    if (hull_b) of_b = at(b_, way_b_, near.of_b, time);
-    const auto holds = [&](const PlacedRound& body, const Exact& way, const std::optional<ExactPoint3>& of_core,
-                           const ExactPoint3& x) {
-      if (of_core) return nearness(*of_core, body.radius(), x, 0) != Sign::negative;
-      return side_of(body.shape, before(x, way, time)) != Sign::negative;
-    };
+    const auto core_a = core_point(a_, near.of_a.parts), core_b = core_point(b_, near.of_b.parts);
     std::vector<ExactPoint3> points;
-    if (hull_a && hull_b) {
-      points.push_back(point_between({*of_a, {}}, a_.radius(), {*of_b, {}}, b_.radius()).at);
+    if (core_a && core_b) {
+      const PointOf of_a{after(core_a->at, way_a_, time), {}}, of_b{after(core_b->at, way_b_, time), {}};
+      points.push_back(point_between(of_a, a_.radius(), of_b, b_.radius()).at);
     } else {
       points.push_back(near.at);
-      if (hull_a) points.push_back(*of_a);
-      if (hull_b) points.push_back(*of_b);
+      if (core_a) points.push_back(after(core_a->at, way_a_, time));
+      if (core_b) points.push_back(after(core_b->at, way_b_, time));
     }
     for (const ExactPoint3& x : points) {
-      if (!holds(a_, way_a_, of_a, x) || !holds(b_, way_b_, of_b, x)) continue;
-      CommonPoint point{x, near.of_a, near.of_b};
-      if (!hull_a) point.of_a = combination_of(a_, before(x, way_a_, time));
-      if (!hull_b) point.of_b = combination_of(b_, before(x, way_b_, time));
+      const ExactPoint3 in_a = before(x, way_a_, time), in_b = before(x, way_b_, time);
+      if (side_of(a_, in_a, near.of_a) == Sign::negative || side_of(b_, in_b, near.of_b) == Sign::negative) continue;
+      CommonPoint point{x, made_by(a_, in_a, near.of_a), made_by(b_, in_b, near.of_b)};
       meet(time, std::move(point));
       return true;
     }
@@ -335,17 +305,17 @@ class RoundSweep {
     for (const WayCorner& corner : nearest->corners) {
       if (corner.at_end) time.numerator = time.numerator + corner.weight;
     }
-    const bool held = meets_at(time, made_by(*nearest));
+    const bool held = meets_at(time, made_at(*nearest));
     SUNDER_REQUIRE(held);
     (void)held;
   }
 
   // Exactly: the same at one time. Not where the cores themselves meet then.
   bool hulls_meet_at(double time) {
-    if (a_.body.is_curved() || b_.body.is_curved()) return false;
+    if (!cores_tell_) return false;
     const Exact then = times(Dyadic(time), path_);
     const auto nearest = nearest_on_the_way(a_.core, b_.core, then, then, answer_.cost, tally_);
-    return nearest && are_within_reach(*nearest) && meets_at({Dyadic(time)}, made_by(*nearest));
+    return nearest && are_within_reach(*nearest) && meets_at({Dyadic(time)}, made_at(*nearest));
   }
 
   bool are_within_reach(const NearestOnTheWay& nearest) const {
@@ -354,7 +324,7 @@ class RoundSweep {
   }
 
   // How the cores make the two points; where these are is not filled in.
-  static CommonPoint made_by(const NearestOnTheWay& nearest) {
+  static CommonPoint made_at(const NearestOnTheWay& nearest) {
     CommonPoint made;
     made.of_a.denominator = made.of_b.denominator = nearest.weight;
     for (const WayCorner& corner : nearest.corners) {
@@ -375,6 +345,7 @@ class RoundSweep {
     answer_.evidence = ContactOnTheWay{std::make_shared<const SweepContact>(*first)};
   }
 
+  bool cores_tell_;  // of hulls: the nearest points of their cores decide
   const Translation &of_a_, &of_b_;
   const PlacedRound a_, b_, to_a_, to_b_;            // at the beginning, and at the end
   const Exact way_a_, way_b_, path_;                 // what each adds, and A's as seen from B
@@ -387,10 +358,14 @@ class RoundSweep {
 
 }  // namespace
 
-SweepAnswer round_round_sweep(const RoundBody& a, const Translation& of_a,  //
-                              const RoundBody& b, const Translation& of_b) {
-  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).decide();
-  return polyhedron_polyhedron_sweep(a.core(), of_a, b.core(), of_b);
+SweepAnswer sweep_searched(const RoundBody& a, const Translation& of_a, const RoundBody& b, const Translation& of_b,
+                           bool cores_tell) {
+  return RoundSweep(a, of_a, b, of_b, cores_tell).decide();
+}
+
+RoundFirstContact first_contact_searched(const RoundBody& a, const Translation& of_a, const RoundBody& b,
+                                         const Translation& of_b, bool cores_tell, const SweepContact& contact) {
+  return RoundSweep(a, of_a, b, of_b, cores_tell).first(contact);
 }
 
 std::array<Dyadic, 3> direction_of(const RoundBody& a, const Translation& of_a,  //
@@ -405,17 +380,6 @@ SweepContact contact_of(const RoundBody& a, const Translation& of_a,  //
   const auto& [common, is_at_end] = std::get<CommonVerticesAtAnEnd>(answer.evidence);
   const PlacedRound in_a(a, is_at_end ? of_a.end() : of_a.begin()), in_b(b, is_at_end ? of_b.end() : of_b.begin());
   return {Dyadic(is_at_end ? 1.0 : 0.0), Dyadic(1.0), common_point(common, in_a.core, in_b.core), {}};
-}
-
-RoundFirstContact round_round_first_contact(const RoundBody& a, const Translation& of_a,  //
-                                            const RoundBody& b, const Translation& of_b,  //
-                                            const SweepAnswer& answer) {
-  const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
-  if (contact.time.sign() == Sign::zero) return {{0, 0}, contact};
-  if (!a.is_polyhedron() || !b.is_polyhedron()) return RoundSweep(a, of_a, b, of_b).first(contact);
-  SweepContact first = *polyhedron_polyhedron_first_contact(a.core(), of_a, b.core(), of_b);
-  const Interval time = first.about();
-  return {time, std::move(first)};
 }
 
 void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundBody& a, const Translation& of_a,

@@ -103,7 +103,7 @@ CurvedVerdict finished(const RoundBody& curved, const RoundBody& polyhedron) {
   Cost cost;
   StageTally tally;
   const PlacedRound a(curved, Pose()), b(polyhedron, Pose());
-  CurvedVerdict found = curved_polyhedron(a, b, 0, cost, tally);
+  CurvedVerdict found = *curved_polyhedron(a, b, 0, cost, tally);
   if (found.direction && !found.point) {
     // It parts them, every vertex.
     const WorldDirection d(*found.direction);

@@ -5,6 +5,7 @@
 
 #include <sunder/base/cost.h>
 #include <sunder/solid/round/round_body.h>
+#include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/round/round_round.h>
 #include <sunder/solid/search/gjk.h>
 #include <sunder/solid/search/support.h>
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <vector>
 
@@ -37,6 +39,9 @@ VectorOf<Real> sum(const VectorOf<Real>& p, const Real& by, const VectorOf<Real>
 
 }  // namespace round_detail
 
+// Of a curved body, whose points are of no vertex.
+inline constexpr std::uint32_t no_vertex = std::numeric_limits<std::uint32_t>::max();
+
 // One of the bodies, seen from an origin. Lengths are times the scale, a power of two.
 template <class Real>
 class RoundSide {
@@ -45,23 +50,19 @@ class RoundSide {
 
   RoundSide(const PlacedRound& of, const Vector& shift, double scale)
       : of_(of), core_(of.core), shift_(shift), scale_(scale), radius_(of.radius() * scale) {
-    // Two points at most: of a hull its vertices, where there are no more.
-    const std::vector<Point3>& vertices = of.core.graph.vertices;
-    const bool is_hull = !of.body.is_curved();
-    if (is_hull && vertices.size() > 2) return;
-    const Point3& first = is_hull ? vertices[0] : of.shape.points[0];
-    first_ = at(first);
-    if (is_hull ? vertices.size() == 1 : of.shape.ends() == 1) return;
-    const Point3& second = is_hull ? vertices[1] : of.shape.points[1];
-    second_ = at(second);
+    const std::span<const Point3> ends = of.body.ends();
+    if (ends.empty()) return;
+    first_ = at(ends[0]);
+    if (ends.size() == 1) return;
+    second_ = at(ends[1]);
     axis_ = minus(second_, first_);
-    if constexpr (std::is_same_v<Real, double>) axis_ = core_.turned<Real>(minus(second, first), scale);
+    if constexpr (std::is_same_v<Real, double>) axis_ = core_.turned<Real>(minus(ends[1], ends[0]), scale);
     length2_ = dot(axis_, axis_);
   }
 
   struct Far {
     Vector at;
-    std::uint32_t vertex = 0;  // of a hull's core
+    std::uint32_t vertex = no_vertex;  // of a hull's core
   };
 
   double shrink = 0;  // of a curved body, towards its middle
@@ -76,8 +77,8 @@ class RoundSide {
 
   // Of the body: a point inside, about.
   Vector middle() const {
-    if (!of_.body.is_curved()) return core_.graph.vertices.size() == 1 ? first_ : at(core_.graph.middle);
-    if (of_.shape.ends() == 1) return first_;
+    if (of_.body.ends().size() == 1) return first_;
+    if (!of_.body.is_curved()) return at(core_.graph.middle);
     return round_detail::sum<Real>(first_, Real(of_.kind() == RoundKind::cone ? 0.25 : 0.5), axis_);
   }
 
@@ -162,7 +163,7 @@ class RoundSupport {
   // A point of the difference A - B, and the points whose difference it is.
   struct Slot {
     Vector of_a{}, of_b{};
-    std::uint32_t vertex_a = 0, vertex_b = 0;
+    std::uint32_t vertex_a = no_vertex, vertex_b = no_vertex;
   };
 
   RoundSupport(const PlacedRound& a, const PlacedRound& b)
@@ -170,13 +171,14 @@ class RoundSupport {
         a_(a, Vector{}, scale),
         b_(b, shift_of(a, b, scale), scale),
         origin_{a.core.pose.translation[0], a.core.pose.translation[1], a.core.pose.translation[2]} {
-    const auto of_hull = [](const PlacedRound& p) { return p.body.is_curved() ? 0.0 : p.radius(); };
-    reach = of_hull(a) * scale + of_hull(b) * scale;
+    reach = a.body.rounding() * scale + b.body.rounding() * scale;
+    can_shrink = a.body.is_curved() || b.body.is_curved();
   }
 
   double scale;
   std::array<Slot, 5> slots;
-  Real reach = 0;
+  Real reach = 0;           // what the radii of hulls add
+  bool can_shrink = false;  // one of them is curved
 
   Vector first_direction() const {
     const Vector p = a_.middle(), q = b_.middle();
@@ -239,11 +241,6 @@ class RoundSupport {
   static constexpr double relative_noise = std::is_same_v<Real, double> ? 0x1p-50 : 0x1p-100;
 
  private:
-  static double size_of(const PlacedRound& p) {
-    const double round = p.radius() * (p.kind() == RoundKind::ellipsoid ? 3 * greatest_of(p.pose) : 1);
-    return std::max(p.core.size, round);
-  }
-  static double greatest_of(const Pose& pose) { return pose.linear_range().greatest; }
   static Vector shift_of(const PlacedRound& a, const PlacedRound& b, double scale) {
     const auto &s = a.core.pose.translation, &t = b.core.pose.translation;
     const auto part = [&](std::size_t i) -> Real { return difference<Real>(t[i], s[i]) * Real(scale); };
@@ -264,10 +261,11 @@ constexpr int round_steps = std::is_same_v<Real, double> ? 100 : 400;
 template <class Real>
 struct Made {
   VectorOf<Real> of_a{}, of_b{};
-  RoundCombination a, b;  // of hulls
+  RoundCombination a, b;  // of hulls; else empty
 };
 
 inline void add_weight(RoundCombination& c, std::uint32_t v, double weight) {
+  if (v == no_vertex) return;
   const std::size_t count = c.count();
   for (std::size_t k = 0; k < count; ++k) {
     if (c.vertices[k] != v) continue;
@@ -283,6 +281,7 @@ std::optional<Made<Real>> made_of(const RoundSearch<Real>& search) {
   const auto mean = mean_nearest(search.simplex);
   if (!mean) return std::nullopt;
   Made<Real> made;
+  bool is_some = false;
   for (const auto& part : *mean) {
     const Real weight = part.weight / mean->total;
     const auto& slot = search.support.slots[part.a];
@@ -290,31 +289,11 @@ std::optional<Made<Real>> made_of(const RoundSearch<Real>& search) {
     made.of_b = round_detail::sum<Real>(made.of_b, weight, slot.of_b);
     const double w = nearest(weight);
     if (!(w > 0)) continue;
+    is_some = true;
     add_weight(made.a, slot.vertex_a, w);
     add_weight(made.b, slot.vertex_b, w);
   }
-  if (made.a.count() == 0) return std::nullopt;
-  return made;
+  return is_some ? std::optional(made) : std::nullopt;
 }
-
-namespace round_detail {
-
-// The point of a hull's core that the combination makes.
-inline WeightedPoint weighted(const PlacedRound& body, const RoundCombination& c) {
-  WeightedPoint point;
-  point.count = c.count();
-  for (std::size_t k = 0; k < point.count; ++k) {
-    point.points[k] = body.core[c.vertices[k]];
-    point.weights[k] = c.weights[k];
-  }
-  return point;
-}
-
-inline constexpr Affine3 in_place{};
-inline WeightedPoint weighted(const Point3& p) { return {1, {Posed3{p, &in_place, false}}, {1}}; }
-
-inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
-
-}  // namespace round_detail
 
 }  // namespace sunder::solid

@@ -14,9 +14,6 @@
 
 namespace sunder::solid {
 
-namespace {
-
-// Encloses coordinate k of the image.
 Interval coordinate(std::size_t k, const Posed3& point) {
   const auto& m = point.pose->linear;
   const Point3& p = point.point;
@@ -31,50 +28,9 @@ Interval coordinate(std::size_t k, const Posed3& point) {
          (Interval(m[3 * k + 2]) * p.z + Interval(point.pose->translation[k]));
 }
 
-// Encloses coordinate k of an end of a cylinder's or a cone's axis.
-Interval end_of(const PlacedRound& body, std::size_t end, std::size_t k) {
-  return coordinate(k, {body.shape.points[end], &body.core.pose, body.core.tame});
-}
+namespace {
 
 Point3 axis(std::size_t k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
-
-// At least how far the body reaches along axis k beyond its core, of a cone beyond its base's middle.
-double reach(const PlacedRound& body, std::size_t k) {
-  const auto square = [](const Interval& x) { return x * x; };
-  switch (body.kind()) {
-    case RoundKind::hull: break;
-    case RoundKind::ellipsoid: {
-      const double* const row = &body.pose.affine().linear[3 * k];
-      const Interval sum = square(row[0]) + square(row[1]) + square(row[2]);
-      return (square_root(sum) * body.radius()).high;
-    }
-    case RoundKind::cylinder:
-    case RoundKind::cone: {
-      // r sqrt(1 - a_k^2 / a a), a the axis; never more than r.
-      std::array<Interval, 3> squares;
-      for (std::size_t j = 0; j < 3; ++j) squares[j] = square(end_of(body, 1, j) - end_of(body, 0, j));
-      const Interval across = squares[(k + 1) % 3] + squares[(k + 2) % 3];
-      const double part = std::min(square_root(across / (across + squares[k])).high, 1.0);
-      return (Interval(part) * body.radius()).high;
-    }
-  }
-  return body.radius();
-}
-
-// From the core's box to the body's.
-void widen(const PlacedRound& body, Box3& box) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Interval beyond = reach(body, k);
-    if (body.kind() != RoundKind::cone) {
-      box.low[k] = (Interval(box.low[k]) - beyond).low;
-      box.high[k] = (Interval(box.high[k]) + beyond).high;
-      continue;
-    }
-    const Interval base = end_of(body, 0, k), apex = end_of(body, 1, k);
-    box.low[k] = std::min((Interval(base.low) - beyond).low, apex.low);
-    box.high[k] = std::max((Interval(base.high) + beyond).high, apex.high);
-  }
-}
 
 }  // namespace
 
@@ -145,34 +101,6 @@ Box3 rough_world_box(const Placed& body) {
     box.high[k] = coordinate(k, {greatest, &body.pose, false}).high;
   }
   return box;
-}
-
-WorldBox world_box(const PlacedRound& body) {
-  WorldBox box = world_box(body.core);
-  widen(body, box);
-  return box;
-}
-
-Box3 rough_world_box(const PlacedRound& body) {
-  Box3 box = rough_world_box(body.core);
-  widen(body, box);
-  return box;
-}
-
-WorldBox world_box(const RoundBody& body, const Pose& pose) {
-  return body.is_polyhedron() ? world_box(Placed(body.core(), pose)) : world_box(PlacedRound(body, pose));
-}
-
-Box3 rough_world_box(const RoundBody& body, const Pose& pose) {
-  return body.is_polyhedron() ? rough_world_box(Placed(body.core(), pose)) : rough_world_box(PlacedRound(body, pose));
-}
-
-std::optional<RoundEvidence> apart_by_boxes(const RoundBody& a, const WorldBox& box_a, const RoundBody& b,
-                                            const WorldBox& box_b) {
-  const std::optional<Separation> boxes = apart_by_boxes(box_a, box_b);
-  if (!boxes) return std::nullopt;
-  if (a.is_polyhedron() && b.is_polyhedron()) return *boxes;
-  return SeparatingDirection{boxes->direction.given};
 }
 
 std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b) {

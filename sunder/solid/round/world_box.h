@@ -43,6 +43,9 @@ Box3 rough_world_box(const PlacedRound& body);
 WorldBox world_box(const RoundBody& body, const Pose& pose);
 Box3 rough_world_box(const RoundBody& body, const Pose& pose);
 
+// Encloses coordinate k of the image.
+Interval coordinate(std::size_t k, const Posed3& point);
+
 // Where the boxes are apart, so are the bodies, as along one of +-x, +-y, +-z. Nothing where the
 // boxes meet. Cost: at most six comparisons.
 std::optional<Separation> apart_by_boxes(const WorldBox& a, const WorldBox& b);         // of polyhedra
