@@ -76,7 +76,7 @@ void check(std::string_view text, std::string_view place, bool drop_z) {
     if (first->unbounded() || first->vertices.size() > 100) continue;
     const auto hull = sunder::planar::ConvexPolygon::hull_of(first->vertices);
     const auto cut = sunder::planar::polygon_line(hull, through);
-    require(cut.kind == sunder::planar::polygon_line_by_scan(hull, {}, through).kind);
+    require(cut.evidence == sunder::planar::polygon_line_by_scan(hull, {}, through).evidence);
   }
   require(first != nullptr);
 }

@@ -89,9 +89,10 @@ PythonCut polyhedron_line(const Shared& body, const Pose& pose, const LineLike& 
     });
   };
   PythonCut answer{{{cut.cost, text}, cut.meet()}, cut, contact, {}};
-  if (!cut.meet()) return answer;
+  const auto ends = ends_of(cut.evidence);
+  if (!ends) return answer;
   const auto [p, q] = std::visit([](const auto& line) { return std::pair(line.a, line.b); }, other);
-  answer.ends = {exact_end(*body, pose, p, q, cut.first), exact_end(*body, pose, p, q, cut.last)};
+  answer.ends = {exact_end(*body, pose, p, q, ends->first), exact_end(*body, pose, p, q, ends->last)};
   return answer;
 }
 
@@ -166,7 +167,7 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
   nb::class_<PythonCut, YesNo>(solid, "PolyhedronCut",
                                "What a body has in common with a line, a ray or a segment. True where they meet.")
       .def_prop_ro(
-          "kind", [](const PythonCut& a) { return name_of(a.cut.kind); },
+          "kind", [](const PythonCut& a) { return name_of(kind_of(a.cut)); },
           "\"nothing\", \"point\", \"along\" an edge or a facet, or \"across\" the inside.")
       .def_prop_ro("contact", [](const PythonCut& a) { return name_of(a.contact); })
       .def_prop_ro("decided_by", [](const PythonCut& a) { return name_of(a.cut.decided_by); })

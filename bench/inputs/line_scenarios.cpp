@@ -10,9 +10,9 @@
 namespace bench {
 namespace {
 
+using sunder::CutKind;
 using sunder::Point3;
 using sunder::Random;
-using sunder::solid::CutKind;
 using sunder::solid::Line;
 using sunder::solid::Plane;
 

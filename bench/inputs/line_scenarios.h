@@ -46,10 +46,10 @@ struct LineQuery {
   sunder::solid::Line line;  // exactly
   // Rounded: its point next to the centre, its direction of length 1, and how far along that its ends are.
   sunder::Point3 foot, way;
-  sunder::solid::CutKind kind = sunder::solid::CutKind::nothing;
+  sunder::CutKind kind = sunder::CutKind::nothing;
   double first = HUGE_VAL, last = -HUGE_VAL;
 
-  bool meet() const { return kind != sunder::solid::CutKind::nothing; }
+  bool meet() const { return kind != sunder::CutKind::nothing; }
   // An answer in a number: 0: nothing; 1: a common part with these ends; 2: one with others, which is wrong.
   std::uint64_t answer(double found_first, double found_last) const {
     if (found_first == HUGE_VAL && found_last == -HUGE_VAL) return 0;

@@ -60,22 +60,23 @@ PolyhedronCut cut_by(const ConvexPolyhedron& body, const LineQuery& query, LineB
 
 // With the ends as nearest doubles.
 std::uint64_t answer_with_ends(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
-  if (!cut.meet()) return 0;
+  const auto ends = ends_of(cut.evidence);
+  if (!ends) return 0;
   const auto at = [&](const sunder::solid::CutEnd& end) {
     const Point3 p = exact_end(body, Pose(), query.line.a, query.line.b, end).rounded();
     return query.along(p.x, p.y, p.z);
   };
-  return query.answer(at(cut.first), at(cut.last));
+  return query.answer(at(ends->first), at(ends->last));
 }
 
 bool is_as_by_scan(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut) {
   const PolyhedronCut scan = polyhedron_line_by_scan(body, Pose(), query.line);
-  return cut.kind == scan.kind && (!cut.meet() || (cut.first == scan.first && cut.last == scan.last));
+  return kind_of(cut) == kind_of(scan) && ends_of(cut.evidence) == ends_of(scan.evidence);
 }
 
 // scan: by that too, which is linear, and slow.
 bool is_right(const ConvexPolyhedron& body, const LineQuery& query, const PolyhedronCut& cut, bool scan) {
-  return cut.kind == query.kind && answer_with_ends(body, query, cut) == (query.meet() ? 1U : 0U) &&
+  return kind_of(cut) == query.kind && answer_with_ends(body, query, cut) == (query.meet() ? 1U : 0U) &&
          (!scan || is_as_by_scan(body, query, cut));
 }
 

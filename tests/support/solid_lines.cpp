@@ -44,6 +44,16 @@ std::vector<Point3> rings(Random& random) {
 
 }  // namespace
 
+bool is_same_cut(const solid::PolyhedronCut& found, const solid::PolyhedronCut& other) {
+  const auto surface = [](const solid::PolyhedronCut& cut) {
+    const auto* along = std::get_if<solid::CutAlong>(&cut.evidence);
+    return along != nullptr ? along->surface : solid::CutFeature{};
+  };
+  return kind_of(found) == kind_of(other) && ends_of(found.evidence) == ends_of(other.evidence) &&
+         surface(found) == surface(other) &&
+         facets_of(found.evidence).has_value() == facets_of(other.evidence).has_value();
+}
+
 std::string_view name_of(LineFamily family) {
   constexpr std::array<std::string_view, line_family_count> names{
       "general",  "round",        "grid",      "features",         "last bit", "features posed",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <sunder/base/random.h>
+#include <sunder/solid/line/polyhedron_cut.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
@@ -39,6 +40,9 @@ struct LineCase {
   solid::Pose pose;
   Point3 a, b;
 };
+
+// The same kind, ends and surface; and facets of both, or of neither. Which of several facets do is a method's own.
+bool is_same_cut(const solid::PolyhedronCut& found, const solid::PolyhedronCut& other);
 
 // An endless stream of cases, family after family in turn.
 class SolidLines {

@@ -18,12 +18,11 @@ namespace sunder::ask {
 namespace {
 
 using solid::ConvexPolyhedron;
+using solid::CutAlong;
 using solid::CutEnd;
 using solid::CutFeature;
-using solid::CutKind;
 using solid::CutPlace;
 using solid::LineLike;
-using solid::OwnEnd;
 using solid::PolyhedronCut;
 using solid::Pose;
 
@@ -40,19 +39,22 @@ class CutTeller {
       : cut_(cut), body_(body), letter_(letter), a_(a), b_(b) {}
 
   Json json() const {
-    Json json{{"kind", name_of(cut_.kind)}};
-    if (!cut_.meet()) return json;
-    if (cut_.kind == CutKind::along) json["surface"] = feature_json(cut_.surface);
-    json["first"] = end_json(cut_.first);
-    json["last"] = end_json(cut_.last);
+    Json json{{"kind", name_of(kind_of(cut_))}};
+    const auto ends = ends_of(cut_.evidence);
+    if (!ends) return json;
+    if (const auto* along = std::get_if<CutAlong>(&cut_.evidence)) json["surface"] = feature_json(along->surface);
+    json["first"] = end_json(ends->first);
+    json["last"] = end_json(ends->last);
     return json;
   }
 
   std::string text() const {
-    if (!cut_.meet()) return "nothing";
-    if (cut_.kind == CutKind::point) return "one point, " + end_text(cut_.first);
-    const std::string what = cut_.kind == CutKind::along ? "a part of " + feature_text(cut_.surface) : "a segment";
-    return fmt::format("{}, from {}\nto {}", what, end_text(cut_.first), end_text(cut_.last));
+    const auto ends = ends_of(cut_.evidence);
+    if (!ends) return "nothing";
+    if (kind_of(cut_) == CutKind::point) return "one point, " + end_text(ends->first);
+    const auto* along = std::get_if<CutAlong>(&cut_.evidence);
+    const std::string what = along != nullptr ? "a part of " + feature_text(along->surface) : "a segment";
+    return fmt::format("{}, from {}\nto {}", what, end_text(ends->first), end_text(ends->last));
   }
 
  private:

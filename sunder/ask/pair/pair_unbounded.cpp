@@ -19,9 +19,8 @@ namespace sunder::ask {
 
 namespace {
 
-using planar::CommonKind;
 using planar::Place;
-using planar::PolygonCut;
+using Ends = CutEnds<planar::CutEnd>;
 using PlanarKind = io::PlanarObject::Kind;
 
 using UnboundedMethod = planar::PolygonCommon(const planar::ConvexPolygon&, const planar::Pose&,
@@ -129,7 +128,7 @@ class UnboundedPair : public PairQuestion {
     common_ = mixed_.method(body_.polygon, body_.pose, mixed_.unbounded);
     take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
                                                           : "signs, with the help of exact arithmetic");
-    contact_ = common_.contact;
+    contact_ = contact_of(body_.polygon, mixed_.unbounded, common_);
     facts_ = {{"common", common_json(), common_text()}};
     if (meet_ && kind_ == PlanarKind::half_plane) not_proved_.emplace_back("the common part");
   }
@@ -154,8 +153,8 @@ class UnboundedPair : public PairQuestion {
                                 common_text(),
                                 call.title,
                                 files_.left_out.clause()};
-    if (common_.cut.meet() && common_.kind != CommonKind::whole) {
-      picture.marks = {exact(common_.cut.first).rounded(), exact(common_.cut.last).rounded()};
+    if (const std::optional<Ends> ends = ends_of(common_.evidence)) {
+      picture.marks = {exact(ends->first).rounded(), exact(ends->last).rounded()};
     }
     return picture::cut_svg(picture);
   }
@@ -172,32 +171,40 @@ class UnboundedPair : public PairQuestion {
     const std::string place = end.place == Place::inside
                                   ? fmt::format("inside {}", letter())
                                   : body_.feature_text(letter(), end.feature, end.place == Place::edge);
-    if (end.own == planar::OwnEnd::a)
-      return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
+    if (end.own == OwnEnd::a) return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
     return fmt::format("about {}, {}, t = {}", about(e.rounded()), place, short_fraction(e.along_line));
   }
 
+  std::string ends_text(const Ends& ends) const {
+    return fmt::format("from {}\nto {}", end_text(ends.first), end_text(ends.last));
+  }
+
+  std::string told(const planar::BesideLine& beside) const {
+    return kind_ == PlanarKind::line ? fmt::format("nothing; {} is nearest to the line", vertex(beside.nearest))
+                                     : "nothing";
+  }
+  std::string told(const planar::BeyondEnd&) const { return "nothing"; }
+  std::string told(const planar::BesideHalfPlane& beside) const {
+    return fmt::format("nothing; {} is nearest to it", vertex(beside.nearest));
+  }
+  std::string told(const planar::CutPoint& point) const { return "one point, " + end_text(point.at); }
+  std::string told(const planar::CutAlong& along) const {
+    const bool all = along.first.place == Place::vertex && along.last.place == Place::vertex;
+    return fmt::format("{}{}, {}", all ? "" : "a part of ", body_.feature_text(letter(), along.edge, true),
+                       ends_text({along.first, along.last}));
+  }
+  std::string told(const planar::CutAcross& across) const {
+    return "a segment, " + ends_text({across.first, across.last});
+  }
+  std::string told(const planar::PartWithin& part) const {
+    if (body_.polygon.size() > 2) return "a part, cut off " + ends_text({part.first, part.last});
+    return fmt::format("a part, from {}\nto {}", end_text(part.first), vertex(part.furthest));
+  }
+  std::string told(const planar::WholeWithin& whole) const {
+    return fmt::format("all of {}; {} is furthest within", letter(), vertex(whole.furthest));
+  }
   std::string common_text() const {
-    const PolygonCut& cut = common_.cut;
-    const auto ends = [&] { return fmt::format("from {}\nto {}", end_text(cut.first), end_text(cut.last)); };
-    switch (common_.kind) {
-      case CommonKind::nothing:
-        return kind_ == PlanarKind::line ? fmt::format("nothing; {} is nearest to the line", vertex(cut.nearest))
-               : kind_ == PlanarKind::half_plane ? fmt::format("nothing; {} is nearest to it", vertex(common_.witness))
-                                                 : "nothing";
-      case CommonKind::point: return "one point, " + end_text(cut.first);
-      case CommonKind::along: {
-        const bool all = cut.first.place == Place::vertex && cut.last.place == Place::vertex;
-        return fmt::format("{}{}, {}", all ? "" : "a part of ", body_.feature_text(letter(), cut.edge, true), ends());
-      }
-      case CommonKind::across: return "a segment, " + ends();
-      case CommonKind::part:
-        return body_.polygon.size() == 2
-                   ? fmt::format("a part, from {}\nto {}", end_text(cut.first), vertex(common_.witness))
-                   : fmt::format("a part, cut off {}", ends());
-      case CommonKind::whole: return fmt::format("all of {}; {} is furthest within", letter(), vertex(common_.witness));
-    }
-    return "";
+    return std::visit([this](const auto& common) { return told(common); }, common_.evidence);
   }
 
   Json end_json(const planar::CutEnd& end) const {
@@ -210,21 +217,25 @@ class UnboundedPair : public PairQuestion {
       json.update(body_.feature_json(end.feature, end.place == Place::edge));
       if (end.place == Place::edge) json["along_edge"] = exact_text(e.along_edge);
     }
-    if (end.own == planar::OwnEnd::a) json["beginning"] = true;
+    if (end.own == OwnEnd::a) json["beginning"] = true;
     return json;
   }
 
   Json common_json() const {
-    Json json{{"kind", name_of(common_.kind)}};
+    Json json{{"kind", name_of(kind_of(common_))}};
     if (kind_ == PlanarKind::half_plane) {
-      json[common_.meet() ? "furthest" : "nearest"] = common_.witness;
-    } else if (kind_ == PlanarKind::line && !common_.meet()) {
-      json["nearest"] = common_.cut.nearest;
+      json[common_.meet() ? "furthest" : "nearest"] = furthest_of(common_);
+    } else if (const auto* beside = std::get_if<planar::BesideLine>(&common_.evidence);
+               beside != nullptr && kind_ == PlanarKind::line) {
+      json["nearest"] = beside->nearest;
     }
-    if (common_.kind == CommonKind::nothing || common_.kind == CommonKind::whole) return json;
-    if (common_.kind == CommonKind::along) json.update(body_.feature_json(common_.cut.edge, true));
-    json["first"] = end_json(common_.cut.first);
-    json["last"] = end_json(common_.cut.last);
+    const std::optional<Ends> ends = ends_of(common_.evidence);
+    if (!ends) return json;
+    if (const auto* along = std::get_if<planar::CutAlong>(&common_.evidence)) {
+      json.update(body_.feature_json(along->edge, true));
+    }
+    json["first"] = end_json(ends->first);
+    json["last"] = end_json(ends->last);
     return json;
   }
 

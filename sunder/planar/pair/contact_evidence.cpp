@@ -235,8 +235,8 @@ CommonPoint overlapping_point(const ConvexPolygon& a, const Pose& pose_a, const 
   if (a.size() > 2 && b.size() > 2) {
     const Point2 rounded = nearest(p);
     if (std::isfinite(rounded.x) && std::isfinite(rounded.y) &&
-        polygon_point(a, pose_a, rounded).place == Place::inside &&
-        polygon_point(b, pose_b, rounded).place == Place::inside) {
+        place_of(polygon_point(a, pose_a, rounded)) == Place::inside &&
+        place_of(polygon_point(b, pose_b, rounded)) == Place::inside) {
       p = exactly(rounded);
     }
   }

@@ -5,11 +5,6 @@
 
 namespace sunder::planar {
 
-// Does the line through a and b begin at a, or end at b?
-struct OwnEnds {
-  bool a = false, b = false;
-};
-
 // Looks at every vertex and every edge; where the line begins or ends is compared in exact fractions. Requires two
 // different points, but for a segment.
 PolygonCut cut_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b, OwnEnds ends);

@@ -7,31 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace sunder::planar {
 
-// Everything that has a meaning is the same; `of_line` says whether `nearest` has.
-inline void expect_same(const PolygonCut& found, const PolygonCut& other, bool of_line) {
-  EXPECT_EQ(found.kind, other.kind) << name_of(found.kind) << ' ' << name_of(other.kind);
-  if (found.kind != other.kind) return;
-  if (found.kind == CutKind::nothing) {
-    if (of_line) {
-      EXPECT_EQ(found.nearest, other.nearest);
-    }
-    return;
-  }
-  for (const auto& [f, o] : {std::pair(found.first, other.first), std::pair(found.last, other.last)}) {
-    EXPECT_EQ(f.place, o.place) << name_of(f.place) << ' ' << name_of(o.place);
-    if (f.place != Place::inside) {
-      EXPECT_EQ(f.feature, o.feature);
-    }
-    EXPECT_EQ(f.own, o.own);
-  }
-  if (found.kind == CutKind::along) {
-    EXPECT_EQ(found.edge, other.edge);
-  }
+inline void expect_same(const PolygonCut& found, const PolygonCut& other) {
+  EXPECT_TRUE(found.evidence == other.evidence) << name_of(kind_of(found)) << ' ' << name_of(kind_of(other));
 }
+
+// Default ones of nothing.
+inline CutEnd first_of(const PolygonCut& cut) { return ends_of(cut.evidence).value_or(CutEnds<CutEnd>{}).first; }
+inline CutEnd last_of(const PolygonCut& cut) { return ends_of(cut.evidence).value_or(CutEnds<CutEnd>{}).last; }
 
 namespace cut_test {
 
@@ -68,7 +55,10 @@ inline bool is_in_unit(const ExactFraction& t) {
 inline void expect_true(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b,
                         const PolygonCut& cut) {
   using namespace cut_test;
-  if (cut.kind == CutKind::nothing) return;
+  const std::optional<CutEnds<CutEnd>> common = ends_of(cut.evidence);
+  EXPECT_EQ(common.has_value(), cut.meet());
+  EXPECT_EQ(cut.meet(), kind_of(cut) != CutKind::nothing);
+  if (!common) return;
   const std::uint32_t n = polygon.size();
   const Exact from = image(Pose(), a), to = image(Pose(), b);
   const auto corner = [&](std::uint32_t v) { return image(pose, polygon[v % n]); };
@@ -77,7 +67,7 @@ inline void expect_true(const ConvexPolygon& polygon, const Pose& pose, const Po
     return pose.reflects() ? -s : s;
   };
   std::vector<ExactEnd> ends;
-  for (const CutEnd& end : {cut.first, cut.last}) {
+  for (const CutEnd& end : {common->first, common->last}) {
     const ExactEnd e = exact_end(polygon, pose, a, b, end);
     EXPECT_EQ(e.point.denominator.sign(), Sign::positive);
     EXPECT_EQ(e.along_line.denominator.sign(), Sign::positive);
@@ -102,16 +92,14 @@ inline void expect_true(const ConvexPolygon& polygon, const Pose& pose, const Po
     ends.push_back(e);
   }
   const Sign order = minus(ends[1].along_line, ends[0].along_line);
-  EXPECT_EQ(order, cut.kind == CutKind::point ? Sign::zero : Sign::positive);
-  if (cut.kind == CutKind::point) {
-    EXPECT_EQ(cut.first, cut.last);
-    return;
-  }
+  EXPECT_EQ(order, kind_of(cut) == CutKind::point ? Sign::zero : Sign::positive);
+  if (kind_of(cut) == CutKind::point) return;
   const ExactPoint2 &p = ends[0].point, &q = ends[1].point;
   const ExactPoint2 middle{p.x * q.denominator + q.x * p.denominator, p.y * q.denominator + q.y * p.denominator,
                            Dyadic(2.0) * p.denominator * q.denominator};
+  const auto* along = std::get_if<CutAlong>(&cut.evidence);
   for (std::uint32_t k = 0; k < n; ++k) {
-    const bool on = cut.kind == CutKind::along && (k == cut.edge || n == 2);
+    const bool on = along != nullptr && (k == along->edge || n == 2);
     EXPECT_EQ(side_of(k, middle), on ? Sign::zero : Sign::positive);
   }
 }
@@ -122,12 +110,13 @@ struct CutCounts {
   int own = 0, vertices = 0, edges = 0, inside = 0, segments = 0, points = 0, reflected = 0;
 
   void add(const NastyCase& c, const PolygonCut& cut) {
-    ++kinds[static_cast<std::size_t>(cut.kind)];
+    ++kinds[static_cast<std::size_t>(kind_of(cut))];
     segments += c.polygon.size() == 2 && cut.meet() ? 1 : 0;
     points += c.polygon.size() == 1 && cut.meet() ? 1 : 0;
-    if (!cut.meet()) return;
+    const std::optional<CutEnds<CutEnd>> ends = ends_of(cut.evidence);
+    if (!ends) return;
     reflected += c.pose.reflects() ? 1 : 0;
-    for (const CutEnd& end : {cut.first, cut.last}) {
+    for (const CutEnd& end : {ends->first, ends->last}) {
       own += end.own != OwnEnd::none ? 1 : 0;
       vertices += end.place == Place::vertex ? 1 : 0;
       edges += end.place == Place::edge ? 1 : 0;

@@ -169,18 +169,18 @@ bool parts(const A& a, std::uint32_t i, const B& b, std::uint32_t near, StageTal
 }
 
 template <class A, class B>
-void fill_apart_by_edge_of_a(const A& a, std::uint32_t i, const B& b, std::uint32_t near, PairCertificate& c) {
+Separation apart_by_edge_of_a(const A& a, std::uint32_t i, const B& b, std::uint32_t near) {
   const std::uint32_t at = position(a, i), next = position(a, at + 1);
-  c = Separation{{.kind = Direction::Kind::side_of_a, .index = {a.number(at), a.number(next)}},
-                 a.number(at),
-                 b.number(position(b, near))};
+  return {{.kind = Direction::Kind::side_of_a, .index = {a.number(at), a.number(next)}},
+          a.number(at),
+          b.number(position(b, near))};
 }
 template <class A, class B>
-void fill_apart_by_edge_of_b(const A& a, std::uint32_t near, const B& b, std::uint32_t j, PairCertificate& c) {
+Separation apart_by_edge_of_b(const A& a, std::uint32_t near, const B& b, std::uint32_t j) {
   const std::uint32_t at = position(b, j), next = position(b, at + 1);
-  c = Separation{{.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}},
-                 a.number(position(a, near)),
-                 b.number(at)};
+  return {{.kind = Direction::Kind::side_of_b, .reversed = true, .index = {b.number(at), b.number(next)}},
+          a.number(position(a, near)),
+          b.number(at)};
 }
 
 // Does an edge at vertex i of a or at vertex j of b part the two, with the other vertex nearest to it? Fills in the
@@ -192,12 +192,12 @@ bool parts_at(const A& a, std::uint32_t i, const B& b, std::uint32_t j, PairCert
   i = position(a, i), j = position(b, j);
   for (const std::uint32_t edge : {i, position(a, i + a.size() - 1)}) {
     if (!parts(a, edge, b, j, tally)) continue;
-    fill_apart_by_edge_of_a(a, edge, b, j, certificate);
+    certificate = apart_by_edge_of_a(a, edge, b, j);
     return true;
   }
   for (const std::uint32_t edge : {j, position(b, j + b.size() - 1)}) {
     if (!parts(b, edge, a, i, tally)) continue;
-    fill_apart_by_edge_of_b(a, i, b, edge, certificate);
+    certificate = apart_by_edge_of_b(a, i, b, edge);
     return true;
   }
   return false;

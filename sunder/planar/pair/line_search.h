@@ -10,64 +10,47 @@
 #include <sunder/planar/pair/in_world.h>
 #include <sunder/planar/pair/polygon_cut.h>
 
-#include <algorithm>
-#include <utility>
+#include <optional>
 
 namespace sunder::planar {
 
 // furthest_left(from, to, cost, tally) gives the position of the vertex furthest to the left of an arrow, of two the
-// one further along. Fills in all but decided_by. Cost: that search, and two of at most log2 n + 1 probes each.
+// one further along. Cost: that search, and two of at most log2 n + 1 probes each.
 template <class Sequence, class FurthestLeft>
-void cut_by_line(const Sequence& p, const typename Sequence::Vertex& a, const typename Sequence::Vertex& b,
-                 const FurthestLeft& furthest_left, PolygonCut& answer, StageTally& tally) {
+PolygonCut::Evidence cut_by_line(const Sequence& p, const typename Sequence::Vertex& a,
+                                 const typename Sequence::Vertex& b, const FurthestLeft& furthest_left, Cost& cost,
+                                 StageTally& tally) {
   const std::uint32_t n = p.size();
   const auto side = [&](std::uint32_t k) {
-    ++answer.cost.probes;
+    ++cost.probes;
     return cross_2d(a, b, a, vertex_at(p, k), &tally);
   };
+  const auto vertex = [](std::uint32_t k) { return CutEnd{Place::vertex, k}; };
   std::uint32_t z = 0;  // among three vertices, one is off the line
   Sign of_z = side(0);
   while (of_z == Sign::zero && z + 1 < n) of_z = side(++z);
   if (of_z == Sign::zero) {
-    if (n == 1) {
-      answer.kind = CutKind::point;
-      return;
-    }
-    answer.kind = CutKind::along;
+    if (n == 1) return CutPoint{vertex(0)};
     const bool forward = dot_2d(a, b, p[0], p[1], &tally) == Sign::positive;
-    answer.first.feature = forward ? 0 : 1;
-    answer.last.feature = forward ? 1 : 0;
-    return;
+    return CutAlong{vertex(forward ? 0 : 1), vertex(forward ? 1 : 0), 0};
   }
   // Let z be to the right of the line, for now.
   const bool turned = of_z == Sign::positive;
-  const std::uint32_t w = furthest_left(turned ? b : a, turned ? a : b, answer.cost, tally);
+  const std::uint32_t w = furthest_left(turned ? b : a, turned ? a : b, cost, tally);
   const Sign of_w = side(w);
-  if (of_w == of_z) {
-    answer.nearest = w;
-    return;
-  }
+  if (of_w == of_z) return BesideLine{w};
   if (of_w == Sign::zero) {  // the line touches
     const std::uint32_t next = position(p, w + 1);
-    answer.first.feature = answer.last.feature = w;
-    answer.kind = CutKind::point;
-    if (n == 2 || side(next) != Sign::zero) return;
-    answer.kind = CutKind::along;  // the edge from w to next runs against the line
-    answer.edge = w;
-    (turned ? answer.last : answer.first).feature = next;
-    return;
+    if (n == 2 || side(next) != Sign::zero) return CutPoint{vertex(w)};
+    return CutAlong{vertex(turned ? w : next), vertex(turned ? next : w), w};  // the edge runs against the line
   }
-  if (n == 2) {
-    answer.kind = CutKind::point;
-    answer.first = answer.last = CutEnd{Place::edge, 0};
-    return;
-  }
+  if (n == 2) return CutPoint{{Place::edge, 0}};
   // The end of the chain from `begin` to `end` that is not on the side of `begin`: the first vertex that is not.
   const auto crossing = [&](std::uint32_t begin, std::uint32_t end, Sign of_begin) {
     if (end < begin) end += n;
     Sign last_seen = of_begin;  // of the first vertex found that is not on the side of `begin`
     const std::uint32_t k = first_where(begin + 1, end, [&](std::uint32_t i) {
-      ++answer.cost.iterations;
+      ++cost.iterations;
       const Sign s = side(i);
       if (s != of_begin) last_seen = s;
       return s != of_begin;
@@ -76,18 +59,17 @@ void cut_by_line(const Sequence& p, const typename Sequence::Vertex& a, const ty
     if (last_seen == Sign::zero) return CutEnd{Place::vertex, position(p, k)};
     return CutEnd{Place::edge, position(p, k - 1)};
   };
-  answer.kind = CutKind::across;
-  answer.last = crossing(z, w, of_z);
-  answer.first = crossing(w, z, of_w);
-  if (turned) std::swap(answer.first, answer.last);
+  const CutEnd from_z = crossing(z, w, of_z), from_w = crossing(w, z, of_w);
+  return turned ? CutAcross{from_z, from_w} : CutAcross{from_w, from_z};
 }
 
 // From what the line has in common with p to what the ray from a, or the segment from a to b (`ends`), has. Requires
 // two different points.
 template <class Sequence>
-void clip(const Sequence& p, const typename Sequence::Vertex& a, const typename Sequence::Vertex& b, bool ends,
-          PolygonCut& cut, StageTally& tally) {
-  if (cut.kind == CutKind::nothing) return;
+PolygonCut::Evidence clip(const Sequence& p, const typename Sequence::Vertex& a, const typename Sequence::Vertex& b,
+                          bool ends, const PolygonCut::Evidence& of_line, StageTally& tally) {
+  std::optional<CutEnds<CutEnd>> common = ends_of(of_line);
+  if (!common) return of_line;
   // Where a point x of the line is, seen from an end of the common part: positive for beyond it.
   const auto beyond = [&](const auto& x, const CutEnd& end) {
     const auto& v = p[end.feature];
@@ -95,57 +77,57 @@ void clip(const Sequence& p, const typename Sequence::Vertex& a, const typename 
     const auto& w = vertex_at(p, end.feature + 1);
     return cross_2d(v, w, v, x, &tally) * cross_2d(v, w, a, b, &tally);
   };
-  const bool one = cut.kind == CutKind::point;
-  const Sign a_first = beyond(a, cut.first), a_last = one ? a_first : beyond(a, cut.last);
-  const Sign b_first = ends ? beyond(b, cut.first) : Sign::positive;
-  if (a_last == Sign::positive || b_first == Sign::negative) {
-    cut.kind = CutKind::nothing;
-    return;
-  }
-  if (a_last == Sign::zero || b_first == Sign::zero) {
-    cut.kind = CutKind::point;
-    if (a_last == Sign::zero) {
-      cut.last.own = OwnEnd::a;
-      cut.first = cut.last;
-    } else {
-      cut.first.own = OwnEnd::b;
-      cut.last = cut.first;
-    }
-    return;
-  }
-  if (one) return;
-  const CutEnd between{cut.kind == CutKind::along ? Place::edge : Place::inside, cut.edge};
+  CutEnd &first = common->first, &last = common->last;
+  const bool one = kind_of(of_line) == CutKind::point;
+  const Sign a_first = beyond(a, first), a_last = one ? a_first : beyond(a, last);
+  const Sign b_first = ends ? beyond(b, first) : Sign::positive;
+  if (a_last == Sign::positive) return BeyondEnd{OwnEnd::a};
+  if (b_first == Sign::negative) return BeyondEnd{OwnEnd::b};
+  if (a_last == Sign::zero) return CutPoint{{last.place, last.feature, OwnEnd::a}};
+  if (b_first == Sign::zero) return CutPoint{{first.place, first.feature, OwnEnd::b}};
+  if (one) return of_line;
+  const auto* along = std::get_if<CutAlong>(&of_line);
+  const CutEnd between = along != nullptr ? CutEnd{Place::edge, along->edge} : CutEnd{Place::inside, 0};
   const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
     if (outward == Sign::positive) return;
     if (outward == Sign::negative) end = between;
     end.own = own;
   };
-  const Sign b_last = ends ? beyond(b, cut.last) : Sign::positive;
-  shorten(-a_first, cut.first, OwnEnd::a);
-  shorten(b_last, cut.last, OwnEnd::b);
+  const Sign b_last = ends ? beyond(b, last) : Sign::positive;
+  shorten(-a_first, first, OwnEnd::a);
+  shorten(b_last, last, OwnEnd::b);
+  if (along != nullptr) return CutAlong{first, last, along->edge};
+  return CutAcross{first, last};
 }
 
 // From positions to numbers.
 template <class Sequence>
-void renumber(const Sequence& p, PolygonCut& cut) {
-  for (CutEnd* end : {&cut.first, &cut.last}) {
-    if (end->place == Place::vertex) {
-      end->feature = p.number(end->feature);
-    } else {
-      end->feature = end->place == Place::edge ? edge_number(p, end->feature) : 0;
-    }
-  }
-  cut.edge = cut.kind == CutKind::along ? edge_number(p, cut.edge) : 0;
-  cut.nearest = p.number(cut.nearest);
+void renumber(const Sequence& p, PolygonCut::Evidence& cut) {
+  const auto number = [&p](CutEnd& end) {
+    end.feature = end.place == Place::vertex ? p.number(end.feature)
+                  : end.place == Place::edge ? edge_number(p, end.feature)
+                                             : 0;
+  };
+  std::visit(
+      [&](auto& held) {
+        if constexpr (requires { held.nearest; }) held.nearest = p.number(held.nearest);
+        if constexpr (requires { held.at; }) number(held.at);
+        if constexpr (requires { held.first; }) {
+          number(held.first);
+          number(held.last);
+        }
+        if constexpr (requires { held.edge; }) held.edge = edge_number(p, held.edge);
+      },
+      cut);
 }
 
-// Calls fill(answer, tally), and gives the answer with the polygon's own numbers.
-template <class Sequence, class Fill>
-PolygonCut conclude_cut(const Sequence& p, const Fill& fill) {
+// The answer with the polygon's own numbers, of what find(cost, tally) gives.
+template <class Sequence, class Find>
+PolygonCut conclude_cut(const Sequence& p, const Find& find) {
   PolygonCut answer;
   StageTally tally;
-  fill(answer, tally);
-  renumber(p, answer);
+  answer.evidence = find(answer.cost, tally);
+  renumber(p, answer.evidence);
   conclude(answer, tally.exact);
   return answer;
 }
@@ -156,13 +138,12 @@ inline PolygonCut cut_and_clip(const ConvexPolygon& polygon, const Pose& pose, c
                                bool ends) {
   return with_placed(polygon, pose, [&](const auto& p) {
     using Vertex = typename std::remove_cvref_t<decltype(p)>::Vertex;
-    return conclude_cut(p, [&](PolygonCut& answer, StageTally& tally) {
+    return conclude_cut(p, [&](Cost& cost, StageTally& tally) {
       const Vertex from = in_world<Vertex>(a), to = in_world<Vertex>(b);
-      const auto furthest_left = [&p](const Vertex& u, const Vertex& v, Cost& cost, StageTally& t) {
-        return extreme_vertex_by_bisection(p, u, v, cost, t);
+      const auto furthest_left = [&p](const Vertex& u, const Vertex& v, Cost& c, StageTally& t) {
+        return extreme_vertex_by_bisection(p, u, v, c, t);
       };
-      cut_by_line(p, from, to, furthest_left, answer, tally);
-      clip(p, from, to, ends, answer, tally);
+      return clip(p, from, to, ends, cut_by_line(p, from, to, furthest_left, cost, tally), tally);
     });
   });
 }

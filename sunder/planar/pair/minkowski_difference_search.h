@@ -147,7 +147,7 @@ minkowski_difference_search::Found search_difference(const A& a, std::uint32_t o
   if (exit.of_a) {
     const Sign side = side_of_edge(a, exit.i, b, exit.j, tally);
     if (side == Sign::negative) {
-      fill_apart_by_edge_of_a(a, exit.i, b, exit.j, certificate);
+      certificate = apart_by_edge_of_a(a, exit.i, b, exit.j);
       return found(false, false, true, exit.i, exit.j);
     }
     check_meet(a, std::array{of_a, exit.i, exit.i + 1}, b, std::array{of_b, exit.j}, certificate, tally);
@@ -155,7 +155,7 @@ minkowski_difference_search::Found search_difference(const A& a, std::uint32_t o
   }
   const Sign side = side_of_edge(b, exit.j, a, exit.i, tally);
   if (side == Sign::negative) {
-    fill_apart_by_edge_of_b(a, exit.i, b, exit.j, certificate);
+    certificate = apart_by_edge_of_b(a, exit.i, b, exit.j);
     return found(false, false, false, exit.i, exit.j);
   }
   check_meet(a, std::array{of_a, exit.i}, b, std::array{of_b, exit.j, exit.j + 1}, certificate, tally);

@@ -1,7 +1,7 @@
-#include <sunder/base/names.h>
 #include <sunder/planar/pair/exact_image.h>
 #include <sunder/planar/pair/polygon_cut.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace sunder::planar {
@@ -25,8 +25,13 @@ ExactFraction along(const Exact& from, const Exact& to, const Exact& p) {
 
 }  // namespace
 
-std::string_view name_of(CutKind kind) {
-  return name_in<CutKind::across>({"nothing", "point", "along", "across"}, kind);
+static_assert(std::is_trivially_copyable_v<PolygonCut::Evidence>);  // searches hand it on by value
+
+std::optional<CutEnd> end_at(const PolygonPoint& place, OwnEnd own) {
+  if (const auto* at = std::get_if<AtVertex>(&place.evidence)) return CutEnd{Place::vertex, at->vertex, own};
+  if (const auto* in = std::get_if<InEdge>(&place.evidence)) return CutEnd{Place::edge, in->edge, own};
+  if (!place.meet()) return std::nullopt;
+  return CutEnd{Place::inside, 0, own};
 }
 
 ExactEnd exact_end(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b,

@@ -4,7 +4,7 @@
 // The line runs from its point a through its point b; so do the ray, from a on, and the segment, from a to b.
 #pragma once
 
-#include <sunder/certificate/pair_answer.h>
+#include <sunder/certificate/cut.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
@@ -13,45 +13,71 @@
 #include <sunder/predicate/line/crossing.h>
 
 #include <cstdint>
-#include <string_view>
+#include <optional>
+#include <variant>
 
 namespace sunder::planar {
-
-enum class CutKind : std::uint8_t {
-  nothing,
-  point,   // one point
-  along,   // a part of an edge, of positive length
-  across,  // a segment through the polygon's inside
-};
-
-std::string_view name_of(CutKind);
-
-// Is an end of the common part one of the ray or segment itself?
-enum class OwnEnd : std::uint8_t { none, a, b };
 
 // An end of the common part. It is on a vertex, in the inside of an edge, or (an own end only) inside the polygon.
 struct CutEnd {
   Place place = Place::vertex;  // never `outside`
-  std::uint32_t feature = 0;    // number of the vertex, or of the edge as in PolygonPoint; meaningless for `inside`
+  std::uint32_t feature = 0;    // number of the vertex, or of the edge as in InEdge; zero for `inside`
   OwnEnd own = OwnEnd::none;    // of a segment whose ends are one point: a
   friend bool operator==(const CutEnd&, const CutEnd&) = default;
 };
 
-struct [[nodiscard]] PolygonCut {
-  CutKind kind = CutKind::nothing;
-  CutEnd first, last;      // in the direction from a to b; the same for `point`; meaningless for `nothing`
-  std::uint32_t edge = 0;  // meaningless but for `along`
-
-  // Of a line and `nothing`: the vertex nearest to it. All vertices are strictly on one side of the line, which the two
-  // edges at this vertex tell. Of two such vertices, the one from which the edge between them starts, counter-clockwise
-  // in the world; of a segment, the one further along the direction in which the polygon is to the right of the line.
+// All vertices are strictly on one side of the line, which the two edges at the one nearest to it tell. Of two such
+// vertices, it is the one from which the edge between them starts, counter-clockwise in the world; of a segment, the
+// one further along the direction in which the polygon is to the right of the line.
+struct BesideLine {
+  static constexpr Verdict verdict = Verdict::apart;
+  static constexpr CutKind kind = CutKind::nothing;
   std::uint32_t nearest = 0;
-
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
-
-  bool meet() const { return kind != CutKind::nothing; }
+  friend bool operator==(const BesideLine&, const BesideLine&) = default;
 };
+
+// The line meets the polygon, and the ray or segment does not: all of the polygon on the line is beyond this own end.
+// Of a segment whose ends are one point a: that is outside.
+struct BeyondEnd {
+  static constexpr Verdict verdict = Verdict::apart;
+  static constexpr CutKind kind = CutKind::nothing;
+  OwnEnd own = OwnEnd::a;
+  friend bool operator==(const BeyondEnd&, const BeyondEnd&) = default;
+};
+
+struct CutPoint {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::point;
+  CutEnd at;
+  friend bool operator==(const CutPoint&, const CutPoint&) = default;
+};
+
+// A part of this edge, of positive length. The ends are in the direction from a to b; so below.
+struct CutAlong {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::along;
+  CutEnd first, last;
+  std::uint32_t edge = 0;
+  friend bool operator==(const CutAlong&, const CutAlong&) = default;
+};
+
+// A segment through the polygon's inside.
+struct CutAcross {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::across;
+  CutEnd first, last;
+  friend bool operator==(const CutAcross&, const CutAcross&) = default;
+};
+
+using PolygonCut = Answer<std::variant<BesideLine, BeyondEnd, CutPoint, CutAlong, CutAcross>>;
+
+// Nothing where they are apart.
+inline std::optional<CutEnds<CutEnd>> ends_of(const PolygonCut::Evidence& evidence) {
+  return ends_in<CutEnd>(evidence);
+}
+
+// The own end that is in the polygon there; nothing where it is outside.
+std::optional<CutEnd> end_at(const PolygonPoint& place, OwnEnd own);
 
 // Where an end is, exactly.
 struct ExactEnd {
@@ -62,8 +88,7 @@ struct ExactEnd {
   // The point is a + t (b - a). Zero where a and b are one point.
   ExactFraction along_line;
 
-  // The point is v + t (w - v), where v and w are the vertices of the edge in which it is, in the polygon's own order;
-  // zero for a vertex. Meaningless for `inside`.
+  // In an edge, the point is v + t (w - v), where v and w are its vertices, in the polygon's own order. Else zero.
   ExactFraction along_edge;
 };
 

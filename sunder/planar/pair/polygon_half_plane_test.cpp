@@ -17,9 +17,9 @@ PolygonHalfPlane meets_half_plane(const ConvexPolygon& polygon, const Pose& pose
   EXPECT_TRUE(found.meet || other.meet);
   EXPECT_EQ(found.meet && other.meet, line.meet());
   EXPECT_EQ(found.touching || other.touching,
-            line.meet() && line.kind != CutKind::across && !(line.first.place == Place::edge));
-  if (!line.meet()) {
-    EXPECT_EQ(line.nearest, found.meet ? other.witness : found.witness);
+            line.meet() && kind_of(line) != CutKind::across && !(first_of(line).place == Place::edge));
+  if (const auto* beside = std::get_if<BesideLine>(&line.evidence)) {
+    EXPECT_EQ(beside->nearest, found.meet ? other.witness : found.witness);
   }
   if (!with_scan) return found;
   const PolygonHalfPlane scanned = polygon_half_plane_by_scan(polygon, pose, h);

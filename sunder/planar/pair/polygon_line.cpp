@@ -11,11 +11,11 @@ template <class FurthestLeft>
 PolygonCut cut(const ConvexPolygon& polygon, const Pose& pose, const Line& line, const FurthestLeft& furthest_left) {
   return with_placed(polygon, pose, [&](const auto& p) {
     using Vertex = typename std::remove_cvref_t<decltype(p)>::Vertex;
-    return conclude_cut(p, [&](PolygonCut& answer, StageTally& tally) {
-      const auto extreme = [&](const Vertex& from, const Vertex& to, Cost& cost, StageTally& t) {
-        return furthest_left(p, from, to, cost, t);
+    return conclude_cut(p, [&](Cost& cost, StageTally& tally) {
+      const auto extreme = [&](const Vertex& from, const Vertex& to, Cost& c, StageTally& t) {
+        return furthest_left(p, from, to, c, t);
       };
-      cut_by_line(p, in_world<Vertex>(line.a), in_world<Vertex>(line.b), extreme, answer, tally);
+      return cut_by_line(p, in_world<Vertex>(line.a), in_world<Vertex>(line.b), extreme, cost, tally);
     });
   });
 }

@@ -14,11 +14,11 @@ namespace {
 
 PolygonCut cut_by_line(const ConvexPolygon& polygon, const Pose& pose, const Line& line, bool with_scan = true) {
   const PolygonCut found = polygon_line(polygon, pose, line);
-  expect_same(found, polygon_line_by_fibonacci(polygon, pose, line), true);
+  expect_same(found, polygon_line_by_fibonacci(polygon, pose, line));
   if (!with_scan) return found;
-  expect_same(found, polygon_line_by_scan(polygon, pose, line), true);
+  expect_same(found, polygon_line_by_scan(polygon, pose, line));
   expect_true(polygon, pose, line.a, line.b, found);
-  if (found.kind == CutKind::nothing) {  // all vertices are strictly on one side
+  if (!found.meet()) {  // all vertices are strictly on one side
     const Affine2 world;
     const auto side = [&](std::uint32_t v) {
       return cross_2d(Posed2{line.a, &world, false}, Posed2{line.b, &world, false}, Posed2{line.a, &world, false},
@@ -50,45 +50,45 @@ TEST(PolygonLineTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
   const auto cut = [&](const Point2& a, const Point2& b) { return cut_by_line(square, Pose(), Line::through(a, b)); };
   PolygonCut c = cut({-1, 1}, {9, 1});
-  EXPECT_EQ(c.kind, CutKind::across);
-  EXPECT_EQ(c.first, (CutEnd{Place::edge, 3}));
-  EXPECT_EQ(c.last, (CutEnd{Place::edge, 1}));
-  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, c.first).along_line.nearest(), 0.1);
-  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, c.last).along_edge.nearest(), 1.0 / 3);
-  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, c.last).rounded(), (Point2{3, 1}));
+  EXPECT_EQ(kind_of(c), CutKind::across);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::edge, 3}));
+  EXPECT_EQ(last_of(c), (CutEnd{Place::edge, 1}));
+  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, first_of(c)).along_line.nearest(), 0.1);
+  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, last_of(c)).along_edge.nearest(), 1.0 / 3);
+  EXPECT_EQ(exact_end(square, Pose(), {-1, 1}, {9, 1}, last_of(c)).rounded(), (Point2{3, 1}));
   c = cut({0, 0}, {1, 1});
-  EXPECT_EQ(c.kind, CutKind::across);
-  EXPECT_EQ(c.first, (CutEnd{Place::vertex, 0}));
-  EXPECT_EQ(c.last, (CutEnd{Place::vertex, 2}));
+  EXPECT_EQ(kind_of(c), CutKind::across);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::vertex, 0}));
+  EXPECT_EQ(last_of(c), (CutEnd{Place::vertex, 2}));
   c = cut({5, 0}, {4, 0});
-  EXPECT_EQ(c.kind, CutKind::along);
-  EXPECT_EQ(c.edge, 0u);
-  EXPECT_EQ(c.first, (CutEnd{Place::vertex, 1}));
-  EXPECT_EQ(c.last, (CutEnd{Place::vertex, 0}));
+  EXPECT_EQ(kind_of(c), CutKind::along);
+  EXPECT_EQ(std::get<CutAlong>(c.evidence).edge, 0u);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::vertex, 1}));
+  EXPECT_EQ(last_of(c), (CutEnd{Place::vertex, 0}));
   c = cut({-1, 1}, {1, -1});
-  EXPECT_EQ(c.kind, CutKind::point);
-  EXPECT_EQ(c.last, (CutEnd{Place::vertex, 0}));
+  EXPECT_EQ(kind_of(c), CutKind::point);
+  EXPECT_EQ(last_of(c), (CutEnd{Place::vertex, 0}));
   c = cut({-1, -1}, {9, -1});
-  EXPECT_EQ(c.kind, CutKind::nothing);
-  EXPECT_EQ(c.nearest, 0u);  // of vertices 0 and 1
+  EXPECT_EQ(kind_of(c), CutKind::nothing);
+  EXPECT_EQ(std::get<BesideLine>(c.evidence).nearest, 0u);  // of vertices 0 and 1
   c = cut({4, 1}, {4, 0});
-  EXPECT_EQ(c.nearest, 1u);
+  EXPECT_EQ(std::get<BesideLine>(c.evidence).nearest, 1u);
 }
 
 TEST(PolygonLineTest, OfSegmentsAndPoints) {
   const ConvexPolygon segment = ConvexPolygon::from_vertices({{0, 0}, {4, 2}});
   PolygonCut c = cut_by_line(segment, Pose(), Line::through({0, 2}, {4, 0}));
-  EXPECT_EQ(c.kind, CutKind::point);
-  EXPECT_EQ(c.first, (CutEnd{Place::edge, 0}));
-  EXPECT_EQ(exact_end(segment, Pose(), {0, 2}, {4, 0}, c.first).rounded(), (Point2{2, 1}));
+  EXPECT_EQ(kind_of(c), CutKind::point);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::edge, 0}));
+  EXPECT_EQ(exact_end(segment, Pose(), {0, 2}, {4, 0}, first_of(c)).rounded(), (Point2{2, 1}));
   c = cut_by_line(segment, Pose(), Line::through({6, 3}, {-2, -1}));
-  EXPECT_EQ(c.kind, CutKind::along);
-  EXPECT_EQ(c.first.feature, 1u);
-  EXPECT_EQ(cut_by_line(segment, Pose(), Line::through({4, 2}, {4, 3})).first, (CutEnd{Place::vertex, 1}));
-  EXPECT_EQ(cut_by_line(segment, Pose(), Line::through({5, 2}, {5, 3})).nearest, 1u);
+  EXPECT_EQ(kind_of(c), CutKind::along);
+  EXPECT_EQ(first_of(c).feature, 1u);
+  EXPECT_EQ(first_of(cut_by_line(segment, Pose(), Line::through({4, 2}, {4, 3}))), (CutEnd{Place::vertex, 1}));
+  EXPECT_EQ(std::get<BesideLine>(cut_by_line(segment, Pose(), Line::through({5, 2}, {5, 3})).evidence).nearest, 1u);
   const ConvexPolygon point = ConvexPolygon::from_vertices({{1, 1}});
-  EXPECT_EQ(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 4})).kind, CutKind::point);
-  EXPECT_EQ(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 5})).kind, CutKind::nothing);
+  EXPECT_EQ(kind_of(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 4}))), CutKind::point);
+  EXPECT_EQ(kind_of(cut_by_line(point, Pose(), Line::through({0, 0}, {4, 5}))), CutKind::nothing);
 }
 
 TEST(PolygonLineTest, AgreesWithScanOnNastyCases) {

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace sunder::planar {
 
@@ -68,33 +69,28 @@ Located locate(const Sequence& p, const typename Sequence::Vertex& x, Cost& cost
   return {Place::inside, i};
 }
 
-// The feature, and the evidence: see PolygonPoint.
+// Of what was found: in numbers, and with what proves it.
 template <class Sequence>
-void explain(const Sequence& p, const typename Sequence::Vertex& x, const Located& found, PolygonPoint& answer,
-             StageTally& tally) {
+PolygonPoint::Evidence explain(const Sequence& p, const typename Sequence::Vertex& x, const Located& found,
+                               StageTally& tally) {
   const OnePoint<typename Sequence::Vertex> point(x);
   const std::array<std::uint32_t, 1> only{0};
   const std::uint32_t at = found.at, next = position(p, at + 1);
-  answer.place = found.place;
+  const auto common = [&](Corners corners) {
+    PairCertificate proof;
+    check_meet(p, corners, point, only, proof, tally);
+    return std::get<CommonVertices>(proof);
+  };
   switch (found.place) {
-    case Place::outside:
-      if (!found.in_line) {
-        fill_apart_by_edge_of_a(p, at, point, 0, answer.evidence);
-      } else {
-        answer.evidence =
-            Separation{{.kind = Direction::Kind::difference, .index = {p.number(at), 0}}, p.number(at), 0};
-      }
-      return;
-    case Place::vertex:
-      answer.feature = p.number(at);
-      check_meet(p, std::array{at}, point, only, answer.evidence, tally);
-      return;
-    case Place::edge:
-      answer.feature = edge_number(p, at);
-      check_meet(p, std::array{at, next}, point, only, answer.evidence, tally);
-      return;
-    case Place::inside: check_meet(p, std::array{0u, at, next}, point, only, answer.evidence, tally); return;
+    case Place::outside: break;
+    case Place::vertex: return AtVertex{p.number(at), common(std::array{at})};
+    case Place::edge: return InEdge{edge_number(p, at), common(std::array{at, next})};
+    case Place::inside: return InsidePolygon{common(std::array{0u, at, next})};
   }
+  if (found.in_line) {
+    return OutsidePolygon{{{.kind = Direction::Kind::difference, .index = {p.number(at), 0}}, p.number(at), 0}};
+  }
+  return OutsidePolygon{apart_by_edge_of_a(p, at, point, 0)};
 }
 
 // The tangents from x, outside p, as positions: .left and .right as in TangentVertices.
@@ -120,14 +116,14 @@ Extremes find_tangents(const Sequence& p, const typename Sequence::Vertex& x, co
   return {begin % n, end % n};
 }
 
-// Calls method(p, x, answer, tally) and returns the answer.
+// The answer whose evidence method(p, x, cost, tally) gives.
 template <class Answer, class Method>
 Answer ask(const ConvexPolygon& polygon, const Pose& pose, const Point2& point, const Method& method) {
   return with_placed(polygon, pose, [&](const auto& p) {
-    Answer answer;
+    Cost cost;
     StageTally tally;
     const auto x = in_world<typename std::remove_cvref_t<decltype(p)>::Vertex>(point);
-    method(p, x, answer, tally);
+    Answer answer{method(p, x, cost, tally), {}, cost};
     conclude(answer, tally.exact);
     return answer;
   });
@@ -162,45 +158,62 @@ Located locate_by_scan(const Sequence& p, const typename Sequence::Vertex& x, Co
 
 std::string_view name_of(Place place) { return name_in<Place::inside>({"outside", "vertex", "edge", "inside"}, place); }
 
+Place place_of(const PolygonPoint& answer) {
+  return std::visit([](const auto& found) { return found.place; }, answer.evidence);
+}
+
+PairCertificate pair_certificate(const PolygonPoint& answer) {
+  return std::visit(
+      [](const auto& found) -> PairCertificate {
+        if constexpr (requires { found.parting; })
+          return found.parting;
+        else
+          return found.common;
+      },
+      answer.evidence);
+}
+
 PolygonPoint polygon_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
   SUNDER_REQUIRE(std::isfinite(point.x) && std::isfinite(point.y));
-  return ask<PolygonPoint>(polygon, pose, point, [](const auto& p, const auto& x, PolygonPoint& a, StageTally& tally) {
-    explain(p, x, locate(p, x, a.cost, tally), a, tally);
+  return ask<PolygonPoint>(polygon, pose, point, [](const auto& p, const auto& x, Cost& cost, StageTally& tally) {
+    return explain(p, x, locate(p, x, cost, tally), tally);
   });
 }
 
 PolygonPoint polygon_point_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
-  return ask<PolygonPoint>(polygon, pose, point, [](const auto& p, const auto& x, PolygonPoint& a, StageTally& tally) {
-    explain(p, x, locate_by_scan(p, x, a.cost, tally), a, tally);
+  return ask<PolygonPoint>(polygon, pose, point, [](const auto& p, const auto& x, Cost& cost, StageTally& tally) {
+    return explain(p, x, locate_by_scan(p, x, cost, tally), tally);
   });
 }
 
 Tangents tangents(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
-  return ask<Tangents>(polygon, pose, point, [](const auto& p, const auto& x, Tangents& a, StageTally& tally) {
-    const Located found = locate(p, x, a.cost, tally);
-    if (found.place != Place::outside) return void(a.evidence = NoTangents{found.place});
-    const Extremes e = find_tangents(p, x, found, a.cost, tally);
-    a.evidence = TangentVertices{p.number(e.left), p.number(e.right)};
-  });
+  return ask<Tangents>(polygon, pose, point,
+                       [](const auto& p, const auto& x, Cost& cost, StageTally& tally) -> Tangents::Evidence {
+                         const Located found = locate(p, x, cost, tally);
+                         if (found.place != Place::outside) return NoTangents{found.place};
+                         const Extremes e = find_tangents(p, x, found, cost, tally);
+                         return TangentVertices{p.number(e.left), p.number(e.right)};
+                       });
 }
 
 Tangents tangents_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& point) {
-  return ask<Tangents>(polygon, pose, point, [](const auto& p, const auto& x, Tangents& a, StageTally& tally) {
-    const Place place = locate_by_scan(p, x, a.cost, tally).place;
-    if (place != Place::outside) return void(a.evidence = NoTangents{place});
-    Extremes best;
-    for (std::uint32_t k = 1; k < p.size(); ++k) {
-      ++a.cost.probes;
-      const auto beats = [&](std::uint32_t champion, Sign side) {
-        const Sign turn = cross_2d(x, p[champion], x, p[k], &tally);
-        return turn == side ||
-               (turn == Sign::zero && dot_2d(x, p[champion], p[champion], p[k], &tally) == Sign::negative);
-      };
-      if (beats(best.left, Sign::positive)) best.left = k;
-      if (beats(best.right, Sign::negative)) best.right = k;
-    }
-    a.evidence = TangentVertices{p.number(best.left), p.number(best.right)};
-  });
+  return ask<Tangents>(
+      polygon, pose, point, [](const auto& p, const auto& x, Cost& cost, StageTally& tally) -> Tangents::Evidence {
+        const Place place = locate_by_scan(p, x, cost, tally).place;
+        if (place != Place::outside) return NoTangents{place};
+        Extremes best;
+        for (std::uint32_t k = 1; k < p.size(); ++k) {
+          ++cost.probes;
+          const auto beats = [&](std::uint32_t champion, Sign side) {
+            const Sign turn = cross_2d(x, p[champion], x, p[k], &tally);
+            return turn == side ||
+                   (turn == Sign::zero && dot_2d(x, p[champion], p[champion], p[k], &tally) == Sign::negative);
+          };
+          if (beats(best.left, Sign::positive)) best.left = k;
+          if (beats(best.right, Sign::negative)) best.right = k;
+        }
+        return TangentVertices{p.number(best.left), p.number(best.right)};
+      });
 }
 
 }  // namespace sunder::planar

@@ -25,19 +25,43 @@ enum class Place : std::uint8_t { outside, vertex, edge, inside };
 
 std::string_view name_of(Place);  // "inside"
 
-struct PolygonPoint {
-  Place place = Place::outside;
+// What proves it is said of the polygon as A and the point as B, of the one vertex 0.
 
-  // The vertex, or the edge in whose inside the point is: edge v goes from vertex v to the next one in the polygon's
-  // own order (of two vertices, edge 0). Meaningless for `outside` and `inside`.
-  std::uint32_t feature = 0;
-
-  // With the polygon as A and the point as B, of the one vertex 0. Outside: an edge that has the point strictly beyond
-  // it, or the difference to the nearest vertex. Else: the vertex, the two, or the three whose hull holds the point.
-  PairCertificate evidence;
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
+// Parted by an edge that has the point strictly beyond it, or by the difference to the nearest vertex.
+struct OutsidePolygon {
+  static constexpr Verdict verdict = Verdict::apart;
+  static constexpr Place place = Place::outside;
+  Separation parting;
 };
+
+struct AtVertex {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr Place place = Place::vertex;
+  std::uint32_t vertex = 0;
+  CommonVertices common;  // the vertex
+};
+
+// Edge v goes from vertex v to the next one in the polygon's own order (of two vertices, edge 0). Not at its ends.
+struct InEdge {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr Place place = Place::edge;
+  std::uint32_t edge = 0;
+  CommonVertices common;  // its ends
+};
+
+struct InsidePolygon {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr Place place = Place::inside;
+  CommonVertices common;  // two or three whose hull holds the point
+};
+
+using PolygonPoint = Answer<std::variant<OutsidePolygon, AtVertex, InEdge, InsidePolygon>>;
+
+// That of what is held.
+Place place_of(const PolygonPoint& answer);
+
+// What proves it, whatever is held; for certificate/check.h.
+PairCertificate pair_certificate(const PolygonPoint& answer);
 
 // Cost: at most log2 n + 4 probes, one sign each.
 PolygonPoint polygon_point(const ConvexPolygon& polygon, const Pose& pose, const Point2& point);

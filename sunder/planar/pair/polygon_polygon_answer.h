@@ -23,11 +23,11 @@ bool dispose(const A& a, const B& b, const Proposal& p, PairCertificate& certifi
   switch (p.claim) {
     case Proposal::Claim::apart_by_edge_of_a:
       if (!parts(a, i, b, j, tally)) return false;
-      fill_apart_by_edge_of_a(a, i, b, j, certificate);
+      certificate = apart_by_edge_of_a(a, i, b, j);
       return true;
     case Proposal::Claim::apart_by_edge_of_b:
       if (!parts(b, j, a, i, tally)) return false;
-      fill_apart_by_edge_of_b(a, i, b, j, certificate);
+      certificate = apart_by_edge_of_b(a, i, b, j);
       return true;
     case Proposal::Claim::apart_at_vertices: return parts_at(a, i, b, j, certificate, tally);
     case Proposal::Claim::meet:

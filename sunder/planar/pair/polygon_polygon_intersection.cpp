@@ -3,16 +3,17 @@
 #include <sunder/planar/pair/minkowski_difference_search.h>
 #include <sunder/planar/pair/polygon_polygon_intersection.h>
 
+#include <optional>
 #include <utility>
 
 namespace sunder::planar {
 
 namespace {
 
-// A piece of edge `edge` of P that is in Q.
+// What edge `edge` of P has in common with Q: from where to where.
 struct CutEdge {
-  std::uint32_t edge;
-  PolygonCut cut;
+  std::uint32_t edge = 0;
+  CutEnds<CutEnd> ends;
 };
 
 // P is the one whose edges are cut, Q the one that cuts. All features are positions.
@@ -27,8 +28,8 @@ class Cutter {
   void overlapping() {
     std::vector<CutEdge> pieces;
     for (std::uint32_t i = 0; i < p_.size(); ++i) {
-      const PolygonCut cut = cut_of(i);
-      if (cut.kind == CutKind::along || cut.kind == CutKind::across) pieces.push_back({i, cut});
+      const PolygonCut::Evidence cut = cut_of(i);
+      if (is_piece(cut)) pieces.push_back({i, *ends_of(cut)});
     }
     if (pieces.empty()) {  // Q is inside P
       for (std::uint32_t k = 0; k < q_.size(); ++k) add_vertex_of_q(k);
@@ -36,8 +37,8 @@ class Cutter {
     }
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const CutEdge &piece = pieces[k], &next = pieces[k + 1 == pieces.size() ? 0 : k + 1];
-      add(piece, piece.cut.first);
-      const CutEnd &leaves = piece.cut.last, &enters = next.cut.first;
+      add(piece, piece.ends.first);
+      const CutEnd &leaves = piece.ends.last, &enters = next.ends.first;
       const bool goes_on = leaves.own == OwnEnd::b && enters.own == OwnEnd::a &&  //
                            next.edge == position(p_, piece.edge + 1);
       if (goes_on || is_same(leaves, enters)) continue;
@@ -50,35 +51,36 @@ class Cutter {
   // piece. Requires that all common points are on the boundary of P.
   void thin() {
     if (p_.size() == 1) return add_vertex_of_p(0);
-    CutEdge point{};
-    bool has_point = false;
+    std::optional<CutEdge> point;
     for (std::uint32_t i = 0; i < (p_.size() == 2 ? 1 : p_.size()); ++i) {
-      const CutEdge piece{i, cut_of(i)};
-      if (piece.cut.kind == CutKind::along || piece.cut.kind == CutKind::across) {
-        add(piece, piece.cut.first);
-        add(piece, piece.cut.last);
+      const PolygonCut::Evidence cut = cut_of(i);
+      const std::optional<CutEnds<CutEnd>> ends = ends_of(cut);
+      if (!ends) continue;
+      if (is_piece(cut)) {
+        add({i, *ends}, ends->first);
+        add({i, *ends}, ends->last);
         return;
       }
-      if (!has_point && piece.cut.kind == CutKind::point) {
-        point = piece;
-        has_point = true;
-      }
+      if (!point) point = CutEdge{i, *ends};
     }
-    if (has_point) add(point, point.cut.first);
+    if (point) add(*point, point->ends.first);
   }
 
  private:
-  PolygonCut cut_of(std::uint32_t i) {
-    PolygonCut cut;
+  static bool is_piece(const PolygonCut::Evidence& cut) {
+    return std::holds_alternative<CutAlong>(cut) || std::holds_alternative<CutAcross>(cut);
+  }
+
+  PolygonCut::Evidence cut_of(std::uint32_t i) {
+    Cost cost;
     const auto from = p_[i];
     const auto to = vertex_at(p_, i + 1);
-    const auto furthest_left = [this](const auto& u, const auto& v, Cost& cost, StageTally& tally) {
-      return extreme_vertex_by_bisection(q_, u, v, cost, tally);
+    const auto furthest_left = [this](const auto& u, const auto& v, Cost& c, StageTally& tally) {
+      return extreme_vertex_by_bisection(q_, u, v, c, tally);
     };
-    cut_by_line(q_, from, to, furthest_left, cut, tally_);
-    clip(q_, from, to, true, cut, tally_);
-    out_.cost.probes += cut.cost.probes;
-    return cut;
+    const PolygonCut::Evidence of_line = cut_by_line(q_, from, to, furthest_left, cost, tally_);
+    out_.cost.probes += cost.probes;
+    return clip(q_, from, to, true, of_line, tally_);
   }
 
   void push(CommonCorner::Kind of_p, std::uint32_t in_p, std::uint32_t in_q) {

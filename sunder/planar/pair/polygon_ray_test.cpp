@@ -20,7 +20,7 @@ PolygonCut cut_by_ray(const ConvexPolygon& polygon, const Pose& pose, const Ray&
     EXPECT_EQ(between.meet(), found.meet() && back.meet());
   }
   if (!with_scan) return found;
-  expect_same(found, polygon_ray_by_scan(polygon, pose, ray), false);
+  expect_same(found, polygon_ray_by_scan(polygon, pose, ray));
   expect_true(polygon, pose, ray.a, ray.b, found);
   return found;
 }
@@ -29,21 +29,21 @@ TEST(PolygonRayTest, ByHand) {
   const ConvexPolygon square = ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {3, 3}, {0, 3}});
   const auto cut = [&](const Point2& a, const Point2& b) { return cut_by_ray(square, Pose(), Ray::from(a, b)); };
   PolygonCut c = cut({1, 1}, {2, 1});
-  EXPECT_EQ(c.kind, CutKind::across);
-  EXPECT_EQ(c.first, (CutEnd{Place::inside, 0, OwnEnd::a}));
-  EXPECT_EQ(c.last, (CutEnd{Place::edge, 1}));
-  EXPECT_EQ(exact_end(square, Pose(), {1, 1}, {2, 1}, c.last).along_line.nearest(), 2);
+  EXPECT_EQ(kind_of(c), CutKind::across);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::inside, 0, OwnEnd::a}));
+  EXPECT_EQ(last_of(c), (CutEnd{Place::edge, 1}));
+  EXPECT_EQ(exact_end(square, Pose(), {1, 1}, {2, 1}, last_of(c)).along_line.nearest(), 2);
   c = cut({-2, 1}, {-1, 1});  // the polygon is beyond the second point
-  EXPECT_EQ(c.first, (CutEnd{Place::edge, 3}));
-  EXPECT_EQ(cut({-1, 1}, {-2, 1}).kind, CutKind::nothing);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::edge, 3}));
+  EXPECT_EQ(kind_of(cut({-1, 1}, {-2, 1})), CutKind::nothing);
   c = cut({0, 0}, {-1, 0});
-  EXPECT_EQ(c.kind, CutKind::point);
-  EXPECT_EQ(c.first, (CutEnd{Place::vertex, 0, OwnEnd::a}));
+  EXPECT_EQ(kind_of(c), CutKind::point);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::vertex, 0, OwnEnd::a}));
   c = cut({1, 3}, {2, 3});
-  EXPECT_EQ(c.kind, CutKind::along);
-  EXPECT_EQ(c.edge, 2u);
-  EXPECT_EQ(c.first, (CutEnd{Place::edge, 2, OwnEnd::a}));
-  EXPECT_EQ(c.last, (CutEnd{Place::vertex, 2}));
+  EXPECT_EQ(kind_of(c), CutKind::along);
+  EXPECT_EQ(std::get<CutAlong>(c.evidence).edge, 2u);
+  EXPECT_EQ(first_of(c), (CutEnd{Place::edge, 2, OwnEnd::a}));
+  EXPECT_EQ(last_of(c), (CutEnd{Place::vertex, 2}));
 }
 
 TEST(PolygonRayTest, AgreesWithScanOnNastyCases) {

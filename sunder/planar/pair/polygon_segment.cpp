@@ -7,11 +7,8 @@ namespace sunder::planar {
 PolygonCut polygon_segment(const ConvexPolygon& polygon, const Pose& pose, const Segment& segment) {
   if (segment.a != segment.b) return cut_and_clip(polygon, pose, segment.a, segment.b, true);
   const PolygonPoint at = polygon_point(polygon, pose, segment.a);
-  PolygonCut answer;
-  answer.kind = at.place == Place::outside ? CutKind::nothing : CutKind::point;
-  answer.first = answer.last = CutEnd{at.place, at.feature, OwnEnd::a};
-  answer.decided_by = at.decided_by;
-  answer.cost = at.cost;
+  PolygonCut answer{BeyondEnd{OwnEnd::a}, at.decided_by, at.cost};
+  if (const std::optional<CutEnd> end = end_at(at, OwnEnd::a)) answer.evidence = CutPoint{*end};
   return answer;
 }
 

@@ -3,8 +3,9 @@
 // Also called: segment clipping.
 //
 // As polygon_line.h, of which it is the part between the segment's ends; these, where they are in the polygon, are ends
-// of the answer. A segment of length zero is a point. Where they have nothing in common, no vertex is named: for a
-// certificate ask polygon_polygon.h with the segment as a polygon of two vertices. Requires finite coordinates.
+// of the answer. A segment of length zero is a point. Where its line meets the polygon and it does not, no vertex is
+// named: for a certificate ask polygon_polygon.h with the segment as a polygon of two vertices. Requires finite
+// coordinates.
 // None throws, but for want of memory. Source and method: see polygon_ray.h.
 #pragma once
 

@@ -1,4 +1,3 @@
-#include <sunder/base/names.h>
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_half_plane.h>
 #include <sunder/planar/pair/polygon_line.h>
@@ -15,38 +14,38 @@ namespace {
 
 using Exact = Vector2<Dyadic>;
 
-// Of a body and what a line or ray has in common with it.
-Relation contact_of(const PolygonCut& cut, std::uint32_t vertices) {
-  if (!cut.meet()) return Relation::none;
+// Of a polygon of so many vertices and what a line or ray has in common with it.
+Relation contact_of_ends(CutKind kind, const CutEnds<CutEnd>& ends, std::uint32_t vertices) {
   const bool inner_of_body = vertices == 1 ||
-                             (vertices == 2 && (cut.kind == CutKind::along || cut.first.place == Place::edge)) ||
-                             cut.kind == CutKind::across;
-  const bool inner_of_ray = cut.kind != CutKind::point || cut.first.own == OwnEnd::none;
+                             (vertices == 2 && (kind == CutKind::along || ends.first.place == Place::edge)) ||
+                             kind == CutKind::across;
+  const bool inner_of_ray = kind != CutKind::point || ends.first.own == OwnEnd::none;
   return inner_of_body && inner_of_ray ? Relation::overlapping : Relation::touching;
 }
 
-CommonKind kind_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
-  if (!half.meet) return CommonKind::nothing;
-  if (half.touching) return by_line.kind == CutKind::along ? CommonKind::along : CommonKind::point;
-  // The line goes through the body's inside, where it is not all on one side.
-  const bool cuts_off = by_line.kind == CutKind::across || (by_line.meet() && by_line.first.place == Place::edge);
-  return cuts_off ? CommonKind::part : CommonKind::whole;
+// The same as what more may be held.
+PolygonCommon::Evidence widened(const PolygonCut::Evidence& cut) {
+  return std::visit([](const auto& held) { return PolygonCommon::Evidence(held); }, cut);
 }
 
-// The first four are the same.
-static_assert(static_cast<int>(CommonKind::across) == static_cast<int>(CutKind::across));
+PolygonCommon common_of(const PolygonCut& cut) { return {widened(cut.evidence), cut.decided_by, cut.cost}; }
 
-PolygonCommon common_of(const ConvexPolygon& polygon, const PolygonCut& cut) {
-  return {static_cast<CommonKind>(cut.kind), cut, 0, contact_of(cut, polygon.size()), cut.decided_by, cut.cost};
+PolygonCommon::Evidence in_half_plane(const PolygonHalfPlane& half, const PolygonCut::Evidence& by_line) {
+  if (!half.meet) return BesideHalfPlane{half.witness};
+  if (half.touching) return widened(by_line);
+  // The line goes through the body's inside, where it is not all on one side.
+  const std::optional<CutEnds<CutEnd>> ends = ends_of(by_line);
+  const bool cuts_off = ends && (kind_of(by_line) == CutKind::across || ends->first.place == Place::edge);
+  if (!cuts_off) return WholeWithin{half.witness};
+  return PartWithin{ends->first, ends->last, half.witness};
 }
 
 PolygonCommon common_of(const PolygonHalfPlane& half, const PolygonCut& by_line) {
-  const Relation contact = !half.meet ? Relation::none : half.touching ? Relation::touching : Relation::overlapping;
   Cost cost = by_line.cost;
   cost.probes += half.cost.probes;
   cost.iterations += half.cost.iterations;
   cost.exact += half.cost.exact;
-  return {kind_of(half, by_line), by_line, half.witness, contact, std::max(half.decided_by, by_line.decided_by), cost};
+  return {in_half_plane(half, by_line.evidence), std::max(half.decided_by, by_line.decided_by), cost};
 }
 
 // ---- Directions: no point of the polygon is further along than any of the other.
@@ -65,10 +64,13 @@ Exact way_to(const ExactPoint2& p, const Unbounded& other) {
 }
 
 // The polygon is on one side of the line, and not all on it: which side, a vertex tells that is not on the line.
-Exact across_line(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, const PolygonCut& by_line) {
-  const std::uint32_t v = by_line.kind == CutKind::nothing ? by_line.nearest
-                          : by_line.kind == CutKind::along ? polygon.next(polygon.next(by_line.edge))
-                                                           : polygon.next(by_line.first.feature);
+Exact across_line(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
+                  const PolygonCut::Evidence& by_line) {
+  const auto* beside = std::get_if<BesideLine>(&by_line);
+  const auto* along_edge = std::get_if<CutAlong>(&by_line);
+  const std::uint32_t v = beside != nullptr       ? beside->nearest
+                          : along_edge != nullptr ? polygon.next(polygon.next(along_edge->edge))
+                                                  : polygon.next(std::get<CutPoint>(by_line).at.feature);
   const Exact left = left_of(along(other));
   const bool is_left = dot(left, way_to(exact_vertex(polygon, pose, v), other)).sign() == Sign::positive;
   return is_left ? -left : left;
@@ -90,15 +92,14 @@ Exact out_of_polygon(const ConvexPolygon& polygon, const Pose& pose, const Exact
 
 // Requires that they are apart, or touch. A ray is parted from the polygon as its line is; where the line has a point
 // in the polygon's relative interior, or meets it and the ray does not, the polygon is behind the ray's beginning.
-std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
-                              const PolygonCommon& common) {
+std::array<Dyadic, 3> parting(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other, bool meet) {
   const auto way_in_space = [](const Exact& d) { return std::array<Dyadic, 3>{d.x, d.y, Dyadic()}; };
   if (std::holds_alternative<HalfPlane>(other)) return way_in_space(left_of(along(other)));
-  const bool is_ray = std::holds_alternative<Ray>(other);
-  const PolygonCut by_line = is_ray ? polygon_line(polygon, pose, line_of(other)) : common.cut;
-  const Relation of_line = contact_of(by_line, polygon.size());
-  const bool is_behind = common.meet() ? of_line == Relation::overlapping : of_line != Relation::none;
-  return way_in_space(is_behind ? out_of_polygon(polygon, pose, along(other), by_line.last)
+  const PolygonCut::Evidence by_line = polygon_line(polygon, pose, line_of(other)).evidence;
+  const std::optional<CutEnds<CutEnd>> ends = ends_of(by_line);
+  const bool is_behind =
+      ends && (!meet || contact_of_ends(kind_of(by_line), *ends, polygon.size()) == Relation::overlapping);
+  return way_in_space(is_behind ? out_of_polygon(polygon, pose, along(other), ends->last)
                                 : across_line(polygon, pose, other, by_line));
 }
 
@@ -140,13 +141,17 @@ ExactPoint2 inside_half_plane(const ConvexPolygon& polygon, const Pose& pose, co
 // Of both relative interiors.
 CommonPoint overlapping_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
                               const PolygonCommon& common) {
-  const Line line = line_of(other);
-  const auto end = [&](const CutEnd& e) { return exact_end(polygon, pose, line.a, line.b, e).point; };
-  const PolygonCut& cut = common.cut;
-  const ExactPoint2 p = std::holds_alternative<HalfPlane>(other)
-                            ? inside_half_plane(polygon, pose, other, common.witness)
-                        : cut.kind == CutKind::point ? end(cut.last)
-                                                     : between(end(cut.first), end(cut.last));
+  const auto inner_point = [&] {
+    if (std::holds_alternative<HalfPlane>(other)) {
+      return inside_half_plane(polygon, pose, other, furthest_of(common));
+    }
+    const Line line = line_of(other);
+    const auto end = [&](const CutEnd& e) { return exact_end(polygon, pose, line.a, line.b, e).point; };
+    if (const auto* point = std::get_if<CutPoint>(&common.evidence)) return end(point->at);
+    const CutEnds<CutEnd> ends = ends_of(common.evidence).value();
+    return between(end(ends.first), end(ends.last));
+  };
+  const ExactPoint2 p = inner_point();
   return {in_space(p), inner_combination(polygon, pose, p), combination_of(other, p, true)};
 }
 
@@ -167,14 +172,14 @@ CommonPoint point_at(const ConvexPolygon& polygon, const Pose& pose, const Unbou
 CommonPoint some_point(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other,
                        const PolygonCommon& common) {
   if (std::holds_alternative<HalfPlane>(other)) {
-    return point_at(polygon, pose, other, {Place::vertex, common.witness});
+    return point_at(polygon, pose, other, {Place::vertex, furthest_of(common)});
   }
-  return point_at(polygon, pose, other, common.cut.last);
+  return point_at(polygon, pose, other, ends_of(common.evidence).value().last);
 }
 
 // Of those that meet.
 void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon,
-                     const Pose& pose, const Unbounded& other, const PolygonCut& cut) {
+                     const Pose& pose, const Unbounded& other, const CutEnds<CutEnd>& ends) {
   // Back from its beginning a ray ends itself, forth never.
   const auto out = [&](const CutEnd& end, const Exact& way, OwnEnd own) {
     const Exact d = end.own == own ? way : out_of_polygon(polygon, pose, way, end);
@@ -182,8 +187,8 @@ void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const 
   };
   const auto at = [&](const CutEnd& end) { return point_at(polygon, pose, other, end); };
   const Exact way = along(other);
-  pairs.add_common_part(a, b, at(cut.first), at(cut.last), out(cut.first, -way, OwnEnd::a),
-                        out(cut.last, way, OwnEnd::b));
+  pairs.add_common_part(a, b, at(ends.first), at(ends.last), out(ends.first, -way, OwnEnd::a),
+                        out(ends.last, way, OwnEnd::b));
 }
 
 }  // namespace
@@ -192,28 +197,40 @@ Line line_of(const Unbounded& other) {
   return std::visit([](const auto& u) { return Line{u.a, u.b}; }, other);
 }
 
-std::string_view name_of(CommonKind kind) {
-  return name_in<CommonKind::whole>({"nothing", "point", "along", "across", "part", "whole"}, kind);
+Relation contact_of(const ConvexPolygon& polygon, const Unbounded& other, const PolygonCommon& common) {
+  if (!common.meet()) return Relation::none;
+  if (std::holds_alternative<PartWithin>(common.evidence) || std::holds_alternative<WholeWithin>(common.evidence)) {
+    return Relation::overlapping;
+  }
+  if (std::holds_alternative<HalfPlane>(other)) return Relation::touching;
+  return contact_of_ends(kind_of(common), ends_of(common.evidence).value(), polygon.size());
+}
+
+std::uint32_t furthest_of(const PolygonCommon& common) {
+  if (const auto* beside = std::get_if<BesideHalfPlane>(&common.evidence)) return beside->nearest;
+  if (const auto* part = std::get_if<PartWithin>(&common.evidence)) return part->furthest;
+  if (const auto* whole = std::get_if<WholeWithin>(&common.evidence)) return whole->furthest;
+  return ends_of(common.evidence).value().last.feature;  // on its line, where they touch
 }
 
 PolygonCommon polygon_unbounded(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
-  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon, polygon_ray(polygon, pose, *ray));
+  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon_ray(polygon, pose, *ray));
   const PolygonCut by_line = polygon_line(polygon, pose, line_of(other));
   const auto* half_plane = std::get_if<HalfPlane>(&other);
   return half_plane != nullptr ? common_of(polygon_half_plane(polygon, pose, *half_plane), by_line)
-                               : common_of(polygon, by_line);
+                               : common_of(by_line);
 }
 
 PolygonCommon polygon_unbounded_by_fibonacci(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
-  return common_of(polygon, polygon_line_by_fibonacci(polygon, pose, std::get<Line>(other)));
+  return common_of(polygon_line_by_fibonacci(polygon, pose, std::get<Line>(other)));
 }
 
 PolygonCommon polygon_unbounded_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other) {
-  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon, polygon_ray_by_scan(polygon, pose, *ray));
+  if (const auto* ray = std::get_if<Ray>(&other)) return common_of(polygon_ray_by_scan(polygon, pose, *ray));
   const PolygonCut by_line = polygon_line_by_scan(polygon, pose, line_of(other));
   const auto* half_plane = std::get_if<HalfPlane>(&other);
   return half_plane != nullptr ? common_of(polygon_half_plane_by_scan(polygon, pose, *half_plane), by_line)
-                               : common_of(polygon, by_line);
+                               : common_of(by_line);
 }
 
 UnboundedBody body_of(const Unbounded& other) {
@@ -227,23 +244,25 @@ UnboundedBody body_of(const Unbounded& other) {
 
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
                 const Unbounded& other, const PolygonCommon& common, bool tells_contact) {
-  const bool is_on_line = !std::holds_alternative<HalfPlane>(other);
-  if (common.contact == Relation::none) {
-    pairs.add_apart(a, b, parting(polygon, pose, other, common));
+  const Relation contact = contact_of(polygon, other, common);
+  if (contact == Relation::none) {
+    pairs.add_apart(a, b, parting(polygon, pose, other, false));
   } else if (!tells_contact) {
     pairs.add_meet(a, b, some_point(polygon, pose, other, common));
-  } else if (common.contact == Relation::touching) {
-    pairs.add_touching(a, b, some_point(polygon, pose, other, common), parting(polygon, pose, other, common));
+  } else if (contact == Relation::touching) {
+    pairs.add_touching(a, b, some_point(polygon, pose, other, common), parting(polygon, pose, other, true));
   } else {
     pairs.add_overlapping(a, b, overlapping_point(polygon, pose, other, common));
   }
-  if (is_on_line && common.meet()) add_common_part(pairs, a, b, polygon, pose, other, common.cut);
   if (std::holds_alternative<HalfPlane>(other)) {
     const Exact out = -left_of(along(other));
-    pairs.add_nearest(a, b, common.witness, {out.x, out.y, Dyadic()});
-  } else if (std::holds_alternative<Line>(other) && !common.meet()) {
-    const Exact out = -across_line(polygon, pose, other, common.cut);
-    pairs.add_nearest(a, b, common.cut.nearest, {out.x, out.y, Dyadic()});
+    pairs.add_nearest(a, b, furthest_of(common), {out.x, out.y, Dyadic()});
+  } else if (common.meet()) {
+    add_common_part(pairs, a, b, polygon, pose, other, ends_of(common.evidence).value());
+  } else if (std::holds_alternative<Line>(other)) {
+    const auto& beside = std::get<BesideLine>(common.evidence);
+    const Exact out = -across_line(polygon, pose, other, beside);
+    pairs.add_nearest(a, b, beside.nearest, {out.x, out.y, Dyadic()});
   }
 }
 

@@ -13,7 +13,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -25,30 +24,45 @@ using Unbounded = std::variant<Line, Ray, HalfPlane>;
 // The two points that tell where it is.
 Line line_of(const Unbounded& other);
 
-// What the polygon has in common with it.
-enum class CommonKind : std::uint8_t {
-  nothing,
-  point,
-  along,   // a part of an edge
-  across,  // a segment through the inside
-  part,    // of a half-plane: what its line cuts off
-  whole,   // of a half-plane: all of the polygon
+// No vertex is in the half-plane; of two nearest to it, the one further along its direction. So below.
+struct BesideHalfPlane {
+  static constexpr Verdict verdict = Verdict::apart;
+  static constexpr CutKind kind = CutKind::nothing;
+  std::uint32_t nearest = 0;
 };
 
-std::string_view name_of(CommonKind);  // "across"
-
-struct [[nodiscard]] PolygonCommon {
-  CommonKind kind = CommonKind::nothing;
-  PolygonCut cut;             // by the line or ray; by the half-plane's line
-  std::uint32_t witness = 0;  // of a half-plane, as in polygon_half_plane.h; else meaningless
-
-  // A vertex is its own relative interior; a segment's is without its ends, a ray's without its beginning.
-  Relation contact = Relation::none;
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
-
-  bool meet() const { return contact != Relation::none; }
+// What its line cuts off: the ends are where it does, in its direction; of a polygon of two vertices one point.
+struct PartWithin {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::part;
+  CutEnd first, last;
+  std::uint32_t furthest = 0;  // vertex, into the half-plane
 };
+
+// All of the polygon, and not all on its line.
+struct WholeWithin {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::whole;
+  std::uint32_t furthest = 0;
+};
+
+// What the polygon has in common with it: of a line or ray as in polygon_cut.h; of a half-plane that only its line
+// touches as of that line; else one of the last three.
+using PolygonCommon = Answer<
+    std::variant<BesideLine, BeyondEnd, CutPoint, CutAlong, CutAcross, BesideHalfPlane, PartWithin, WholeWithin>>;
+
+// Nothing where they are apart, and of the whole polygon.
+inline std::optional<CutEnds<CutEnd>> ends_of(const PolygonCommon::Evidence& evidence) {
+  return ends_in<CutEnd>(evidence);
+}
+
+// Do they touch, or overlap? Relative interiors count: that of a vertex is itself, a segment's is without its ends, a
+// ray's without its beginning. Requires their answer.
+Relation contact_of(const ConvexPolygon& polygon, const Unbounded& other, const PolygonCommon& common);
+
+// Of a half-plane: the vertex nearest to it, or furthest within it, as the witness of polygon_half_plane.h. Requires
+// its answer.
+std::uint32_t furthest_of(const PolygonCommon& common);
 
 // Cost: that of polygon_line, polygon_ray, or of polygon_half_plane and polygon_line.
 PolygonCommon polygon_unbounded(const ConvexPolygon& polygon, const Pose& pose, const Unbounded& other);
@@ -71,7 +85,7 @@ UnboundedBody body_of(const Unbounded& other);
 
 // States whether body a, the polygon, and body b, the other, meet; if tells_contact, also whether they touch, or
 // overlap; the part that it has in common with a line or ray; and the vertex nearest to a line or half-plane, or
-// furthest within that. Requires their answer. Cost: exact arithmetic on a few vertices, and of a ray that of
+// furthest within that. Requires their answer. Cost: exact arithmetic on a few vertices, and of a line or ray that of
 // polygon_line.
 void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolygon& polygon, const Pose& pose,
                 const Unbounded& other, const PolygonCommon& common, bool tells_contact);

@@ -1,4 +1,5 @@
 #include <sunder/base/random.h>
+#include <sunder/planar/pair/polygon_half_plane.h>
 #include <sunder/planar/pair/polygon_line.h>
 #include <sunder/planar/pair/polygon_unbounded.h>
 
@@ -56,7 +57,7 @@ TEST(PolygonUnbounded, Random) {
   Random random(tests::chosen_seed(20261121));
   const auto small = [&] { return static_cast<double>(random.between(-4, 4)); };
   std::map<std::string, int> tally;
-  std::map<CommonKind, int> kinds;
+  std::map<CutKind, int> kinds;
   int behind = 0;
   for (int i = 0; i < count; ++i) {
     std::vector<Point2> points;
@@ -80,11 +81,16 @@ TEST(PolygonUnbounded, Random) {
     const bool tells_contact = random.below(2) == 0;
     const PolygonCommon answer = polygon_unbounded(polygon, pose, u);
     const PolygonCommon scanned = polygon_unbounded_by_scan(polygon, pose, u);
-    ASSERT_EQ(answer.kind, scanned.kind);
-    ASSERT_EQ(answer.contact, scanned.contact);
-    ASSERT_EQ(answer.meet(), answer.kind != CommonKind::nothing);
+    ASSERT_EQ(kind_of(answer), kind_of(scanned));
+    const Relation contact = contact_of(polygon, u, answer);
+    ASSERT_EQ(contact, contact_of(polygon, u, scanned));
+    ASSERT_EQ(answer.meet(), contact != Relation::none);
+    ASSERT_EQ(answer.meet(), kind_of(answer) != CutKind::nothing);
+    if (kind == 2) {
+      ASSERT_EQ(furthest_of(answer), polygon_half_plane(polygon, pose, std::get<HalfPlane>(u)).witness);
+    }
     if (kind == 0) {
-      ASSERT_EQ(polygon_unbounded_by_fibonacci(polygon, pose, u).kind, scanned.kind);
+      ASSERT_EQ(kind_of(polygon_unbounded_by_fibonacci(polygon, pose, u)), kind_of(scanned));
     }
     if (kind == 1 && !answer.meet() && polygon_line(polygon, pose, {p, q}).meet()) ++behind;
     const std::string text = certificate_of(polygon, pose, u, answer, tells_contact);
@@ -92,14 +98,14 @@ TEST(PolygonUnbounded, Random) {
     ASSERT_TRUE(verified.accepted()) << text;
     ASSERT_EQ(verified.statements.size(), kind == 1 && !answer.meet() ? 1u : 2u);
     const std::string verdict = !answer.meet()  ? "apart"
-                                : tells_contact ? std::string(sunder::name_of(answer.contact))
+                                : tells_contact ? std::string(sunder::name_of(contact))
                                                 : "meet";
     EXPECT_EQ(verified.statements[0].verdict, verdict);
     const nlohmann::json other = nlohmann::json::parse(text)["tables"]["bodies"].back();
     EXPECT_EQ(other["points"].size(), 1u);
     EXPECT_EQ(other["ways"].size(), kind == 1 ? 1u : kind == 0 ? 2u : 3u);
     ++tally[std::string(name_of(u)) + " " + verdict];
-    ++kinds[answer.kind];
+    ++kinds[kind_of(answer)];
   }
   if (count < 1000) return;
   for (const char* kind : {"line", "ray", "half-plane"}) {

@@ -4,6 +4,7 @@
 #include <sunder/solid/line/polyhedron_line_answer.h>
 #include <sunder/solid/search/placed.h>
 
+#include <type_traits>
 #include <utility>
 
 namespace sunder::solid {
@@ -24,12 +25,17 @@ ExactFraction where_line_meets(const Exact& a, const Exact& way, const Exact& p,
 
 }  // namespace
 
-std::string_view name_of(CutKind kind) {
-  return name_in<CutKind::across>({"nothing", "point", "along", "across"}, kind);
-}
+static_assert(std::is_trivially_copyable_v<PolyhedronCut::Evidence>);
 
 std::string_view name_of(CutPlace place) {
   return name_in<CutPlace::inside>({"vertex", "edge", "facet", "inside"}, place);
+}
+
+std::optional<LineFacets> facets_of(const PolyhedronCut::Evidence& cut) {
+  if (const auto* across = std::get_if<CutAcross>(&cut)) return across->facets;
+  if (const auto* along = std::get_if<CutAlong>(&cut)) return along->facets;
+  if (const auto* point = std::get_if<CutPoint>(&cut)) return point->facets;
+  return std::nullopt;
 }
 
 ExactEnd exact_end(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b,

@@ -4,25 +4,18 @@
 // The line runs from its point a through its point b; so do the ray, from a on, and the segment, from a to b.
 #pragma once
 
-#include <sunder/certificate/pair_answer.h>
+#include <sunder/certificate/cut.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/predicate/line/line_in_body.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
+#include <variant>
 
 namespace sunder::solid {
-
-enum class CutKind : std::uint8_t {
-  nothing,
-  point,   // one point
-  along,   // a part of an edge or of a facet, of positive length: nothing of it is inside the body
-  across,  // a segment through the body's inside
-};
-
-std::string_view name_of(CutKind);
 
 enum class CutPlace : std::uint8_t { vertex, edge, facet, inside };
 
@@ -37,9 +30,6 @@ struct CutFeature {
   friend bool operator==(const CutFeature&, const CutFeature&) = default;
 };
 
-// Is an end of the common part one of the ray or segment itself?
-enum class OwnEnd : std::uint8_t { none, a, b };
-
 // An end of the common part, and the feature it is in; `inside` for an own end only.
 struct CutEnd {
   CutFeature at;
@@ -47,40 +37,66 @@ struct CutEnd {
   friend bool operator==(const CutEnd&, const CutEnd&) = default;
 };
 
-// What proves that they have nothing in common: a direction along which the body is strictly less far than the other,
+// They have nothing in common: what proves it is a direction along which the body is strictly less far than the other,
 // for polyhedron_line_claims.h. d is the line's direction, N a facet's normal.
 struct CutParting {
-  enum class Kind : std::uint8_t {
-    none,           // they meet
+  static constexpr Verdict verdict = Verdict::apart;
+  static constexpr CutKind kind = CutKind::nothing;
+  enum class By : std::uint8_t {
+    untold,         // by the scan
     facets,         // the mix of the normals of facets i and j that is perpendicular to the line
     facet,          // N of facet i: an end of the ray or segment is beyond its plane; or the line is, parallel to it
     edge_and_line,  // (the edge i, j) x d
     edge_in_plane,  // (the edge i, j) x N of a flat body: the line is in its plane
     edge,           // perpendicular to the edge i, j, in the plane that it spans with the line: of a segment
     perpendicular,  // from vertex i to the line, perpendicular to that
-    line,           // d itself: of a point or a segment on the line
+    line,           // d itself, from vertex i: of a point or a segment on the line
   };
-  Kind kind = Kind::none;
+  By by = By::untold;
   std::uint32_t i = 0, j = 0;
   OwnEnd beyond = OwnEnd::a;  // the own end that is beyond; of a line any point is
 };
 
-struct [[nodiscard]] PolyhedronCut {
-  CutKind kind = CutKind::nothing;
-  CutEnd first, last;  // in the direction from a to b; the same for `point`; meaningless for `nothing`
-  CutFeature surface;  // of `along`: the edge or facet that holds all but the ends; else meaningless
-
-  // Evidence. It may be different from method to method, where several would do.
-  CutParting parting;
-  // Of a body with an inside whose line meets it: facets through whose planes the line comes from outside, where it
-  // first has a point of the body, and goes to the outside, where it has the last. Else meaningless.
+// Of a line that meets a body with an inside: facets through whose planes it comes from outside, where it first has a
+// point of the body, and goes to the outside, where it has the last. Methods may name different ones, where several
+// would do.
+struct LineFacets {
   std::uint32_t enters = 0, leaves = 0;
-
-  DecidedBy decided_by = DecidedBy::filter;
-  Cost cost;
-
-  bool meet() const { return kind != CutKind::nothing; }
 };
+
+struct CutPoint {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::point;
+  CutEnd at;
+  std::optional<LineFacets> facets;  // of a body without an inside none; so below
+};
+
+// A part of an edge or of a facet, of positive length. The ends are in the direction from a to b; so below.
+struct CutAlong {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::along;
+  CutEnd first, last;
+  CutFeature surface;  // the edge or facet that holds all but the ends
+  std::optional<LineFacets> facets;
+};
+
+// A segment through the body's inside.
+struct CutAcross {
+  static constexpr Verdict verdict = Verdict::meet;
+  static constexpr CutKind kind = CutKind::across;
+  CutEnd first, last;
+  LineFacets facets;
+};
+
+using PolyhedronCut = Answer<std::variant<CutParting, CutPoint, CutAlong, CutAcross>>;
+
+// Nothing where they are apart.
+inline std::optional<CutEnds<CutEnd>> ends_of(const PolyhedronCut::Evidence& evidence) {
+  return ends_in<CutEnd>(evidence);
+}
+
+// Nothing where they are apart, and of a body without an inside.
+std::optional<LineFacets> facets_of(const PolyhedronCut::Evidence& evidence);
 
 // Where an end is, exactly.
 struct ExactEnd {

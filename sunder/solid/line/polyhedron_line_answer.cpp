@@ -59,10 +59,10 @@ LineAnswer::Pierced LineAnswer::pierce(std::uint32_t facet, Sense sense) {
   std::size_t low = 1, high = last;
   while (high - low > 1) {
     const std::size_t middle = low + (high - low) / 2;
-    ++cut_.cost.probes;
+    ++cost_.probes;
     (turn(v[0], v[middle], sense) == Sign::negative ? high : low) = middle;
   }
-  cut_.cost.probes += 3;
+  cost_.probes += 3;
   const std::uint32_t p = v[0], q = v[low], r = v[high];
   const bool is_turned = (orientation_ == Sign::positive) == (sense == Sense::entering);
   std::array<Sign, 3> turns = turns_about_line(line_.a, line_.b, {body_[p], body_[q], body_[r]}, &tally_);
@@ -111,37 +111,42 @@ bool LineAnswer::through(std::uint32_t enters, std::uint32_t leaves) {
       facet = next->facet;
     }
   };
-  if (!follow(enters, Sense::entering, cut_.first) || !follow(leaves, Sense::leaving, cut_.last)) return false;
-  cut_.enters = enters;
-  cut_.leaves = leaves;
+  if (!follow(enters, Sense::entering, first_) || !follow(leaves, Sense::leaving, last_)) return false;
+  facets_.enters = enters;
+  facets_.leaves = leaves;
   decide_kind();
   return true;
 }
 
 bool LineAnswer::apart(std::uint32_t enters, std::uint32_t leaves) {
-  cut_.cost.probes += 6;
+  cost_.probes += 6;
   const auto [of_enters, of_leaves, beyond] =
       line_and_planes(line_.a, line_.b, corners(enters), corners(leaves), &tally_);
   // Where the pose reflects, both normals turn around, and their product does not.
   if (of_enters * orientation_ != Sign::negative || of_leaves * orientation_ == Sign::negative) return false;
   if (beyond != Sign::positive) return false;
-  set_apart({CutParting::Kind::facets, enters, leaves, OwnEnd::a});
+  set_apart({CutParting::By::facets, enters, leaves, OwnEnd::a});
   return true;
 }
 
 void LineAnswer::set_apart(CutParting parting) {
-  cut_.kind = CutKind::nothing;
-  cut_.parting = parting;
+  kind_ = CutKind::nothing;
+  parting_ = parting;
+}
+
+void LineAnswer::set_point(const CutEnd& at) {
+  kind_ = CutKind::point;
+  first_ = last_ = at;
 }
 
 // Of a line that comes in and goes out at known features: it goes through the inside where one of them is no edge and
 // no vertex, as it goes through that facet's plane there.
 void LineAnswer::decide_kind() {
-  cut_.kind = CutKind::across;
-  if (cut_.first.at == cut_.last.at) {
-    cut_.kind = CutKind::point;
-  } else if (cut_.first.at.place != CutPlace::facet && cut_.last.at.place != CutPlace::facet && !is_across()) {
-    cut_.kind = CutKind::along;
+  kind_ = CutKind::across;
+  if (first_.at == last_.at) {
+    kind_ = CutKind::point;
+  } else if (first_.at.place != CutPlace::facet && last_.at.place != CutPlace::facet && !is_across()) {
+    kind_ = CutKind::along;
   }
 }
 
@@ -157,7 +162,7 @@ Triangle LineAnswer::triangle_towards(const WayFromMiddle& way) {
   const auto turn_of = [&](std::uint32_t i, std::uint32_t j) {
     return way.turn(hierarchy.nodes[i].at, hierarchy.nodes[j].at, &tally_);
   };
-  const RankTriangle ranks = triangle_on_ray(hierarchy, turn_of, cut_.cost.probes);
+  const RankTriangle ranks = triangle_on_ray(hierarchy, turn_of, cost_.probes);
   return {hierarchy.nodes[ranks[0]].vertex, hierarchy.nodes[ranks[1]].vertex, hierarchy.nodes[ranks[2]].vertex};
 }
 
@@ -194,7 +199,7 @@ void LineAnswer::finish() {
     if (sense == Sense::leaving) place = {-place.x, -place.y, -place.z, place.denominator};
     Triangle at = triangle_towards(WayFromMiddle(middle, place));
     for (;;) {
-      ++cut_.cost.iterations;
+      ++cost_.iterations;
       place = line.at_plane(corner(at, 0), corner(at, 1), corner(at, 2));
       const WayFromMiddle way(middle, place);
       const Triangle next = triangle_towards(way);
@@ -206,13 +211,13 @@ void LineAnswer::finish() {
       }
       const Sign facing_of = line.facing(corner(next, 0), corner(next, 1), corner(next, 2), &tally_);
       if (facing_of != (sense == Sense::entering ? Sign::negative : Sign::positive)) {
-        set_apart({CutParting::Kind::facets, number(at), number(next), OwnEnd::a});
+        set_apart({CutParting::By::facets, number(at), number(next), OwnEnd::a});
         return false;
       }
       at = next;
     }
   };
-  if (search(Sense::entering, cut_.enters, cut_.first) && search(Sense::leaving, cut_.leaves, cut_.last)) {
+  if (search(Sense::entering, facets_.enters, first_) && search(Sense::leaving, facets_.leaves, last_)) {
     decide_kind();
   }
 }
@@ -226,28 +231,38 @@ bool LineAnswer::is_across() {
     const std::span<const std::uint32_t> v = body_.body.facet(facet);
     return line.at_plane(points[v[0]], points[v[1]], points[v[2]]);
   };
-  const ExactPoint3 middle = LineInBody::between(place_of(cut_.enters), place_of(cut_.leaves));
+  const ExactPoint3 middle = LineInBody::between(place_of(facets_.enters), place_of(facets_.leaves));
   const WayFromMiddle way(top(), middle);
   const Triangle at = triangle_towards(way);
   if (side_of_plane(points[at[0]], points[at[1]], points[at[2]], middle, &tally_) != Sign::zero) return true;
-  cut_.surface = feature_at(at, way);
+  surface_ = feature_at(at, way);
   return false;
 }
 
 // ---- Own ends.
 
 void LineAnswer::clip(OwnEnds ends, bool is_point) {
-  if (cut_.kind == CutKind::nothing || !ends.a) return;
-  const auto facet = [&](bool at_last) { return at_last ? cut_.leaves : cut_.enters; };
+  if (kind_ == CutKind::nothing || !ends.a) return;
+  const auto facet = [&](bool at_last) { return at_last ? facets_.leaves : facets_.enters; };
   clip_by(
       ends, is_point,
       [&](bool at_last, OwnEnd own) { return beyond(own == OwnEnd::a ? line_.a : line_.b, facet(at_last)); },
-      [&](bool at_last, OwnEnd own) { return CutParting{CutParting::Kind::facet, facet(at_last), 0, own}; });
+      [&](bool at_last, OwnEnd own) { return CutParting{CutParting::By::facet, facet(at_last), 0, own}; });
 }
 
-PolyhedronCut LineAnswer::conclude(bool finished) {
-  sunder::conclude(cut_, tally_.exact, finished);
-  return cut_;
+PolyhedronCut::Evidence LineAnswer::evidence() const {
+  if (kind_ == CutKind::nothing) return parting_;
+  if (kind_ == CutKind::across) return CutAcross{first_, last_, facets_};
+  const bool has_inside = body_.body.dimension() == 3;
+  const std::optional<LineFacets> facets = has_inside ? std::optional(facets_) : std::nullopt;
+  if (kind_ == CutKind::point) return CutPoint{first_, facets};
+  return CutAlong{first_, last_, surface_, facets};
+}
+
+PolyhedronCut LineAnswer::conclude(bool finished) const {
+  PolyhedronCut cut{evidence(), {}, cost_};
+  sunder::conclude(cut, tally_.exact, finished);
+  return cut;
 }
 
 }  // namespace sunder::solid

@@ -17,11 +17,6 @@ inline Line line_through(const Point3& a, const Point3& b) {
   return {a, a == b ? Point3{a.x > 0 ? a.x / 2 : 1, b.y, b.z} : b};
 }
 
-// Which of its points a and b end the other: both of a segment, a of a ray.
-struct OwnEnds {
-  bool a = false, b = false;
-};
-
 // Where filters do not decide, and what a proposal leaves open, is counted as an exact sign.
 class LineAnswer {
  public:
@@ -44,9 +39,9 @@ class LineAnswer {
   // whose ends are both a.
   void clip(OwnEnds ends, bool is_point);
 
-  PolyhedronCut conclude(bool finished);
+  PolyhedronCut conclude(bool finished) const;
 
-  Cost& cost() { return cut_.cost; }
+  Cost& cost() { return cost_; }
 
  private:
   struct Pierced {
@@ -71,6 +66,8 @@ class LineAnswer {
   std::array<Point3, 4> top() const;
 
   void set_apart(CutParting parting);
+  void set_point(const CutEnd& at);
+  PolyhedronCut::Evidence evidence() const;
 
   // Of bodies without an inside; they give what parts the body from an own end beyond a point of the line.
   void decide_point();
@@ -89,7 +86,13 @@ class LineAnswer {
   const Placed& body_;
   Line line_;
   Sign orientation_;  // of the pose
-  PolyhedronCut cut_;
+  // What is known so far; what it means depends on the kind.
+  CutKind kind_ = CutKind::nothing;
+  CutParting parting_;
+  CutEnd first_, last_;
+  CutFeature surface_;
+  LineFacets facets_;
+  Cost cost_;
   StageTally tally_;
 };
 
@@ -101,22 +104,18 @@ void LineAnswer::clip_by(OwnEnds ends, bool is_point, const Beyond& beyond, cons
   const Sign b_first = ends.b ? beyond(false, own_b) : Sign::negative;
   if (b_first == Sign::positive) return set_apart(parting(false, own_b));
   if (a_last == Sign::zero || b_first == Sign::zero) {
-    cut_.kind = CutKind::point;
-    CutEnd& end = a_last == Sign::zero ? cut_.last : cut_.first;
-    end.own = a_last == Sign::zero ? OwnEnd::a : own_b;
-    cut_.first = cut_.last = CutEnd(end);
-    return;
+    return a_last == Sign::zero ? set_point({last_.at, OwnEnd::a}) : set_point({first_.at, own_b});
   }
-  if (cut_.kind == CutKind::point) return;
-  const CutFeature between = cut_.kind == CutKind::along ? cut_.surface : CutFeature{CutPlace::inside, 0, 0};
+  if (kind_ == CutKind::point) return;
+  const CutFeature between = kind_ == CutKind::along ? surface_ : CutFeature{CutPlace::inside, 0, 0};
   const auto shorten = [&](Sign outward, CutEnd& end, OwnEnd own) {
     if (outward == Sign::positive) return;
     if (outward == Sign::negative) end.at = between;
     end.own = own;
   };
-  shorten(beyond(false, OwnEnd::a), cut_.first, OwnEnd::a);
-  if (ends.b) shorten(beyond(true, own_b), cut_.last, own_b);
-  if (is_point) cut_.kind = CutKind::point;
+  shorten(beyond(false, OwnEnd::a), first_, OwnEnd::a);
+  if (ends.b) shorten(beyond(true, own_b), last_, own_b);
+  if (is_point) kind_ = CutKind::point;
 }
 
 // The answer of a method that proposes: propose(line, holds, cost) calls holds(proposal) until that is true, and tells

@@ -29,7 +29,10 @@ bool equals(const ExactFraction& t, double x) { return order(t, {Dyadic(x)}) == 
 class Scan {
  public:
   Scan(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b)
-      : body_(body), a_(coordinates<Dyadic>(a)), way_(coordinates<Dyadic>(b) - a_) {
+      : body_(body),
+        is_point_(a == b),
+        a_(coordinates<Dyadic>(a)),
+        way_(is_point_ ? Exact{1.0, 0.0, 0.0} : coordinates<Dyadic>(b) - a_) {
     for (const Point3& p : body.vertices()) {
       vertices_.push_back(coordinates<Dyadic>(Posed3{p, &pose.affine(), false}));
       sum_ = vertices_.size() == 1 ? vertices_[0] : sum(sum_, vertices_.back());
@@ -37,52 +40,58 @@ class Scan {
     add_half_spaces();
   }
 
-  PolyhedronCut cut(bool ends_a, bool ends_b) {
-    PolyhedronCut cut;
-    cut.decided_by = DecidedBy::scan;
-    cut.cost.probes = vertices_.size();
+  PolyhedronCut cut(OwnEnds ends) const {
+    PolyhedronCut answer{evidence(ends), DecidedBy::scan, {}};
+    answer.cost.probes = vertices_.size();
+    return answer;
+  }
+
+ private:
+  PolyhedronCut::Evidence evidence(OwnEnds ends) const {
     std::optional<ExactFraction> low, high;
-    if (ends_a) low = ExactFraction{};
-    if (ends_b) high = ExactFraction{Dyadic(1.0)};
-    if (is_zero(way_)) high = ExactFraction{};
-    for (const HalfSpace& half : half_spaces_) {
+    LineFacets of_line;
+    for (std::uint32_t k = 0; k < half_spaces_.size(); ++k) {
+      const HalfSpace& half = half_spaces_[k];
       Dyadic along = dot(half.normal, way_), reach = dot(half.normal, half.on - a_);
       switch (along.sign()) {
         case Sign::zero:
-          if (reach.sign() == Sign::negative) return cut;
+          if (reach.sign() == Sign::negative) return CutParting{};
           break;
         case Sign::positive: {
           ExactFraction t{std::move(reach), std::move(along)};
-          if (!high || order(t, *high) == Sign::negative) high = std::move(t);
+          if (high && order(t, *high) != Sign::negative) break;
+          high = std::move(t);
+          of_line.leaves = k;
           break;
         }
         case Sign::negative: {
           ExactFraction t{-reach, -along};
-          if (!low || order(t, *low) == Sign::positive) low = std::move(t);
+          if (low && order(t, *low) != Sign::positive) break;
+          low = std::move(t);
+          of_line.enters = k;
           break;
         }
       }
     }
+    const ExactFraction begin, end{Dyadic(is_point_ ? 0.0 : 1.0)};
+    if (ends.a && order(*low, begin) == Sign::negative) low = begin;
+    if (ends.b && order(*high, end) == Sign::positive) high = end;
     const Sign length = order(*high, *low);
-    if (length == Sign::negative) return cut;
-    const auto own = [&](const ExactFraction& t) {
-      return ends_a && equals(t, 0) ? OwnEnd::a : ends_b && equals(t, 1) ? OwnEnd::b : OwnEnd::none;
+    if (length == Sign::negative) return CutParting{};
+    const auto end_at = [&](const ExactFraction& t) {
+      const OwnEnd own = ends.a && equals(t, 0) ? OwnEnd::a : ends.b && equals(t, 1) ? OwnEnd::b : OwnEnd::none;
+      return CutEnd{feature_at(t), own};
     };
-    cut.first = {feature_at(*low), own(*low)};
-    cut.last = {feature_at(*high), own(*high)};
-    if (length == Sign::zero) {
-      cut.kind = CutKind::point;
-      return cut;
-    }
+    // Of a body with an inside, each half-space is a facet's.
+    const std::optional<LineFacets> facets = body_.dimension() == 3 ? std::optional(of_line) : std::nullopt;
+    if (length == Sign::zero) return CutPoint{end_at(*low), facets};
     const ExactFraction middle{low->numerator * high->denominator + high->numerator * low->denominator,
                                (low->denominator * high->denominator).scaled(1)};
-    cut.surface = feature_at(middle);
-    cut.kind = cut.surface.place == CutPlace::inside ? CutKind::across : CutKind::along;
-    if (cut.kind == CutKind::across) cut.surface = {};
-    return cut;
+    const CutFeature between = feature_at(middle);
+    if (between.place == CutPlace::inside) return CutAcross{end_at(*low), end_at(*high), of_line};
+    return CutAlong{end_at(*low), end_at(*high), between, facets};
   }
 
- private:
   // With the body on the side where its middle is, or on both sides.
   void add(Exact normal, const Exact& on) {
     const Sign side = dot(normal, sum_ - times(static_cast<double>(vertices_.size()), on)).sign();
@@ -154,6 +163,7 @@ class Scan {
   }
 
   const ConvexPolyhedron& body_;
+  bool is_point_;  // then the way is any
   Exact a_, way_, sum_;
   std::vector<Exact> vertices_;
   std::vector<HalfSpace> half_spaces_;
@@ -162,15 +172,15 @@ class Scan {
 }  // namespace
 
 PolyhedronCut polyhedron_line_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Line& line) {
-  return Scan(body, pose, line.a, line.b).cut(false, false);
+  return Scan(body, pose, line.a, line.b).cut({});
 }
 
 PolyhedronCut polyhedron_ray_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Ray& ray) {
-  return Scan(body, pose, ray.a, ray.b).cut(true, false);
+  return Scan(body, pose, ray.a, ray.b).cut({.a = true, .b = false});
 }
 
 PolyhedronCut polyhedron_segment_by_scan(const ConvexPolyhedron& body, const Pose& pose, const Segment& segment) {
-  return Scan(body, pose, segment.a, segment.b).cut(true, true);
+  return Scan(body, pose, segment.a, segment.b).cut({.a = true, .b = true});
 }
 
 }  // namespace sunder::solid

@@ -33,7 +33,7 @@ struct Ends {
   bool is_line, is_segment;
   bool is_point() const { return is_segment && a == b; }
 };
-Ends ends_of(const LineLike& other) {
+Ends points_of(const LineLike& other) {
   return std::visit(
       [&](const auto& o) {
         return Ends{o.a, o.b, std::holds_alternative<Line>(other), std::holds_alternative<Segment>(other)};
@@ -47,7 +47,7 @@ class Claims {
       : placed_(body, pose),
         body_(body),
         pose_(pose),
-        ends_(ends_of(other)),
+        ends_(points_of(other)),
         line_(line_through(ends_.a, ends_.b)),
         a_(coordinates<Dyadic>(ends_.a)),
         b_(coordinates<Dyadic>(ends_.b)),
@@ -56,14 +56,14 @@ class Claims {
 
   // Requires that they are apart.
   std::array<Dyadic, 3> parting() {
-    const CutParting& p = cut_.parting;
+    const auto& p = std::get<CutParting>(cut_.evidence);
     const Exact& beyond = p.beyond == OwnEnd::b ? b_ : a_;
     const auto arrow = [&] { return vertex(p.j) - vertex(p.i); };
     const auto towards = [&](const Exact& direction, std::uint32_t v) {
       return dot(direction, beyond - vertex(v)).sign() == Sign::negative ? -direction : direction;
     };
-    using enum CutParting::Kind;
-    switch (p.kind) {
+    using enum CutParting::By;
+    switch (p.by) {
       case facets: return numbers(mixed(p.i, p.j));
       case facet: return numbers(towards(normal(p.i), body_.facet(p.i)[0]));
       case edge_and_line: return numbers(towards(cross(arrow(), way_), p.i));
@@ -71,25 +71,26 @@ class Claims {
       case edge: return numbers(towards(out_of_edge(arrow()), p.i));
       case perpendicular: return numbers(across_line(a_ - vertex(p.i)));
       case line: return numbers(towards(way_, p.i));
-      case none: break;
+      case untold: break;
     }
     SUNDER_REQUIRE(false);
     return {};
   }
 
-  CommonPoint some_point() { return point_at(cut_.last); }
+  CommonPoint some_point() { return point_at(ends().last); }
 
   // Requires that they meet.
   void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
     if (ends_.is_point()) return;
-    pairs.add_common_part(a, b, point_at(cut_.first), point_at(cut_.last), direction_out(cut_.first, -way_, OwnEnd::a),
-                          direction_out(cut_.last, way_, OwnEnd::b));
+    const auto& [first, last] = ends();
+    pairs.add_common_part(a, b, point_at(first), point_at(last), direction_out(first, -way_, OwnEnd::a),
+                          direction_out(last, way_, OwnEnd::b));
   }
 
   // Requires that they overlap.
   CommonPoint overlapping_point() {
-    const ExactFraction s = exact_end(placed_, line_, cut_.first).along_line,
-                        t = exact_end(placed_, line_, cut_.last).along_line;
+    const ExactFraction s = exact_end(placed_, line_, ends().first).along_line,
+                        t = exact_end(placed_, line_, ends().last).along_line;
     const ExactFraction middle{s.numerator * t.denominator + t.numerator * s.denominator,
                                (s.denominator * t.denominator).scaled(1)};
     const Exact p = a_ * middle.denominator + way_ * middle.numerator;
@@ -99,7 +100,7 @@ class Claims {
   // Requires that they touch. A plane through the common part parts them weakly: one of a facet or of an edge there
   // does, or the one between two facets that holds the line.
   std::array<Dyadic, 3> touching_direction() {
-    const ExactPoint3 p = exact_end(placed_, line_, cut_.last).point;
+    const ExactPoint3 p = exact_end(placed_, line_, ends().last).point;
     for (const Exact& direction : candidates()) {
       for (const Exact& d : {direction, -direction}) {
         if (supports(d, p)) return numbers(d);
@@ -110,6 +111,12 @@ class Claims {
   }
 
  private:
+  // Requires that they meet; so below.
+  CutEnds<CutEnd> ends() const { return ends_of(cut_.evidence).value(); }
+
+  // Of the whole line, which meets the body, and this has an inside.
+  LineFacets facets_of_line() const { return facets_of(polyhedron_line(body_, pose_, line_).evidence).value(); }
+
   CommonPoint point_at(const CutEnd& at) {
     const ExactEnd end = exact_end(placed_, line_, at);
     return common_point(end.point, end.along_line, false);
@@ -135,7 +142,7 @@ class Claims {
     std::vector<Exact> found;
     switch (body_.dimension()) {
       case 3: {
-        const PolyhedronCut of_line = polyhedron_line(body_, pose_, line_);
+        const LineFacets of_line = facets_of_line();
         return {normal(of_line.leaves), normal(of_line.enters)};
       }
       case 2:
@@ -190,20 +197,22 @@ class Claims {
     switch (body_.dimension()) {
       case 3: {
         const PolyhedronCut of_line = polyhedron_line(body_, pose_, line_);
-        for (const CutFeature& at : {of_line.surface, cut_.last.at}) {
-          if (of_line.kind != CutKind::along) break;
-          if (at.place == CutPlace::facet) found.push_back(normal(at.feature));
-          if (at.place != CutPlace::edge) continue;
-          found.push_back(normal(represent::of<FacetGraph>(body_).edge(at.feature, at.other)->facet));
+        if (const auto* along = std::get_if<CutAlong>(&of_line.evidence)) {
+          for (const CutFeature& at : {along->surface, ends().last.at}) {
+            if (at.place == CutPlace::facet) found.push_back(normal(at.feature));
+            if (at.place != CutPlace::edge) continue;
+            found.push_back(normal(represent::of<FacetGraph>(body_).edge(at.feature, at.other)->facet));
+          }
         }
-        found.push_back(mixed(of_line.enters, of_line.leaves));
-        for (const std::uint32_t f : {of_line.leaves, of_line.enters}) found.push_back(normal(f));
+        const LineFacets facets = facets_of(of_line.evidence).value();
+        found.push_back(mixed(facets.enters, facets.leaves));
+        for (const std::uint32_t f : {facets.leaves, facets.enters}) found.push_back(normal(f));
         break;
       }
       case 2:
         found.push_back(cross(normal(0), way_));
         // The edges that hold the common part, or of which it is an end.
-        for (const auto& [v, w] : edges_at(cut_.kind == CutKind::along ? cut_.surface : cut_.last.at)) {
+        for (const auto& [v, w] : edges_at(held_by())) {
           found.push_back(cross(vertex(w) - vertex(v), way_));
           found.push_back(cross(vertex(w) - vertex(v), normal(0)));
         }
@@ -217,6 +226,12 @@ class Claims {
       default: found = {way_};
     }
     return found;
+  }
+
+  // What holds all of the common part but its ends; of one point, what holds that.
+  CutFeature held_by() const {
+    const auto* along = std::get_if<CutAlong>(&cut_.evidence);
+    return along != nullptr ? along->surface : ends().last.at;
   }
 
   // Is p furthest of the body along the direction, and first of the other, and are not all of both as far?
@@ -353,15 +368,18 @@ PolyhedronCut polyhedron_line_like(const ConvexPolyhedron& body, const Pose& pos
 
 Relation contact_of(const ConvexPolyhedron& body, const LineLike& other, const PolyhedronCut& cut) {
   if (!cut.meet()) return Relation::none;
-  const bool is_point = cut.kind == CutKind::point;
-  const CutPlace at = cut.kind == CutKind::across ? CutPlace::inside : is_point ? cut.last.at.place : cut.surface.place;
+  const auto* point = std::get_if<CutPoint>(&cut.evidence);
+  const auto* along = std::get_if<CutAlong>(&cut.evidence);
+  const CutPlace at = point != nullptr   ? point->at.at.place
+                      : along != nullptr ? along->surface.place
+                                         : CutPlace::inside;
   const bool inner_of_body = static_cast<int>(at) == body.dimension();
-  const bool inner_of_other = !is_point || cut.last.own == OwnEnd::none || ends_of(other).is_point();
+  const bool inner_of_other = point == nullptr || point->at.own == OwnEnd::none || points_of(other).is_point();
   return inner_of_body && inner_of_other ? Relation::overlapping : Relation::touching;
 }
 
 LineBody body_of(const LineLike& other) {
-  const auto [a, b, is_line, is_segment] = ends_of(other);
+  const auto [a, b, is_line, is_segment] = points_of(other);
   if (is_segment) return {a == b ? std::vector{a} : std::vector{a, b}, {}};
   LineBody body{{a}, {{a, b}}};
   if (is_line) body.ways.push_back({b, a});

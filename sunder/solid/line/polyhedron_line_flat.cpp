@@ -17,7 +17,7 @@ namespace sunder::solid {
 namespace {
 
 using Exact = Vector3<Dyadic>;
-using Kind = CutParting::Kind;
+using By = CutParting::By;
 
 CutEnd at_vertex(std::uint32_t v) { return {{CutPlace::vertex, v, 0}, OwnEnd::none}; }
 CutEnd at_edge(std::uint32_t v, std::uint32_t w) {
@@ -31,7 +31,7 @@ Sign order(const ExactFraction& t, double whole) { return (t.numerator - Dyadic(
 }  // namespace
 
 void LineAnswer::decide_flat(OwnEnds ends, bool is_point) {
-  cut_.cost.probes += std::min<std::size_t>(body_.graph.vertices.size(), 3);
+  cost_.probes += std::min<std::size_t>(body_.graph.vertices.size(), 3);
   switch (body_.body.dimension()) {
     case 0: decide_point(); break;
     case 1: decide_segment(); break;
@@ -41,36 +41,33 @@ void LineAnswer::decide_flat(OwnEnds ends, bool is_point) {
 }
 
 void LineAnswer::decide_point() {
-  if (!are_collinear(line_.a, line_.b, body_[0], &tally_)) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
-  cut_.kind = CutKind::point;
-  cut_.first = cut_.last = at_vertex(0);
+  if (!are_collinear(line_.a, line_.b, body_[0], &tally_)) return set_apart({By::perpendicular, 0, 0, OwnEnd::a});
+  set_point(at_vertex(0));
 }
 
 void LineAnswer::decide_segment() {
   if (orient_3d(line_.a, line_.b, body_[0], body_[1], &tally_) != Sign::zero) {
-    return set_apart({Kind::edge_and_line, 0, 1, OwnEnd::a});
+    return set_apart({By::edge_and_line, 0, 1, OwnEnd::a});
   }
   ++tally_.exact;
   const Exact a = coordinates<Dyadic>(line_.a), way = coordinates<Dyadic>(line_.b) - a;
   const Exact p = coordinates<Dyadic>(body_[0]), edge = coordinates<Dyadic>(body_[1]) - p;
   const Exact normal = cross(way, edge);
   if (is_zero(normal)) {
-    if (!is_zero(cross(way, p - a))) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
+    if (!is_zero(cross(way, p - a))) return set_apart({By::perpendicular, 0, 0, OwnEnd::a});
     const bool forward = dot(way, edge).sign() == Sign::positive;
-    cut_.kind = CutKind::along;
-    cut_.first = at_vertex(forward ? 0 : 1);
-    cut_.last = at_vertex(forward ? 1 : 0);
-    cut_.surface = {CutPlace::edge, 0, 1};
+    kind_ = CutKind::along;
+    first_ = at_vertex(forward ? 0 : 1);
+    last_ = at_vertex(forward ? 1 : 0);
+    surface_ = {CutPlace::edge, 0, 1};
     return;
   }
   // At p + s edge: way x (p + s edge - a) is zero.
   const Dyadic s = dot(cross(way, a - p), normal), whole = dot(normal, normal);
   const Sign before = s.sign(), after = (s - whole).sign();
-  if (before == Sign::negative) return set_apart({Kind::perpendicular, 0, 0, OwnEnd::a});
-  if (after == Sign::positive) return set_apart({Kind::perpendicular, 1, 0, OwnEnd::a});
-  cut_.kind = CutKind::point;
-  cut_.first = before == Sign::zero ? at_vertex(0) : after == Sign::zero ? at_vertex(1) : at_edge(0, 1);
-  cut_.last = cut_.first;
+  if (before == Sign::negative) return set_apart({By::perpendicular, 0, 0, OwnEnd::a});
+  if (after == Sign::positive) return set_apart({By::perpendicular, 1, 0, OwnEnd::a});
+  set_point(before == Sign::zero ? at_vertex(0) : after == Sign::zero ? at_vertex(1) : at_edge(0, 1));
 }
 
 void LineAnswer::decide_polygon() {
@@ -78,13 +75,11 @@ void LineAnswer::decide_polygon() {
   if (of_line != Sign::zero) {
     const Pierced pierced = pierce(0, of_line == Sign::negative ? Sense::entering : Sense::leaving);
     if (!pierced.is_pierced) {
-      return set_apart({Kind::edge_and_line, pierced.across[0], pierced.across[1], OwnEnd::a});
+      return set_apart({By::edge_and_line, pierced.across[0], pierced.across[1], OwnEnd::a});
     }
-    cut_.kind = CutKind::point;
-    cut_.first = cut_.last = {pierced.at, OwnEnd::none};
-    return;
+    return set_point({pierced.at, OwnEnd::none});
   }
-  if (beyond(line_.a, 0) != Sign::zero) return set_apart({Kind::facet, 0, 0, OwnEnd::a});
+  if (beyond(line_.a, 0) != Sign::zero) return set_apart({By::facet, 0, 0, OwnEnd::a});
   decide_in_plane();
 }
 
@@ -100,15 +95,15 @@ void LineAnswer::decide_in_plane() {
   const WorldDirection direction(left);
   Along along(direction, body_.pose, body_.tame);
   const auto height = [&](std::uint32_t vertex) {
-    ++cut_.cost.probes;
+    ++cost_.probes;
     ++tally_.exact;
     return dot(left, coordinates<Dyadic>(body_[vertex]) - a).sign();
   };
-  const std::uint32_t highest = extreme_vertex_from(body_, along, End::greatest, 0, cut_.cost, tally_),
-                      lowest = extreme_vertex_from(body_, along, End::least, 0, cut_.cost, tally_);
+  const std::uint32_t highest = extreme_vertex_from(body_, along, End::greatest, 0, cost_, tally_),
+                      lowest = extreme_vertex_from(body_, along, End::least, 0, cost_, tally_);
   const Sign of_highest = height(highest), of_lowest = height(lowest);
-  if (of_highest == Sign::negative) return set_apart({Kind::perpendicular, highest, 0, OwnEnd::a});
-  if (of_lowest == Sign::positive) return set_apart({Kind::perpendicular, lowest, 0, OwnEnd::a});
+  if (of_highest == Sign::negative) return set_apart({By::perpendicular, highest, 0, OwnEnd::a});
+  if (of_lowest == Sign::positive) return set_apart({By::perpendicular, lowest, 0, OwnEnd::a});
   const FacetGraph& graph = represent::of<FacetGraph>(body_.body);
   const auto position = [&](std::uint32_t vertex) {
     std::uint32_t k = graph.begin[vertex];
@@ -118,14 +113,13 @@ void LineAnswer::decide_in_plane() {
   const auto at = [&](std::uint32_t k) { return cycle[k < n ? k : k - n]; };
   if (of_highest == Sign::zero || of_lowest == Sign::zero) {
     const std::uint32_t k = position(of_highest == Sign::zero ? highest : lowest), vertex = at(k);
-    cut_.kind = CutKind::point;
-    cut_.first = cut_.last = at_vertex(vertex);
+    set_point(at_vertex(vertex));
     for (const std::uint32_t other : {at(k + 1), at(k + n - 1)}) {
       if (height(other) != Sign::zero) continue;
       const Exact edge = coordinates<Dyadic>(body_[other]) - coordinates<Dyadic>(body_[vertex]);
-      cut_.kind = CutKind::along;
-      cut_.surface = at_edge(vertex, other).at;
-      (dot(edge, way).sign() == Sign::positive ? cut_.last : cut_.first) = at_vertex(other);
+      kind_ = CutKind::along;
+      surface_ = at_edge(vertex, other).at;
+      (dot(edge, way).sign() == Sign::positive ? last_ : first_) = at_vertex(other);
     }
     return;
   }
@@ -147,21 +141,21 @@ void LineAnswer::decide_in_plane() {
     return of_high == Sign::zero ? at_vertex(at(high)) : at_edge(at(low), at(high));
   };
   const std::uint32_t top = position(highest), bottom = position(lowest);
-  cut_.kind = CutKind::along;
-  cut_.surface = at_facet().at;
-  cut_.last = crossing(bottom, top, of_lowest);
-  cut_.first = crossing(top, bottom, of_highest);
+  kind_ = CutKind::along;
+  surface_ = at_facet().at;
+  last_ = crossing(bottom, top, of_lowest);
+  first_ = crossing(top, bottom, of_highest);
 }
 
 // What parts the body from an own end: beyond this end of the common part (sense positive), or before it (negative).
 CutParting LineAnswer::parting_at(const CutEnd& end, Sign sense, OwnEnd beyond) {
   const int dimension = body_.body.dimension();
-  if (dimension == 0) return {Kind::line, 0, 0, beyond};
+  if (dimension == 0) return {By::line, 0, 0, beyond};
   if (dimension == 1) {
-    return {cut_.kind == CutKind::along ? Kind::line : Kind::edge, end.at.feature, 1 - end.at.feature, beyond};
+    return {kind_ == CutKind::along ? By::line : By::edge, end.at.feature, 1 - end.at.feature, beyond};
   }
-  if (facing(0) != Sign::zero) return {Kind::facet, 0, 0, beyond};
-  if (end.at.place == CutPlace::edge) return {Kind::edge_in_plane, end.at.feature, end.at.other, beyond};
+  if (facing(0) != Sign::zero) return {By::facet, 0, 0, beyond};
+  if (end.at.place == CutPlace::edge) return {By::edge_in_plane, end.at.feature, end.at.other, beyond};
   // One of the vertex's edges, across which the line goes out.
   const auto [u, v, w] = corners(0);
   const Exact from = coordinates<Dyadic>(u);
@@ -173,16 +167,16 @@ CutParting LineAnswer::parting_at(const CutEnd& end, Sign sense, OwnEnd beyond) 
     const auto& [to, facet, position] = graph.edges[k];
     const Exact edge = coordinates<Dyadic>(body_[to]) - coordinates<Dyadic>(body_[at]);
     const Sign outward = facet == 0 ? Sign::positive : Sign::negative;  // of facet 0's edge from `at`, or to it
-    if (dot(cross(edge, normal), way).sign() * outward == sense) return {Kind::edge_in_plane, at, to, beyond};
+    if (dot(cross(edge, normal), way).sign() * outward == sense) return {By::edge_in_plane, at, to, beyond};
   }
   return {};
 }
 
 void LineAnswer::clip_flat(OwnEnds ends, bool is_point) {
-  if (cut_.kind == CutKind::nothing || !ends.a) return;
+  if (kind_ == CutKind::nothing || !ends.a) return;
   ++tally_.exact;
-  const ExactFraction first = exact_end(body_, line_, cut_.first).along_line,
-                      last = exact_end(body_, line_, cut_.last).along_line;
+  const ExactFraction first = exact_end(body_, line_, first_).along_line,
+                      last = exact_end(body_, line_, last_).along_line;
   clip_by(
       ends, is_point,
       [&](bool at_last, OwnEnd own) {
@@ -190,7 +184,7 @@ void LineAnswer::clip_flat(OwnEnds ends, bool is_point) {
         return at_last ? -order(last, at) : order(first, at);
       },
       [&](bool at_last, OwnEnd own) {
-        return parting_at(at_last ? cut_.last : cut_.first, at_last ? Sign::positive : Sign::negative, own);
+        return parting_at(at_last ? last_ : first_, at_last ? Sign::positive : Sign::negative, own);
       });
 }
 
