@@ -17,7 +17,7 @@
 
 namespace sunder::planar {
 
-struct PolygonHalfPlane {
+struct [[nodiscard]] PolygonHalfPlane {
   bool meet = false;
   bool touching = false;      // they meet, and only on the half-plane's line
   std::uint32_t witness = 0;  // number of a vertex

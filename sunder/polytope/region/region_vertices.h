@@ -18,7 +18,7 @@ namespace sunder::polytope {
 // V3. bounded: found.fans, as E5, of normals in R^d: of a flat part each cone has k half-spaces of at[k], and d - k of
 //     those whose multipliers are `flat`.
 // Not bounded: found is empty.
-struct RegionVertices {
+struct [[nodiscard]] RegionVertices {
   HalfSpaceRegion region;
   PolytopeVertices found;
 };

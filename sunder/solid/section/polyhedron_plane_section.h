@@ -44,7 +44,7 @@ struct SectionCorner {
   friend auto operator<=>(const SectionCorner&, const SectionCorner&) = default;
 };
 
-struct PlaneSection {
+struct [[nodiscard]] PlaneSection {
   SectionKind kind = SectionKind::nothing;
   std::vector<SectionCorner> corners;  // none, one, two, or more
 
