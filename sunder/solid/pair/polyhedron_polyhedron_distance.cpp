@@ -6,6 +6,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/estimate_ratio.h>
 #include <sunder/number/root.h>
+#include <sunder/solid/exact/exact_gjk.h>
 #include <sunder/solid/object/search_graph_walk.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
@@ -65,27 +66,26 @@ class Closest {
     return true;
   }
 
-  // From the features, which need not be the closest ones of their own hulls. Each step comes strictly nearer: where a
-  // vertex is further along the way d than the features are, the segment from their end of d to it has points that are
-  // nearer to the other end. So no features come twice, and there are only so many of them.
+  // From the features, which need not be the closest ones of their own hulls.
   void descend() {
-    VertexSet<Dyadic> of_a, of_b;
-    for (std::size_t k = 0; k < features.count_a; ++k) add(of_a, a_, features.of_a(k));
-    for (std::size_t k = 0; k < features.count_b; ++k) add(of_b, b_, features.of_b(k));
-    while (true) {
-      ++cost_.iterations;
-      features = closest_features(of_a, of_b, &tally_.exact);
-      const PosedFeatures posed(a_, b_, features);
-      const std::optional<ExactWay> found = exact_way(posed.a(), posed.b());
-      ++tally_.exact;
-      SUNDER_REQUIRE(found.has_value());  // the bodies are apart
-      const auto [next_a, next_b] = extreme_vertices(found->way);
-      if (next_a == features.of_a(0) && next_b == features.of_b(0)) return;
-      keep(of_a, {features.vertices.data(), features.count_a});
-      keep(of_b, {features.vertices.data() + features.count_a, features.count_b});
-      add(of_a, a_, next_a);
-      add(of_b, b_, next_b);
-    }
+    ExactNearest nearest;
+    for (std::size_t k = 0; k < features.count_a; ++k) add(nearest.a, a_, features.of_a(k));
+    for (std::size_t k = 0; k < features.count_b; ++k) add(nearest.b, b_, features.of_b(k));
+    [[maybe_unused]] const bool are_apart = exact_gjk(*this, nearest, tally_.exact);
+    SUNDER_REQUIRE(are_apart);
+    features = nearest.closest.features;
+  }
+
+  // As the support of that search.
+  std::array<std::uint32_t, 2> extreme(const ExactNearest& nearest) {
+    ++cost_.iterations;
+    ++tally_.exact;
+    features = nearest.closest.features;
+    return extreme_vertices(nearest.closest.way);
+  }
+  void join(ExactNearest& nearest, const std::array<std::uint32_t, 2>& next) const {
+    add(nearest.a, a_, next[0]);
+    add(nearest.b, b_, next[1]);
   }
 
  private:
@@ -127,14 +127,6 @@ class Closest {
 
   static void add(VertexSet<Dyadic>& set, const Placed& body, std::uint32_t v) {
     if (!set.has(v)) set.add(v, coordinates<Dyadic>(body[v]));
-  }
-  static void keep(VertexSet<Dyadic>& set, std::span<const std::uint32_t> vertices) {
-    VertexSet<Dyadic> kept;
-    for (std::size_t k = 0; k < set.count; ++k) {
-      if (std::find(vertices.begin(), vertices.end(), set.vertex[k]) != vertices.end())
-        kept.add(set.vertex[k], set.at[k]);
-    }
-    set = kept;
   }
 
   const Placed& a_;

@@ -79,7 +79,7 @@ inline Interval distance_of(const PolyhedronDistance& answer) {
 // exact descent decides: from features to vertices that are further along the way, and to the nearest features of
 // these. Cost: that of polyhedron_polyhedron, and again at most 100 steps of search in each precision; the descent gets
 // nearer with each step, of which there are some one to ten, each with a walk over both graphs and up to 132 exact
-// ways. Sources: Gilbert, Johnson, Keerthi 1988; the descent is the same in exact numbers, as in Wolfe 1976.
+// ways. Sources: Gilbert, Johnson, Keerthi 1988; the descent is the same in exact numbers (solid/exact/exact_gjk.h).
 PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& a, const Pose& pose_a,  //
                                                   const ConvexPolyhedron& b, const Pose& pose_b);
 

@@ -2,37 +2,27 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/certificate/common_point.h>
 #include <sunder/number/dyadic.h>
 #include <sunder/number/vector.h>
+#include <sunder/predicate/point/shortest_way.h>
 #include <sunder/solid/search/placed.h>
 
-#include <array>
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 namespace sunder::solid {
 
-// A vertex of A's core and one of B's, at the beginning or at the end; weight over the sum of all weights.
-struct WayCorner {
-  std::uint32_t a = 0, b = 0;
-  bool at_end = false;
-  Vector3<Dyadic> at;  // A's less B's, with what A goes as seen from B
-  Dyadic weight;       // above zero
-};
-
-// At most three corners make `way`, the least vector of all that lead from B's core to A's at one time, times
-// `weight`, the sum of their weights.
+// The least way of all that lead from B's core to A's at one time. Its ends are made of up to three vertices of each,
+// over the way's denominator; of the same, `at_end` is the time.
 struct NearestOnTheWay {
-  std::vector<WayCorner> corners;
-  Vector3<Dyadic> way;
-  Dyadic weight;
+  ShortestWay<Dyadic> way;
+  Combination of_a, of_b;
+  Dyadic at_end;
 };
 
 // Both cores at a pose each; `begin`, `end`: what A is moved from there, less what B is, when the way begins and when
-// it ends; at rest they are equal. Nothing where the cores meet on their ways. Exact. Source: Wolfe 1976, "Finding the
-// nearest point in a polytope", in exact numbers: it comes nearer with each corner, so it ends. Cost: some three to
-// fifteen corners.
+// it ends; at rest they are equal. Nothing where the cores meet on their ways. Exact: the search of exact_gjk.h among
+// differences of a vertex of A and one of B, at the beginning or at the end. Cost: some three to fifteen of these.
 std::optional<NearestOnTheWay> nearest_on_the_way(const Placed& a, const Placed& b, const Vector3<Dyadic>& begin,
                                                   const Vector3<Dyadic>& end, Cost& cost, StageTally& tally);
 

@@ -1,9 +1,8 @@
-#include <sunder/base/contract.h>
 #include <sunder/number/exact_vector.h>
 #include <sunder/predicate/coordinates.h>
+#include <sunder/solid/exact/exact_gjk.h>
 #include <sunder/solid/round/round_finish.h>
 #include <sunder/solid/round/round_placed.h>
-#include <sunder/solid/search/closest_features.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
 #include <vector>
@@ -17,39 +16,6 @@ using Exact = Vector3<Dyadic>;
 Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Exact negated_exact(const Exact& v) { return {-v.x, -v.y, -v.z}; }
 
-// The nearest point to the origin of the hull of up to three points: the way there, and its weights.
-struct NearestPoint {
-  ShortestWay<Dyadic> way;
-  std::array<Dyadic, 3> weights;
-};
-NearestPoint nearest_point(const VertexSet<Dyadic>& set) {
-  FlatArrows<Dyadic> arrows;
-  arrows.r = set.at[0];
-  for (std::size_t k = 1; k < set.count; ++k) arrows.e[arrows.edges++] = set.at[0] - set.at[k];
-  NearestPoint found{shortest_way(arrows), {}};
-  const std::array<Dyadic, 4> all = weights_of(arrows, found.way);
-  std::copy(all.begin() + 1, all.end(), found.weights.begin());
-  if (found.way.reach.sign() == Sign::negative) {
-    found.way.way = negated_exact(found.way.way);
-    found.way.reach = -found.way.reach;
-  }
-  return found;
-}
-
-// Only those of the set that the hull's nearest point to the origin needs.
-VertexSet<Dyadic> reduced(const VertexSet<Dyadic>& set, StageTally& tally) {
-  VertexSet<Dyadic> origin;
-  origin.add(0, {Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)});
-  const FeatureVertices features = closest_features(origin, set, &tally.exact);
-  VertexSet<Dyadic> kept;
-  for (std::size_t k = 0; k < set.count; ++k) {
-    for (std::size_t j = 0; j < features.count_b; ++j) {
-      if (features.of_b(j) == set.vertex[k]) kept.add(set.vertex[k], set.at[k]);
-    }
-  }
-  return kept;
-}
-
 CommonPoint common(const PlacedRound& curved, const Exact& at, const Dyadic& weight, Combination of_polyhedron) {
   const ExactPoint3 point = exact_point(at, weight);
   return {point, made_by(curved, point), std::move(of_polyhedron)};
@@ -59,43 +25,43 @@ CommonPoint common(const PlacedRound& curved, const Exact& at, const Dyadic& wei
 
 class BallAndImages {
  public:
-  BallAndImages(const PlacedRound& ball, const PlacedRound& polyhedron)
-      : ball_(ball), polyhedron_(polyhedron), adjoint_(adjoint(ball.core.pose)) {
+  BallAndImages(const PlacedRound& ball, const PlacedRound& polyhedron, Cost& cost, StageTally& tally)
+      : ball_(ball), polyhedron_(polyhedron), adjoint_(adjoint(ball.core.pose)), cost_(cost), tally_(tally) {
     const auto& m = ball.core.pose.linear;
     determinant_ = adjoint_[0] * Dyadic(m[0]) + adjoint_[1] * Dyadic(m[3]) + adjoint_[2] * Dyadic(m[6]);
     centre_ = times(determinant_, coordinates<Dyadic>(ball.shape.points[0]));
   }
 
-  CurvedVerdict decide(std::uint32_t near, Cost& cost, StageTally& tally) const {
-    VertexSet<Dyadic> set;
-    set.add(near, at(near));
-    while (true) {
-      ++cost.iterations;
-      set = reduced(set, tally);
-      const NearestPoint found = nearest_point(set);
-      const Exact direction = pulled(found.way.way);
-      const WorldDirection world(direction);
-      Along along(world, polyhedron_.core.pose, polyhedron_.core.tame);
-      const std::uint32_t next = extreme_vertex_from(polyhedron_.core, along, End::least, set.vertex[0], cost, tally);
-      ++tally.exact;
-      if (next != set.vertex[0]) {
-        set.add(next, at(next));
-        continue;
-      }
-      const Dyadic radius = Dyadic(ball_.radius()) * determinant_;
-      CurvedVerdict verdict;
-      verdict.sign = (radius * radius * found.way.denominator - found.way.squared()).sign();
-      if (verdict.sign != Sign::positive) verdict.direction = direction;
-      if (verdict.sign == Sign::negative) return verdict;
-      Combination of_polyhedron{{}, found.way.denominator};
-      Exact sum{Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
-      for (std::size_t k = 0; k < set.count; ++k) {
-        of_polyhedron.parts.push_back({set.vertex[k], found.weights[k]});
-        sum = sum + times(found.weights[k], coordinates<Dyadic>(polyhedron_.core[set.vertex[k]]));
-      }
-      verdict.point = common(ball_, sum, found.way.denominator, std::move(of_polyhedron));
-      return verdict;
-    }
+  CurvedVerdict decide(std::uint32_t near) {
+    ExactNearest nearest = ExactNearest::to_origin();
+    join(nearest, {0, near});
+    exact_gjk(*this, nearest, tally_.exact);
+    const auto& [features, way, weights] = nearest.closest;
+    const Dyadic radius = Dyadic(ball_.radius()) * determinant_;
+    CurvedVerdict verdict;
+    verdict.sign = (radius * radius * way.denominator - way.squared()).sign();
+    if (verdict.sign != Sign::positive) verdict.direction = pulled(way.way);
+    if (verdict.sign == Sign::negative) return verdict;
+    Combination of_polyhedron{{}, way.denominator};
+    for (std::size_t k = 0; k < features.count_b; ++k)
+      of_polyhedron.parts.push_back({features.of_b(k), weights[k + 1]});
+    const Exact sum =
+        numerators_of(of_polyhedron, [&](std::uint32_t v) { return coordinates<Dyadic>(polyhedron_.core[v]); });
+    verdict.point = common(ball_, sum, way.denominator, std::move(of_polyhedron));
+    return verdict;
+  }
+
+  // As the support of the search for the nearest image to the origin, which is the centre.
+  std::array<std::uint32_t, 2> extreme(const ExactNearest& nearest) {
+    ++cost_.iterations;
+    ++tally_.exact;
+    const WorldDirection world(pulled(nearest.closest.way.way));
+    const Placed& core = polyhedron_.core;
+    Along along(world, core.pose, core.tame);
+    return {0, extreme_vertex_from(core, along, End::least, nearest.of_b(), cost_, tally_)};
+  }
+  void join(ExactNearest& nearest, const std::array<std::uint32_t, 2>& next) const {
+    nearest.b.add(next[1], at(next[1]));
   }
 
  private:
@@ -117,6 +83,8 @@ class BallAndImages {
   std::array<Dyadic, 9> adjoint_;
   Dyadic determinant_;
   Exact centre_;
+  Cost& cost_;
+  StageTally& tally_;
 };
 
 // ---- Cylinders and discs: what of the polyhedron lies between two planes across an axis.
@@ -134,7 +102,7 @@ class Slab {
   };
 
   Slab(const PlacedRound& polyhedron, const Exact& base, const Exact& axis, const Dyadic& height, StageTally& tally)
-      : core_(polyhedron.core), base_(base), axis_(axis), height_(height), tally_(tally) {
+      : core_(polyhedron.core), axis_(axis), tally_(tally) {
     const std::size_t n = core_.graph.vertices.size();
     for (std::uint32_t v = 0; v < n; ++v) {
       from_base.push_back(coordinates<Dyadic>(core_[v]) - base);
@@ -164,38 +132,38 @@ class Slab {
     Exact point;             // over the combination's denominator
     std::size_t corner = 0;  // one that it is made of
   };
-  Nearest nearest_to_axis() const {
-    std::vector<std::size_t> of{0};
-    while (true) {
-      VertexSet<Dyadic> set;
-      for (const std::size_t i : of) {
-        Exact at = corners[i].across;
-        for (const std::size_t j : of) {
-          if (j != i) at = times(corners[j].divisor, at);
-        }
-        set.add(static_cast<std::uint32_t>(i), at);
+  Nearest nearest_to_axis() {
+    ExactNearest nearest = ExactNearest::to_origin();
+    join(nearest, {0, 0});
+    exact_gjk(*this, nearest, tally_.exact);
+    return made(nearest.closest);
+  }
+
+  // As the support of the search for the nearest point to the axis among the corners, seen along it.
+  std::array<std::uint32_t, 2> extreme(const ExactNearest& nearest) {
+    const Exact& n = nearest.closest.way.way;
+    std::uint32_t least = nearest.of_b();
+    Dyadic value = dot(n, corners[least].across);
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
+      const Dyadic here = dot(n, corners[i].across);
+      if ((here * corners[least].divisor - value * corners[i].divisor).sign() != Sign::negative) continue;
+      least = i;
+      value = here;
+    }
+    tally_.exact += static_cast<std::uint32_t>(corners.size());
+    return {0, least};
+  }
+  // All of them times the divisors of all, `scale_`: then they are no fractions.
+  void join(ExactNearest& nearest, const std::array<std::uint32_t, 2>& next) {
+    VertexSet<Dyadic>& set = nearest.b;
+    set.add(next[1], {});
+    scale_ = Dyadic(1.0);
+    for (std::size_t k = 0; k < set.count; ++k) {
+      set.at[k] = corners[set.vertex[k]].across;
+      scale_ = scale_ * corners[set.vertex[k]].divisor;
+      for (std::size_t j = 0; j < set.count; ++j) {
+        if (j != k) set.at[k] = times(corners[set.vertex[j]].divisor, set.at[k]);
       }
-      set = reduced(set, tally_);
-      // The scale is that of all in `of`, which the distances are times of.
-      Dyadic scale(1.0);
-      for (const std::size_t i : of) scale = scale * corners[i].divisor;
-      const NearestPoint found = nearest_point(set);
-      of.assign(set.vertex.begin(), set.vertex.begin() + static_cast<std::ptrdiff_t>(set.count));
-      const Exact& n = found.way.way;
-      std::size_t least = of[0];
-      Dyadic value = dot(n, corners[least].across);
-      for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Dyadic here = dot(n, corners[i].across);
-        if ((here * corners[least].divisor - value * corners[i].divisor).sign() != Sign::negative) continue;
-        least = i;
-        value = here;
-      }
-      tally_.exact += static_cast<std::uint32_t>(corners.size());
-      if (least != of[0]) {
-        of.push_back(least);
-        continue;
-      }
-      return made(of, found, scale);
     }
   }
 
@@ -243,37 +211,35 @@ class Slab {
     c.across = cross(times(c.weight[0], from_base[u]) + times(c.weight[1], from_base[v]), axis_);
     corners.push_back(std::move(c));
   }
-  Nearest made(const std::vector<std::size_t>& of, const NearestPoint& found, const Dyadic& scale) const {
-    Nearest nearest{found.way.way, found.way.squared(), found.way.denominator * scale * scale, {}, {}, of[0]};
-    // The scaled points are all `scale` times the corners: the weights are those of the corners.
-    Dyadic divisors(1.0);
-    for (const std::size_t i : of) divisors = divisors * corners[i].divisor;
+  Nearest made(const ClosestWay<Dyadic>& closest) const {
+    const auto& [features, way, weights] = closest;
+    Nearest nearest{way.way, way.squared(), way.denominator * scale_ * scale_, {}, {}, features.of_b(0)};
+    // The scaled points are all `scale_` times the corners: the weights are those of the corners.
     Combination& sum = nearest.of_polyhedron;
-    sum.denominator = found.way.denominator * divisors;
-    nearest.point = {Dyadic(0.0), Dyadic(0.0), Dyadic(0.0)};
-    for (std::size_t k = 0; k < of.size(); ++k) {
-      const Corner& c = corners[of[k]];
-      Dyadic others = found.weights[k];
-      for (const std::size_t j : of) {
-        if (j != of[k]) others = others * corners[j].divisor;
-      }
-      for (std::size_t i = 0; i < c.count; ++i) {
-        const Dyadic weight = others * c.weight[i];
-        nearest.point = nearest.point + times(weight, coordinates<Dyadic>(core_[c.vertex[i]]));
-        sum.add(c.vertex[i], weight);
-      }
+    sum.denominator = way.denominator;
+    for (std::size_t k = 0; k < features.count_b; ++k) {
+      sum.denominator = sum.denominator * corners[features.of_b(k)].divisor;
     }
+    for (std::size_t k = 0; k < features.count_b; ++k) {
+      const Corner& c = corners[features.of_b(k)];
+      Dyadic others = weights[k + 1];
+      for (std::size_t j = 0; j < features.count_b; ++j) {
+        if (j != k) others = others * corners[features.of_b(j)].divisor;
+      }
+      for (std::size_t i = 0; i < c.count; ++i) sum.add(c.vertex[i], others * c.weight[i]);
+    }
+    nearest.point = numerators_of(sum, [&](std::uint32_t v) { return coordinates<Dyadic>(core_[v]); });
     return nearest;
   }
 
   const Placed& core_;
-  Exact base_, axis_;
-  Dyadic height_;
+  Exact axis_;
+  Dyadic scale_;
   StageTally& tally_;
 };
 
 // Within the radius of the axis, between base and base + height?
-CurvedVerdict within_radius(const PlacedRound& curved, const Slab& slab, const Exact& axis) {
+CurvedVerdict within_radius(const PlacedRound& curved, Slab& slab, const Exact& axis) {
   CurvedVerdict verdict;
   if (slab.corners.empty()) {
     verdict.sign = Sign::negative;
@@ -362,18 +328,19 @@ class EdgeAndCone {
 
 CurvedVerdict ellipsoid_polyhedron(const PlacedRound& ellipsoid, const PlacedRound& polyhedron, std::uint32_t near,
                                    Cost& cost, StageTally& tally) {
-  return BallAndImages(ellipsoid, polyhedron).decide(near, cost, tally);
+  return BallAndImages(ellipsoid, polyhedron, cost, tally).decide(near);
 }
 
 CurvedVerdict cylinder_polyhedron(const PlacedRound& cylinder, const PlacedRound& polyhedron, StageTally& tally) {
   const auto [base, axis] = *axis_of(cylinder);
-  return within_radius(cylinder, Slab(polyhedron, base, axis, dot(axis, axis), tally), axis);
+  Slab slab(polyhedron, base, axis, dot(axis, axis), tally);
+  return within_radius(cylinder, slab, axis);
 }
 
 CurvedVerdict cone_polyhedron(const PlacedRound& cone, const PlacedRound& polyhedron, StageTally& tally) {
   const auto [base, axis] = *axis_of(cone);
   CurvedVerdict verdict;
-  const Slab disc(polyhedron, base, axis, Dyadic(0.0), tally);
+  Slab disc(polyhedron, base, axis, Dyadic(0.0), tally);
   if (!disc.corners.empty()) {
     CurvedVerdict of_disc = within_radius(cone, disc, axis);
     if (of_disc.point) {

@@ -24,8 +24,8 @@ struct CurvedVerdict {
 
 // Exact; nothing unless the first body is curved, and the second one a polyhedron. Requires cores that are apart; near:
 // a vertex to begin with.
-//   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: a descent from
-//     features to vertices further along.
+//   ellipsoid: the nearest point of the polyhedron to the centre, where the ellipsoid is a ball: the search of
+//     exact_gjk.h.
 //   cylinder: the same across the axis, of what of the polyhedron lies between the planes of base and top. O(n) exact
 //     numbers a step.
 //   cone: it meets the polyhedron where the base disc or an edge does, given that the axis does not: a facet that meets

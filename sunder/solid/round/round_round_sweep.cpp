@@ -298,14 +298,10 @@ class RoundSweep {
     const auto nearest = nearest_on_the_way(a_.core, b_.core, Exact{}, path_, answer_.cost, tally_);
     if (!nearest) return cores_meet();
     if (!are_within_reach(*nearest)) {
-      answer_.evidence = PartedOnTheWay{numbers(times(Dyadic(-1.0), nearest->way))};
+      answer_.evidence = PartedOnTheWay{numbers(times(Dyadic(-1.0), nearest->way.way))};
       return;
     }
-    Time time{Dyadic(0.0), nearest->weight};
-    for (const WayCorner& corner : nearest->corners) {
-      if (corner.at_end) time.numerator = time.numerator + corner.weight;
-    }
-    const bool held = meets_at(time, made_at(*nearest));
+    const bool held = meets_at({nearest->at_end, nearest->way.denominator}, made_at(*nearest));
     SUNDER_REQUIRE(held);
     (void)held;
   }
@@ -319,20 +315,12 @@ class RoundSweep {
   }
 
   bool are_within_reach(const NearestOnTheWay& nearest) const {
-    const Dyadic far = (Dyadic(a_.radius()) + Dyadic(b_.radius())) * nearest.weight;
-    return (dot(nearest.way, nearest.way) - far * far).sign() != Sign::positive;
+    const Dyadic far = Dyadic(a_.radius()) + Dyadic(b_.radius());
+    return (nearest.way.squared() - far * far * nearest.way.denominator).sign() != Sign::positive;
   }
 
   // How the cores make the two points; where these are is not filled in.
-  static CommonPoint made_at(const NearestOnTheWay& nearest) {
-    CommonPoint made;
-    made.of_a.denominator = made.of_b.denominator = nearest.weight;
-    for (const WayCorner& corner : nearest.corners) {
-      made.of_a.add(corner.a, corner.weight);
-      made.of_b.add(corner.b, corner.weight);
-    }
-    return made;
-  }
+  static CommonPoint made_at(const NearestOnTheWay& nearest) { return {{}, nearest.of_a, nearest.of_b}; }
 
   void cores_meet() {
     const SweepAnswer cores = polyhedron_polyhedron_sweep(a_.body.core(), of_a_, b_.body.core(), of_b_);

@@ -10,6 +10,7 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -41,6 +42,14 @@ struct VertexSet {
   }
 };
 
+// Vertices that hold the nearest points, and how these lie.
+template <class T>
+struct ClosestWay {
+  FeatureVertices features{};
+  ShortestWay<T> way{};        // between the flats of the features
+  std::array<T, 4> weights{};  // of the features, all positive, over the way's denominator
+};
+
 namespace closest_features_detail {
 
 // Is it more than rounding may leave of zero? `size`: of what it was made of.
@@ -64,9 +73,9 @@ inline bool is_shorter(const ShortestWay<Dyadic>& x, const ShortestWay<Dyadic>& 
 
 // The vertices of the subsets, bit by bit, where the shortest way between their flats has positive weights.
 template <class T>
-std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, const VertexSet<T>& b, unsigned of_b,
-                                          FeatureVertices& named) {
-  named = {};
+std::optional<ClosestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, const VertexSet<T>& b, unsigned of_b) {
+  ClosestWay<T> found;
+  FeatureVertices& named = found.features;
   FlatArrows<T> arrows;
   std::size_t n = 0;
   const auto each = [&](const VertexSet<T>& set, unsigned subset, auto edge) {
@@ -88,49 +97,52 @@ std::optional<ShortestWay<T>> way_between(const VertexSet<T>& a, unsigned of_a, 
   const Vector3<T>* first_b = each(b, of_b, [](const auto& to, const auto& from) { return to - from; });
   named.count_b = static_cast<std::uint8_t>(n - named.count_a);
   arrows.r = *first_b - *first_a;
-  ShortestWay<T> way = shortest_way(arrows);
+  found.way = shortest_way(arrows);
   const auto& e = arrows.e;
-  const T size = arrows.edges == 2 ? dot(e[0], e[0]) * dot(e[1], e[1]) : way.denominator;
-  if (!is_positive(way.denominator, size)) return std::nullopt;
-  const std::array<T, 4> weights = weights_of(arrows, way);
+  const T size = arrows.edges == 2 ? dot(e[0], e[0]) * dot(e[1], e[1]) : found.way.denominator;
+  if (!is_positive(found.way.denominator, size)) return std::nullopt;
+  found.weights = weights_of(arrows, found.way);
   for (std::size_t k = 0; k < n; ++k) {
-    if (!is_positive(weights[k], T(0.0))) return std::nullopt;
+    if (!is_positive(found.weights[k], T(0.0))) return std::nullopt;
   }
-  return way;
+  return found;
 }
 
 }  // namespace closest_features_detail
 
-// The subsets whose hulls are as near to each other as those of all, with positive weights. (Of exact numbers there are
-// some always; in floating point a vertex of each, at least.) Requires one vertex of each.
+// The subsets whose hulls are as near to each other as those of all, with positive weights. Of exact numbers there are
+// some always; in floating point there may be none. Requires one vertex of each. Of hulls whose insides meet they need
+// not hold a common point.
 // Why: the nearest points of the hulls are convex combinations of vertices; those of least number are affinely
 // independent, and their flats' nearest points are these. With d the way, what of A is furthest along it and what of B
 // is least far lie in two parallel planes; the weights satisfy two equations there and one sum each, so four do.
 // Cost: at most 132 shortest ways, which are added to `ways`; one, where the first try is all vertices and does it.
 template <class T>
-FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b, std::uint32_t* ways = nullptr) {
+std::optional<ClosestWay<T>> closest_way(const VertexSet<T>& a, const VertexSet<T>& b, std::uint32_t& ways) {
   using closest_features_detail::is_shorter, closest_features_detail::way_between;
-  std::uint32_t uncounted = 0;
-  std::uint32_t& count = ways == nullptr ? uncounted : *ways;
-  FeatureVertices best{1, 1, {a.vertex[0], b.vertex[0]}}, named;
   const unsigned all_a = (1U << a.count) - 1, all_b = (1U << b.count) - 1;
   if (a.count + b.count <= 4) {
-    ++count;
-    if (way_between(a, all_a, b, all_b, named)) return named;
+    ++ways;
+    if (std::optional<ClosestWay<T>> of_all = way_between(a, all_a, b, all_b)) return of_all;
   }
-  std::optional<ShortestWay<T>> least;
+  std::optional<ClosestWay<T>> least;
   for (unsigned of_a = 1; of_a <= all_a; ++of_a) {
     for (unsigned of_b = 1; of_b <= all_b; ++of_b) {
       if (std::popcount(of_a) + std::popcount(of_b) > 4) continue;
-      ++count;
-      const std::optional<ShortestWay<T>> way = way_between(a, of_a, b, of_b, named);
-      if (!way) continue;
-      if (least && !is_shorter(*way, *least)) continue;
-      least = way;
-      best = named;
+      ++ways;
+      std::optional<ClosestWay<T>> found = way_between(a, of_a, b, of_b);
+      if (found && (!least || is_shorter(found->way, least->way))) least = std::move(found);
     }
   }
-  return best;
+  return least;
+}
+
+// Their vertices; the first of each, where there are none.
+template <class T>
+FeatureVertices closest_features(const VertexSet<T>& a, const VertexSet<T>& b) {
+  std::uint32_t ways = 0;
+  const std::optional<ClosestWay<T>> found = closest_way(a, b, ways);
+  return found ? found->features : FeatureVertices{1, 1, {a.vertex[0], b.vertex[0]}};
 }
 
 }  // namespace sunder::solid
