@@ -41,7 +41,7 @@ struct [[nodiscard]] DiscIntersection {
   // One is a whole disc. Arc m goes from corner m - 1 to corner m.
   std::vector<std::uint32_t> arcs;
 
-  DiscsDeepest deepest;  // meaningless for `plane`
+  DeepestPoint deepest;  // meaningless for `plane`
   Cost cost;             // probes: discs compared with a point or box, and pairs of circles compared in a sector
 };
 

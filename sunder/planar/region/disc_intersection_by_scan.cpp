@@ -46,7 +46,7 @@ class DiscScan {
   // Any discs that name the deepest point: those whose weights are not negative, and no other one has a greater power.
   void name_deepest() {
     const auto names = [&](std::initializer_list<std::uint32_t> discs) {
-      DiscsDeepest& deepest = out_.deepest;
+      DeepestPoint& deepest = out_.deepest;
       deepest.count = static_cast<std::uint32_t>(discs.size());
       std::copy(discs.begin(), discs.end(), deepest.discs.begin());
       const DiscBasis basis = discs_of(circles_.all(), deepest.basis());

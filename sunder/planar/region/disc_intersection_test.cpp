@@ -95,7 +95,7 @@ TEST(DiscsTest, NarrowerThanDoubles) {
   const std::vector<Disc> lens{{{x, 0}, 3 * part}, {{x + unit, 0}, unit - part}};
   EXPECT_EQ(arcs(lens), (Arcs{0, 1}));
   Cost cost;
-  const Viewpoint view = inside_of_all(lens, discs_deepest(lens), cost);
+  const Viewpoint view = inside_of_all(lens, discs_deepest(lens).point, cost);
   EXPECT_LT(view.in.x.low, view.in.x.high);
   for (const Disc& c : lens) EXPECT_EQ(power_at(view, c), Sign::negative);
   std::vector<Disc> more = lens;

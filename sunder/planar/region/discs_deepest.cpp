@@ -46,15 +46,15 @@ class InOrder {
         }
       }
     }
-    out_.power = deepest_power(basis_, &tally_);
+    out_.point.power = deepest_power(basis_, &tally_);
     out_.cost.exact += tally_.exact;
   }
 
  private:
   void set(std::initializer_list<std::uint32_t> discs) {
-    out_.count = static_cast<std::uint32_t>(discs.size());
-    std::copy(discs.begin(), discs.end(), out_.discs.begin());
-    basis_ = discs_of(circles_, out_.basis());
+    out_.point.count = static_cast<std::uint32_t>(discs.size());
+    std::copy(discs.begin(), discs.end(), out_.point.discs.begin());
+    basis_ = discs_of(circles_, out_.point.basis());
     bound_ = power_bound(basis_);
   }
   bool is_beyond_basis(std::size_t k) { return is_beyond(basis_, bound_, circles_[order_[k]], out_.cost, tally_); }
@@ -215,7 +215,7 @@ DiscsDeepest discs_deepest(std::span<const Disc> circles) {
   DiscsDeepest out;
   const Proposal<DoubleDouble> proposal = propose(circles, out.cost);
   InOrder(circles, {proposal.discs.data(), proposal.count}, out).run();
-  DiscBasis basis = discs_of(circles, out.basis());
+  DiscBasis basis = discs_of(circles, out.point.basis());
   PowerBound bound = power_bound(basis);
   StageTally tally;
   int changes = 0;
@@ -223,9 +223,10 @@ DiscsDeepest discs_deepest(std::span<const Disc> circles) {
   std::size_t k = 0;
   for (std::size_t held = 0; held < circles.size() && changes <= most_changes; ++held) {
     if (is_beyond(basis, bound, circles[k], out.cost, tally)) {
-      std::array<std::uint32_t, 4> few{static_cast<std::uint32_t>(k), out.discs[0], out.discs[1], out.discs[2]};
-      InOrder(circles, {few.data(), out.count + 1}, out).run();
-      basis = discs_of(circles, out.basis());
+      std::array<std::uint32_t, 4> few{static_cast<std::uint32_t>(k), out.point.discs[0], out.point.discs[1],
+                                       out.point.discs[2]};
+      InOrder(circles, {few.data(), out.point.count + 1}, out).run();
+      basis = discs_of(circles, out.point.basis());
       bound = power_bound(basis);
       ++changes;
       held = 0;

@@ -25,13 +25,17 @@
 
 namespace sunder::planar {
 
-struct [[nodiscard]] DiscsDeepest {
+struct DeepestPoint {
   std::array<std::uint32_t, 3> discs{};
   std::uint32_t count = 0;  // of the discs that name the point: 1 to 3
   Sign power = Sign::zero;  // at the point
-  Cost cost;                // probes: discs compared with the power of others
 
   std::span<const std::uint32_t> basis() const& { return {discs.data(), count}; }
+};
+
+struct [[nodiscard]] DiscsDeepest {
+  DeepestPoint point;
+  Cost cost;  // probes: discs compared with the power of others
 };
 
 // Those discs themselves, for predicate/disc/disc_powers.h.

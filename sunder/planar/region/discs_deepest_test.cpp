@@ -12,7 +12,7 @@ namespace sunder::planar {
 namespace {
 
 // D1 to D3.
-void expect_true(const std::vector<Disc>& circles, const DiscsDeepest& deepest) {
+void expect_true(const std::vector<Disc>& circles, const DeepestPoint& deepest) {
   ASSERT_GE(deepest.count, 1u);
   ASSERT_LE(deepest.count, 3u);
   const DiscBasis basis = discs_of(circles, deepest.basis());
@@ -22,8 +22,8 @@ void expect_true(const std::vector<Disc>& circles, const DiscsDeepest& deepest) 
   for (std::uint32_t k = 0; k < deepest.count; ++k) ASSERT_EQ(weights.numerators[k].sign(), Sign::positive);
 }
 
-DiscsDeepest deepest(const std::vector<Disc>& circles) {
-  const DiscsDeepest front = discs_deepest(circles), by_order = discs_deepest_by_order(circles);
+DeepestPoint deepest(const std::vector<Disc>& circles) {
+  const DeepestPoint front = discs_deepest(circles).point, by_order = discs_deepest_by_order(circles).point;
   expect_true(circles, front);
   expect_true(circles, by_order);
   EXPECT_EQ(front.power, by_order.power);

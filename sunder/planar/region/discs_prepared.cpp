@@ -29,7 +29,7 @@ std::vector<Disc> of_moderate_size(std::span<const Disc> circles) {
   return out;
 }
 
-Viewpoint inside_of_all(std::span<const Disc> circles, const DiscsDeepest& deepest, Cost& cost) {
+Viewpoint inside_of_all(std::span<const Disc> circles, const DeepestPoint& deepest, Cost& cost) {
   const DiscBasis basis = discs_of(circles, deepest.basis());
   const Point2 p = nearest(deepest_point(basis));
   const PowerBound bound{{p.x, p.y}, 0};

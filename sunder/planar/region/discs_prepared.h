@@ -15,7 +15,7 @@ namespace sunder::planar {
 std::vector<Disc> of_moderate_size(std::span<const Disc> circles);
 
 // A point inside of all of them, near the deepest one. Requires that this is inside.
-Viewpoint inside_of_all(std::span<const Disc> circles, const DiscsDeepest& deepest, Cost& cost);
+Viewpoint inside_of_all(std::span<const Disc> circles, const DeepestPoint& deepest, Cost& cost);
 
 // The discs of a chain that goes once round, as DiscIntersection has them.
 std::vector<std::uint32_t> arcs_of(std::span<const ArcPiece> chain);
@@ -26,13 +26,14 @@ DiscIntersection circles_part(const Discs& circles, const ChainOf& chain_of) {
   DiscIntersection out;
   if (circles.size() == 0) return out;
   const std::vector<Disc> moderate = of_moderate_size(circles.all());
-  out.deepest = discs_deepest(moderate);
-  out.cost = out.deepest.cost;
-  out.kind = out.deepest.power == Sign::positive ? DiscIntersectionKind::empty
-             : out.deepest.power == Sign::zero   ? DiscIntersectionKind::point
-                                                 : DiscIntersectionKind::region;
+  const auto [deepest, cost] = discs_deepest(moderate);
+  out.deepest = deepest;
+  out.cost = cost;
+  out.kind = deepest.power == Sign::positive ? DiscIntersectionKind::empty
+             : deepest.power == Sign::zero   ? DiscIntersectionKind::point
+                                             : DiscIntersectionKind::region;
   if (out.kind != DiscIntersectionKind::region) return out;
-  ArcChains chains(moderate, inside_of_all(moderate, out.deepest, out.cost));
+  ArcChains chains(moderate, inside_of_all(moderate, deepest, out.cost));
   out.arcs = arcs_of(chain_of(moderate, chains, out.cost));
   out.cost.probes += chains.cost().probes;
   out.cost.exact += chains.cost().exact;
