@@ -58,36 +58,34 @@ class FacetSearch {
   bool search() {
     const std::size_t m = complement_.dimension();
     // From somewhere in the bodies towards the flat.
-    Vector y{}, along{};
     const DifferencePoint inner = difference(a_.body().size() / 2, b_.body().size() / 2);
-    if (!towards_origin(complement_.coordinates(inner.at), m, y)) y[0] = 1;
     NearestSimplex simplex(m);
     CandidateRowsOfBoth candidates(a_.body(), b_.body());
     double largest = 0;  // of differences
-    for (int step = 0; step < most_normal_steps; ++step) {
-      along = complement_.vector(y);
+    bool is_filled = false;
+    const auto probe = [&](const Vector& y, DifferencePoint& next) {
+      if (simplex.is_at_origin(4 * largest)) return NearestStep::stop;
+      const Vector along = complement_.vector(y);
       const FurthestPoint of_a = likely_support(candidates.a, a_.pose(), along, 1, cost_),
                           of_b = likely_support(candidates.b, b_.pose(), along, -1, cost_);
       ++cost_.iterations;
-      DifferencePoint next = difference(of_a.index, of_b.index);
+      next = difference(of_a.index, of_b.index);
       double size = 0, product = 0;
       for (std::size_t c = 0; c < d_; ++c) size = std::max(size, std::fabs(next.at[c] - flat_[0].at[c]));
       for (std::size_t c = 0; c < d_; ++c) product += along[c] * (next.at[c] - flat_[0].at[c]);
-      const bool supports = !(product > about * size), is_known = simplex.has(next.a, next.b);
-      if ((supports || is_known) && candidates.widen()) continue;
-      if (supports) return fill_up(along);
-      if (is_known) return false;
-      next.at = complement_.coordinates(next.at);
-      if (!simplex.add(next) || simplex.is_full()) return false;
-      largest = std::max(largest, size);
-      if (simplex.is_at_origin(4 * largest)) {
-        take(simplex, part_matters);
-        return complement_.dimension() < m;
+      if (!(product > about * size)) {  // it supports them
+        if (candidates.widen()) return NearestStep::again;
+        is_filled = fill_up(along);
+        return NearestStep::stop;
       }
-      if (!towards_origin(simplex.nearest(), m, y)) return false;
-      candidates.narrow();
-    }
-    return false;
+      next.at = complement_.coordinates(next.at);
+      largest = std::max(largest, size);
+      return NearestStep::take;
+    };
+    simplex.search(complement_.coordinates(inner.at), most_normal_steps, &candidates, probe);
+    if (is_filled || simplex.is_full() || !simplex.is_at_origin(4 * largest)) return is_filled;
+    take(simplex, part_matters);
+    return complement_.dimension() < m;
   }
 
   // The plane is to be orthogonal to this direction.

@@ -63,9 +63,9 @@ class HalfSpaceSearch {
   std::optional<ExactDecision> search() {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
     CandidateRowsOfBoth candidates(a_.body(), b_.body());
-    for (int step = 0; step < most_directions; ++step) {
-      ColumnNumbers y{};
-      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_ + 1, y)) return decide_at_origin();
+    std::optional<ExactDecision> held;
+    simplex_.search({}, most_directions, &candidates, [&](const ColumnNumbers& y, DifferencePoint& next) {
+      if (simplex_.is_at_origin()) return NearestStep::stop;
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
@@ -73,23 +73,17 @@ class HalfSpaceSearch {
                           from_b = rounded_b_.most_broken(x, w, candidates.b, cost_);
       ++cost_.iterations;
       if (w > 0 && from_a.product < 0 && from_b.product < 0) {
-        if (candidates.widen()) continue;
-        if (auto held = inside(x, w, from_a.product, from_b.product)) return held;
+        if (candidates.widen()) return NearestStep::again;
+        held = inside(x, w, from_a.product, from_b.product);
+        if (held) return NearestStep::stop;
       }
       const bool is_of_a = from_a.product >= from_b.product;
       const FurthestPoint& furthest = is_of_a ? from_a : from_b;
-      const DifferencePoint next = -w * unit_ > furthest.product ? point(height, 0)
-                                   : is_of_a                     ? point(of_a, furthest.index)
-                                                                 : point(of_b, furthest.index);
-      if (simplex_.has(next.a, next.b)) {
-        if (candidates.widen()) continue;
-        return std::nullopt;
-      }
-      if (!simplex_.add(next)) return std::nullopt;
-      if (simplex_.is_full()) return contradiction();
-      candidates.narrow();
-    }
-    return std::nullopt;
+      next = -w * unit_ > furthest.product ? point(height, 0) : point(is_of_a ? of_a : of_b, furthest.index);
+      return NearestStep::take;
+    });
+    if (simplex_.is_full()) return contradiction();
+    return !held && simplex_.is_at_origin() ? decide_at_origin() : held;
   }
 
   // Does the point x / w break no half-space? The greatest numbers of each body's rows were these.
@@ -223,11 +217,11 @@ class HalfSpaceSearch {
     NearestSimplex simplex(complement.dimension());
     if (!simplex.add(projected(height, 0))) return std::nullopt;
     CandidateRowsOfBoth candidates(a_.body(), b_.body());
-    for (int step = 0; step < most_directions; ++step) {
-      ColumnNumbers y{}, x{};
-      if (simplex.is_full() || simplex.is_at_origin(1)) return std::nullopt;
-      if (!towards_origin(simplex.nearest(), complement.dimension(), y)) return std::nullopt;
-      y = complement.vector(y);
+    std::optional<ExactDecision> held;
+    simplex.search({}, most_directions, &candidates, [&](const ColumnNumbers& direction, DifferencePoint& next) {
+      if (simplex.is_at_origin(1)) return NearestStep::stop;
+      const ColumnNumbers y = complement.vector(direction);
+      ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
       const double w = y[d_];
       const FurthestPoint from_a = rounded_a_.most_broken(x, w, candidates.a, cost_),
@@ -236,22 +230,16 @@ class HalfSpaceSearch {
       const bool keeps_a = from_a.product < 0 || is_related(of_a, from_a.index),
                  keeps_b = from_b.product < 0 || is_related(of_b, from_b.index);
       if (w > 0 && keeps_a && keeps_b) {
-        if (auto held = inside_on_boundaries(of, x, w)) return held;
-        if (candidates.widen()) continue;
-        return std::nullopt;
+        held = inside_on_boundaries(of, x, w);
+        return !held && candidates.widen() ? NearestStep::again : NearestStep::stop;
       }
       const bool is_of_a = !keeps_a && (keeps_b || from_a.product >= from_b.product);
-      const DifferencePoint next = keeps_a && keeps_b ? projected(height, 0)
-                                   : is_of_a          ? projected(of_a, from_a.index)
-                                                      : projected(of_b, from_b.index);
-      if (simplex.has(next.a, next.b)) {
-        if (candidates.widen()) continue;
-        return std::nullopt;
-      }
-      if (!simplex.add(next)) return std::nullopt;
-      candidates.narrow();
-    }
-    return std::nullopt;
+      next = keeps_a && keeps_b ? projected(height, 0)
+             : is_of_a          ? projected(of_a, from_a.index)
+                                : projected(of_b, from_b.index);
+      return NearestStep::take;
+    });
+    return held;
   }
 
   // Does a point on the boundaries of these rows, near x / w, break no half-space?

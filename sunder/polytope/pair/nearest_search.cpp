@@ -29,7 +29,7 @@ bool NearestSimplex::is_at_origin(double size) const {
     rest = std::max(rest, std::fabs(nearest_[c]));
     for (std::size_t k = 0; k < size_; ++k) size = std::max(size, std::fabs(points_[k].at[c]));
   }
-  return rest <= size * 0x1p-49;
+  return size_ > 0 && rest <= size * 0x1p-49;
 }
 
 // With p_0 the first point and e_k = p_k - p_0: the least |p_0 + sum y_k e_k|^2, by the orthogonal parts of the edges

@@ -33,23 +33,22 @@ class Search {
   // True where a proposal held. First among samples of the points, then among shortlists: whatever their simplex is, it
   // goes on with all.
   bool search() {
-    Vector direction{};
-    if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
     CandidateRowsOfBoth candidates(a_, b_);
-    for (int step = 0; step < most_steps; ++step) {
+    bool are_apart = false;
+    simplex_.search(difference(0, 0).at, most_steps, &candidates, [&](const Vector& direction, DifferencePoint& next) {
+      if (simplex_.is_at_origin()) return NearestStep::stop;
       const FurthestPoint of_a = likely_support(candidates.a, pose_a_, direction, 1, answer_.cost),
                           of_b = likely_support(candidates.b, pose_b_, direction, -1, answer_.cost);
       ++answer_.cost.iterations;
-      const bool is_apart = of_a.product < of_b.product, is_known = simplex_.has(of_a.index, of_b.index);
-      if (candidates.are_all() && is_apart && parts(direction, of_a.product, of_b.product)) return true;
-      if ((is_apart || is_known) && candidates.widen()) continue;
-      if (is_known) return false;
-      if (!simplex_.add(difference(of_a.index, of_b.index))) return false;
-      if (simplex_.is_full()) return holds_origin();
-      if (simplex_.is_at_origin() || !towards_origin(simplex_.nearest(), d_, direction)) return false;
-      candidates.narrow();
-    }
-    return false;
+      if (of_a.product < of_b.product) {
+        are_apart = candidates.are_all() && parts(direction, of_a.product, of_b.product);
+        if (are_apart) return NearestStep::stop;
+        if (candidates.widen()) return NearestStep::again;
+      }
+      next = difference(of_a.index, of_b.index);
+      return NearestStep::take;
+    });
+    return are_apart || (simplex_.is_full() && holds_origin());
   }
 
   DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {

@@ -31,23 +31,22 @@ class TreeSearch {
 
   // True where a direction parts the bodies: it is written down. Else they may meet.
   bool parts(PolytopeAnswer& answer) {
-    Vector direction{};
-    if (!towards_origin(difference(0, 0).at, d_, direction)) direction[0] = 1;
-    for (int step = 0; step < most_tree_steps && !simplex_.is_full(); ++step) {
-      const auto first = direction.begin(), last = first + static_cast<std::ptrdiff_t>(d_);
-      ExactVector along(first, last);
+    bool are_apart = false;
+    simplex_.search(difference(0, 0).at, most_tree_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
+      ExactVector along(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
       const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
       ++answer.cost.iterations;
       ++answer.cost.proposals;
-      if ((of_a.product + of_b.product).sign() == Sign::negative) {
+      are_apart = (of_a.product + of_b.product).sign() == Sign::negative;
+      if (are_apart) {
         answer.evidence =
             ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)})};
-        return true;
+        return NearestStep::stop;
       }
-      if (simplex_.has(of_a.index, of_b.index) || !simplex_.add(difference(of_a.index, of_b.index))) break;
-      if (!simplex_.is_full() && !towards_origin(simplex_.nearest(), d_, direction)) break;
-    }
-    return false;
+      next = difference(of_a.index, of_b.index);
+      return NearestStep::take;
+    });
+    return are_apart;
   }
 
   // The points of the simplex, of A or of B, each once.
