@@ -1,10 +1,10 @@
 #include <sunder/base/interruption.h>
+#include <sunder/number/exact/elimination_internal.h>
 #include <sunder/polytope/hull/full_hull.h>
 #include <sunder/polytope/hull/quickhull.h>
+#include <sunder/polytope/represent/far_apart.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -15,36 +15,14 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-// k + 1 points, each far from the flat of those before it, as floating point has it; fewer where it finds no more.
-Indices far_apart(const PlanePoints& points, const Indices& among) {
-  const std::size_t k = points.dimension();
-  std::vector<double> rest;
-  for (const std::uint32_t p : among) rest.insert(rest.end(), points.rounded(p), points.rounded(p) + k);
-  Indices result;
-  std::array<double, most_dimension> axis{};
-  for (std::size_t turn = 0; turn <= k; ++turn) {
-    std::size_t next = 0;
-    double greatest = -1;
-    for (std::size_t i = 0; i < among.size(); ++i) {
-      double square = 0;
-      for (std::size_t c = 0; c < k; ++c) square += rest[i * k + c] * rest[i * k + c];
-      if (square > greatest) {
-        greatest = square;
-        next = i;
-      }
-    }
-    if (turn > 0 && !(greatest > 0)) break;
-    result.push_back(among[next]);
-    std::copy_n(rest.begin() + static_cast<std::ptrdiff_t>(next * k), k, axis.begin());
-    for (std::size_t i = 0; i < among.size(); ++i) {
-      double along = 1;  // the first becomes the origin, the others lose their part along the axis
-      if (turn > 0) {
-        along = 0;
-        for (std::size_t c = 0; c < k; ++c) along += rest[i * k + c] * axis[c] / greatest;
-      }
-      for (std::size_t c = 0; c < k; ++c) rest[i * k + c] -= along * axis[c];
-    }
+// As far_apart.h says, of some of the points.
+Indices far_apart_of(const PlanePoints& points, const Indices& among) {
+  std::vector<double> rounded;
+  for (const std::uint32_t p : among) {
+    rounded.insert(rounded.end(), points.rounded(p), points.rounded(p) + points.dimension());
   }
+  Indices result = far_apart(points.dimension(), std::move(rounded), std::nullopt, 0);
+  for (std::uint32_t& k : result) k = among[k];
   return result;
 }
 
@@ -172,24 +150,10 @@ class Faces {
 }  // namespace
 
 Indices spanning(const PlanePoints& points, const Indices& among) {
-  struct Reduced {
-    std::size_t column;
-    std::vector<Dyadic> row;
-  };
-  std::vector<Reduced> known;
+  Elimination rows(points.dimension() + 1);
   Indices result;
   for (const std::uint32_t k : among) {
-    std::vector<Dyadic> row = points.row(k);
-    for (const Reduced& other : known) {
-      if (row[other.column].sign() == Sign::zero) continue;
-      const Dyadic by = row[other.column];
-      for (std::size_t c = 0; c < row.size(); ++c) row[c] = row[c] * other.row[other.column] - other.row[c] * by;
-    }
-    const auto found = std::find_if(row.begin(), row.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
-    if (found == row.end()) continue;
-    const auto column = static_cast<std::size_t>(found - row.begin());
-    known.push_back({column, std::move(row)});
-    result.push_back(k);
+    if (rows.add(points.row(k))) result.push_back(k);
     if (result.size() == points.dimension() + 1) break;
   }
   return result;
@@ -200,7 +164,7 @@ bool hull_of_full(const PlanePoints& points, Indices all, std::uint64_t most, Co
   cost.gives_up = degenerate == Degenerate::gives_up;
   bool are_vertices = false;
   while (!are_vertices) {  // twice at most: then all corners are vertices
-    Indices first = far_apart(points, all);
+    Indices first = far_apart_of(points, all);
     if (!span_space(points, first)) first = spanning(points, all);
     std::vector<BoundarySimplex> boundary = quickhull(points, all, first, most, cost);
     if (boundary.empty()) return false;

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/number/rounded_elimination_internal.h>
 #include <sunder/polytope/pair/boundary_point.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
 
@@ -10,8 +11,7 @@ namespace sunder::polytope {
 
 namespace {
 
-// Which rows are independent, and by which coordinates, as elimination in floating point has it, of all numbers the
-// greatest first.
+// Which rows are independent, and by which coordinates.
 struct Independent {
   std::array<std::size_t, most_vectors> rows{};
   std::array<std::size_t, most_dimension> coordinates{};
@@ -21,33 +21,19 @@ struct Independent {
 
 Independent independent(std::span<const ExactVector> rows, std::size_t d) {
   Independent result;
-  std::array<std::array<double, most_dimension>, most_vectors> m{};
+  RoundedElimination rounded(rows.size(), d);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     result.rows[k] = k;
-    for (std::size_t c = 0; c < d; ++c) m[k][c] = rows[k][c].nearest();
+    for (std::size_t c = 0; c < d; ++c) rounded[k][c] = rows[k][c].nearest();
   }
-  double first = 0;
+  double least = 0;
   for (std::size_t& n = result.count; n < rows.size() && n < d; ++n) {
-    std::size_t row = n, column = 0;
-    double greatest = 0;
-    for (std::size_t k = n; k < rows.size(); ++k) {
-      for (std::size_t c = 0; c < d; ++c) {
-        if (result.is_chosen[c] || !(std::fabs(m[k][c]) > greatest)) continue;
-        greatest = std::fabs(m[k][c]);
-        row = k;
-        column = c;
-      }
-    }
-    if (n == 0) first = greatest;
-    if (!(greatest > first * 0x1p-40)) break;
-    std::swap(m[row], m[n]);
-    std::swap(result.rows[row], result.rows[n]);
-    result.is_chosen[column] = true;
-    result.coordinates[n] = column;
-    for (std::size_t k = n + 1; k < rows.size(); ++k) {
-      const double factor = m[k][column] / m[n][column];
-      for (std::size_t c = 0; c < d; ++c) m[k][c] -= factor * m[n][c];
-    }
+    const std::optional<std::size_t> row = rounded.step(least);
+    if (!row) break;
+    if (n == 0) least = std::fabs(rounded.pivot(0)) * 0x1p-40;
+    std::swap(result.rows[*row], result.rows[n]);
+    result.coordinates[n] = rounded.column(n);
+    result.is_chosen[rounded.column(n)] = true;
   }
   return result;
 }

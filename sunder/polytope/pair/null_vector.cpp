@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/number/exact/elimination_internal.h>
+#include <sunder/number/rounded_elimination_internal.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
 
 #include <algorithm>
@@ -60,51 +61,29 @@ std::optional<FewWordVectors> few_words_of(std::span<const ExactVector> vectors)
   return result;
 }
 
-// Of each equation n + 1 integers, and about what they are, the greatest of size 1.
+// Of each equation n + 1 integers.
 struct System {
   std::size_t equations = 0, unknowns = 0;
   std::array<std::array<Entry, most_vectors>, most_dimension> numbers{};
-  std::array<std::array<double, most_vectors>, most_dimension> rounded{};
-
   std::array<std::int64_t, most_dimension> bits{};  // of the integers of each equation, at most
 
   explicit System(const FewWordVectors& vectors)
-      : equations(vectors.equations), unknowns(vectors.count - 1), numbers(vectors.numbers), bits(vectors.bits) {
+      : equations(vectors.equations), unknowns(vectors.count - 1), numbers(vectors.numbers), bits(vectors.bits) {}
+
+  // Puts equations first that floating point has as independent; false where it finds fewer than there are unknowns. Of
+  // as many equations as unknowns it is the determinants that tell.
+  bool put_independent_first() {
+    if (equations == unknowns) return true;
+    RoundedElimination rounded(equations, unknowns + 1);
     for (std::size_t r = 0; r < equations; ++r) {
       for (std::size_t j = 0; j <= unknowns; ++j) rounded[r][j] = rounded_entry(numbers[r][j], bits[r]);
     }
-  }
-
-  // Puts equations first that floating point has as independent, by elimination; false where it finds fewer than there
-  // are unknowns. Of as many equations as unknowns it is the determinants that tell.
-  bool put_independent_first() {
-    if (equations == unknowns) return true;
-    auto& m = rounded;
-    const std::size_t n = unknowns;
-    std::array<bool, most_vectors> is_done{};
-    for (std::size_t k = 0; k < n; ++k) {
-      std::size_t row = k, column = 0;
-      double greatest = 0;
-      for (std::size_t i = k; i < equations; ++i) {
-        for (std::size_t j = 0; j <= n; ++j) {
-          if (!is_done[j] && std::fabs(m[i][j]) > greatest) {
-            greatest = std::fabs(m[i][j]);
-            row = i;
-            column = j;
-          }
-        }
-      }
-      if (!(greatest > 0)) return false;
-      if (row != k) {
-        std::swap(m[row], m[k]);
-        std::swap(numbers[row], numbers[k]);
-        std::swap(bits[row], bits[k]);
-      }
-      is_done[column] = true;
-      for (std::size_t i = k + 1; i < equations; ++i) {
-        const double factor = m[i][column] / m[k][column];
-        for (std::size_t j = 0; j <= n; ++j) m[i][j] -= factor * m[k][j];
-      }
+    for (std::size_t k = 0; k < unknowns; ++k) {
+      const std::optional<std::size_t> row = rounded.step(0);
+      if (!row) return false;
+      if (*row == k) continue;
+      std::swap(numbers[*row], numbers[k]);
+      std::swap(bits[*row], bits[k]);
     }
     return true;
   }

@@ -1,3 +1,4 @@
+#include <sunder/number/rounded_elimination_internal.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/support.h>
 #include <sunder/predicate/point/simplex_origin.h>
@@ -42,7 +43,7 @@ struct KnownDirection {
 };
 struct KnownSimplex {
   CommonPoints points;
-  std::array<Vector, most_dimension> inverse{};
+  std::array<double, most_dimension * most_dimension> inverse{};
 };
 
 class ManyPoints {
@@ -85,7 +86,7 @@ class ManyPoints {
     double rest = 1;
     for (std::size_t r = 0; r < d; ++r) {
       double weight = 0;
-      for (std::size_t c = 0; c < d; ++c) weight += known.inverse[r][c] * (point[c] - first[c]);
+      for (std::size_t c = 0; c < d; ++c) weight += known.inverse[r * d + c] * (point[c] - first[c]);
       if (!(weight > 0)) return false;  // it is not worth a try
       rest -= weight;
     }
@@ -113,34 +114,15 @@ class ManyPoints {
     if (invert(known)) simplices_.add(known);
   }
 
-  // Of the matrix of edges, by elimination in floating point; false where it finds none.
+  // Of the matrix of edges; false where floating point finds none.
   bool invert(KnownSimplex& known) const {
     const std::size_t d = polytope_.dimension();
     const std::span<const double> first = polytope_.row(known.points.of_a[0]);
-    std::array<std::array<double, 2 * most_dimension>, most_dimension> rows{};
+    std::array<double, most_dimension * most_dimension> edges;
     for (std::size_t r = 0; r < d; ++r) {
-      for (std::size_t c = 0; c < d; ++c) rows[r][c] = polytope_.row(known.points.of_a[c + 1])[r] - first[r];
-      rows[r][d + r] = 1;
+      for (std::size_t c = 0; c < d; ++c) edges[r * d + c] = polytope_.row(known.points.of_a[c + 1])[r] - first[r];
     }
-    for (std::size_t k = 0; k < d; ++k) {
-      std::size_t p = k;
-      for (std::size_t r = k + 1; r < d; ++r) {
-        if (std::fabs(rows[r][k]) > std::fabs(rows[p][k])) p = r;
-      }
-      if (!(std::fabs(rows[p][k]) > 0)) return false;
-      std::swap(rows[p], rows[k]);
-      const double by = 1 / rows[k][k];
-      for (double& x : rows[k]) x *= by;
-      for (std::size_t r = 0; r < d; ++r) {
-        if (r == k) continue;
-        const double factor = rows[r][k];
-        for (std::size_t c = 0; c < 2 * d; ++c) rows[r][c] -= factor * rows[k][c];
-      }
-    }
-    for (std::size_t r = 0; r < d; ++r) {
-      for (std::size_t c = 0; c < d; ++c) known.inverse[r][c] = rows[r][d + c];
-    }
-    return true;
+    return rounded_inverse(d, std::span(edges).first(d * d), std::span(known.inverse).first(d * d));
   }
 
   const Polytope& polytope_;

@@ -1,3 +1,5 @@
+#include <sunder/number/rounded_elimination_internal.h>
+#include <sunder/polytope/represent/far_apart.h>
 #include <sunder/polytope/represent/normal_fan.h>
 
 #include <algorithm>
@@ -44,45 +46,16 @@ class Hull {
  private:
   const double* point(std::uint32_t k) const { return points_.data() + k * d_; }
 
-  // A simplex, each point the furthest from the flat of those before it.
+  // A simplex.
   bool begin() {
     if (count_ < d_ + 1) return false;
     first_.assign(count_, false);
-    std::vector<double> rest(points_.begin(), points_.end());
-    Numbers simplex{};
-    std::uint32_t next = 0;
-    double greatest = -1;
-    for (std::size_t k = 0; k <= d_; ++k) {
-      if (k > 0) {
-        greatest = -1;
-        for (std::uint32_t i = 0; i < count_; ++i) {
-          double square = 0;
-          for (std::size_t c = 0; c < d_; ++c) square += rest[i * d_ + c] * rest[i * d_ + c];
-          if (square > greatest) {
-            greatest = square;
-            next = i;
-          }
-        }
-        if (!(greatest > 0x1p-90)) return false;
-      }
-      if (first_[next]) return false;
-      first_[next] = true;
-      if (k < d_) simplex[k] = next;
-      for (std::size_t c = 0; c < d_; ++c) interior_[c] += point(next)[c] / static_cast<double>(d_ + 1);
-      Row axis{};
-      std::copy_n(rest.begin() + static_cast<std::ptrdiff_t>(next * d_), d_, axis.begin());
-      for (std::uint32_t i = 0; i < count_;
-           ++i) {  // the first point becomes the origin, others lose their part along it
-        double along = 1;
-        if (k > 0) {
-          along = 0;
-          for (std::size_t c = 0; c < d_; ++c) along += rest[i * d_ + c] * axis[c] / greatest;
-        }
-        for (std::size_t c = 0; c < d_; ++c) rest[i * d_ + c] -= along * axis[c];
-      }
+    const std::vector<std::uint32_t> all = far_apart(d_, {points_.begin(), points_.end()}, 0, 0x1p-90);
+    if (all.size() != d_ + 1) return false;
+    for (const std::uint32_t k : all) {
+      first_[k] = true;
+      for (std::size_t c = 0; c < d_; ++c) interior_[c] += point(k)[c] / static_cast<double>(d_ + 1);
     }
-    std::vector<std::uint32_t> all(simplex.begin(), simplex.begin() + static_cast<std::ptrdiff_t>(d_));
-    all.push_back(next);
     for (std::size_t without = 0; without <= d_; ++without) {
       Numbers some;
       some.fill(NormalFan::none);
@@ -98,38 +71,21 @@ class Hull {
     sort(numbers, d_);
     Facet facet;
     facet.points = numbers;
-    // The normal: what is orthogonal to all edges, by elimination with the greatest pivot of all.
-    std::array<Row, most_columns> rows{};
-    std::array<std::size_t, most_columns> column{};
-    for (std::size_t c = 0; c < d_; ++c) column[c] = c;
+    // The normal: what is orthogonal to all edges.
+    RoundedElimination edges(d_ - 1, d_);
     for (std::size_t r = 0; r + 1 < d_; ++r) {
-      for (std::size_t c = 0; c < d_; ++c) rows[r][c] = point(numbers[r + 1])[c] - point(numbers[0])[c];
+      for (std::size_t c = 0; c < d_; ++c) edges[r][c] = point(numbers[r + 1])[c] - point(numbers[0])[c];
     }
-    for (std::size_t k = 0; k + 1 < d_; ++k) {
-      std::size_t p = k, q = k;
-      for (std::size_t r = k; r + 1 < d_; ++r) {
-        for (std::size_t c = k; c < d_; ++c) {
-          if (std::fabs(rows[r][column[c]]) > std::fabs(rows[p][column[q]])) {
-            p = r;
-            q = c;
-          }
-        }
-      }
-      std::swap(rows[p], rows[k]);
-      std::swap(column[q], column[k]);
-      if (!(std::fabs(rows[k][column[k]]) > 0x1p-60)) return false;
-      for (std::size_t r = k + 1; r + 1 < d_; ++r) {
-        const double factor = rows[r][column[k]] / rows[k][column[k]];
-        for (std::size_t c = k; c < d_; ++c) rows[r][column[c]] -= factor * rows[k][column[c]];
-      }
+    while (edges.rank() + 1 < d_) {
+      if (!edges.step(0x1p-60)) return false;
     }
-    facet.normal[column[d_ - 1]] = 1;
+    facet.normal[edges.column(d_ - 1)] = 1;
     double largest = 1;
     for (std::size_t k = d_ - 1; k-- > 0;) {
       double sum = 0;
-      for (std::size_t c = k + 1; c < d_; ++c) sum += rows[k][column[c]] * facet.normal[column[c]];
-      facet.normal[column[k]] = -sum / rows[k][column[k]];
-      largest = std::max(largest, std::fabs(facet.normal[column[k]]));
+      for (std::size_t c = k + 1; c < d_; ++c) sum += edges.row(k)[edges.column(c)] * facet.normal[edges.column(c)];
+      facet.normal[edges.column(k)] = -sum / edges.pivot(k);
+      largest = std::max(largest, std::fabs(facet.normal[edges.column(k)]));
     }
     const double inside = side(facet, interior_.data());
     if (!(std::fabs(inside) > 0x1p-70 * largest) || !std::isfinite(inside)) return false;
