@@ -1,4 +1,5 @@
 #include <sunder/number/exact/basis_internal.h>
+#include <sunder/number/exact/scaled_integers_internal.h>
 #include <sunder/number/exact_vector.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/exact_simplex.h>
@@ -24,7 +25,7 @@ class ExactSimplex {
  public:
   ExactSimplex(const Placed& a, const Placed& b, Cost& cost, StageTally& tally)
       : a_(a), b_(b), cost_(cost), tally_(tally) {
-    exponent_ = std::min(least_exponent(a), least_exponent(b));
+    exponent_ = std::min(least_exponent_of(a), least_exponent_of(b));
   }
 
   PairCertificate common_point(const DifferenceSimplex& hint) {
@@ -140,24 +141,18 @@ class ExactSimplex {
   }
 
   // An exponent that divides all coordinates of all images of the body.
-  static std::int64_t least_exponent(const Placed& body) {
+  static std::int64_t least_exponent_of(const Placed& body) {
     const auto lowest_bit = [](const SizeRange& range) {
-      // A double of size at least s is a multiple of 2^(exponent of s - 52), and of 2^-1074.
-      return range.greatest == 0 ? std::int64_t{0} : std::max<std::int64_t>(std::ilogb(range.least) - 52, -1074);
+      return range.greatest == 0 ? std::int64_t{0} : least_exponent(range.least);
     };
     const SizeRange linear = size_range(std::span<const double>(body.pose.linear));
     const SizeRange translation = size_range(std::span<const double>(body.pose.translation));
     return std::min(lowest_bit(linear) + lowest_bit(body.graph.sizes), lowest_bit(translation));
   }
 
-  Integer scaled(const Dyadic& x) const {
-    if (mantissa_of(x).is_zero()) return 0;
-    return mantissa_of(x) << static_cast<unsigned long>(x.exponent() - exponent_);
-  }
-
   Column column(const BasicVariable& v) const {
     const Vector3<Dyadic> p = coordinates<Dyadic>(v.kind == of_a ? a_[v.index] : b_[v.index]);
-    const Vector3<Integer> q{scaled(p.x), scaled(p.y), scaled(p.z)};
+    const Vector3<Integer> q{in_unit(p.x, exponent_), in_unit(p.y, exponent_), in_unit(p.z, exponent_)};
     if (v.kind == of_a) return {q.x, q.y, q.z, 1, 0};
     return {-q.x, -q.y, -q.z, basis_.rows() == 4 ? -1 : 0, 1};
   }

@@ -1,4 +1,5 @@
 #include <sunder/number/exact/basis_internal.h>
+#include <sunder/number/exact/scaled_integers_internal.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/sweep_simplex.h>
 #include <sunder/solid/search/extreme_vertex.h>
@@ -20,8 +21,7 @@ struct Exponents {
 };
 Exponents exponents_of(const SizeRange& range) {
   if (range.greatest == 0) return {};
-  // A double of size at least s is a multiple of 2^(exponent of s - 52), and of 2^-1074.
-  return {std::max<std::int64_t>(std::ilogb(range.least) - 52, -1074), std::int64_t{std::ilogb(range.greatest)} + 1};
+  return {least_exponent(range.least), std::int64_t{std::ilogb(range.greatest)} + 1};
 }
 
 // A body without its translation.
@@ -140,10 +140,7 @@ class SweepSimplex {
     return std::inner_product(y.begin(), y.end(), c.begin(), Integer(0)) > (is_late(v) ? basis_.denominator() : 0);
   }
 
-  Integer scaled(const Dyadic& x) const {
-    if (mantissa_of(x).is_zero()) return 0;
-    return mantissa_of(x) << static_cast<unsigned long>(x.exponent() - exponent_);
-  }
+  Integer scaled(const Dyadic& x) const { return in_unit(x, exponent_); }
   Column column(const BasicVariable& v) const {
     if (v.kind == of_time) return ends_[v.index];
     const Vector3<Dyadic> p = v.kind == of_a ? a_[v.index] : b_[v.index];
