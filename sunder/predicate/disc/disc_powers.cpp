@@ -44,30 +44,25 @@ constexpr auto power_of_three = [](const auto& i, const auto& j, const auto& l) 
 
 using Exact = Vector3<Dyadic>;
 
-// 2 d x e, or 2 |d|^2, which q and the weights are over; made positive where it is used.
-struct Deepest {
-  Vector2<Dyadic> q;  // from c_i
-  Dyadic denominator;
-};
-
-Deepest deepest_from_center(const Exact& i, const Exact& j) {
+// The deepest point as seen from c_i, over 2 |d|^2 or 2 d x e, which the weights are over, too.
+ExactPoint2 deepest_from_center(const Exact& i, const Exact& j) {
   const auto d = center_from(i, j);
   const Dyadic at_j = lead(i, j);
-  return {{at_j * d.x, at_j * d.y}, Dyadic(2) * dot(d, d)};
+  return {at_j * d.x, at_j * d.y, Dyadic(2) * dot(d, d)};
 }
 
-Deepest deepest_from_center(const Exact& i, const Exact& j, const Exact& l) {
+ExactPoint2 deepest_from_center(const Exact& i, const Exact& j, const Exact& l) {
   const auto d = center_from(i, j);
   const auto e = center_from(i, l);
   const Dyadic at_j = lead(i, j), at_l = lead(i, l), denominator = Dyadic(2) * cross(d, e);
   const Vector2<Dyadic> q{at_j * e.y - at_l * d.y, at_l * d.x - at_j * e.x};
-  if (denominator.sign() == Sign::positive) return {q, denominator};
-  return {{-q.x, -q.y}, -denominator};
+  if (denominator.sign() == Sign::positive) return {q.x, q.y, denominator};
+  return {-q.x, -q.y, -denominator};
 }
 
-Deepest deepest_from_center(std::span<const Disc> basis) {
+ExactPoint2 deepest_from_center(std::span<const Disc> basis) {
   const auto at = [&](std::size_t k) { return lift<ExactStage>(basis[k]); };
-  return basis.size() == 1   ? Deepest{{Dyadic(), Dyadic()}, Dyadic(1)}
+  return basis.size() == 1   ? ExactPoint2{}
          : basis.size() == 2 ? deepest_from_center(at(0), at(1))
                              : deepest_from_center(at(0), at(1), at(2));
 }
@@ -109,14 +104,13 @@ Sign deepest_power(std::span<const Disc> basis, StageTally* tally) {
 }
 
 ExactPoint2 deepest_point(std::span<const Disc> basis) {
-  const Deepest deepest = deepest_from_center(basis);
-  const Dyadic &n = deepest.denominator, x = basis[0].center.x, y = basis[0].center.y;
-  return {x * n + deepest.q.x, y * n + deepest.q.y, n};
+  const auto [x, y, n] = deepest_from_center(basis);
+  return {Dyadic(basis[0].center.x) * n + x, Dyadic(basis[0].center.y) * n + y, n};
 }
 
 DeepestWeights deepest_weights(std::span<const Disc> basis) {
   if (basis.size() == 1) return {{Dyadic(1), Dyadic(), Dyadic()}, Dyadic(1)};
-  const Deepest deepest = deepest_from_center(basis);
+  const ExactPoint2 deepest = deepest_from_center(basis);
   const Exact i = lift<ExactStage>(basis[0]), j = lift<ExactStage>(basis[1]);
   if (basis.size() == 2) {
     const Dyadic of_j = lead(i, j);
@@ -126,7 +120,8 @@ DeepestWeights deepest_weights(std::span<const Disc> basis) {
   const Exact l = lift<ExactStage>(basis[2]);
   const auto d = center_from(i, j);
   const auto e = center_from(i, l);
-  Dyadic turn = cross(d, e), of_j = cross(deepest.q, e), of_l = cross(d, deepest.q);
+  const auto q = deepest.numerators();
+  Dyadic turn = cross(d, e), of_j = cross(q, e), of_l = cross(d, q);
   if (turn.sign() == Sign::negative) {
     turn = -turn;
     of_j = -of_j;
