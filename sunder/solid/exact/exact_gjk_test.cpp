@@ -61,9 +61,9 @@ TEST(ExactGjk, FindsTheNearestPointOfACube) {
     EXPECT_EQ(way.reach.sign(), Sign::positive);  // from the origin to the cube
     EXPECT_EQ(f.nearest.b.count, f.nearest.closest.features.count_b);
   };
-  expect_square(cube_at(4, 3, 2), 9 + 4 + 1);         // a vertex
-  expect_square(cube_at(-4, 3, 0.5), 9 + 4);          // an edge
-  expect_square(cube_at(0.25, -0.5, 1.125), 0x1p-6);  // a facet
+  expect_square(cube_at(4, 3, 2), 9 + 4 + 1);                                                  // a vertex
+  expect_square(cube_at(-4, 3, 0.5), 9 + 4);                                                   // an edge
+  for (const double side : {1.125, -1.125}) expect_square(cube_at(0.25, -0.5, side), 0x1p-6);  // a facet
 }
 
 TEST(ExactGjk, SaysThatTheHullHoldsTheOrigin) {
