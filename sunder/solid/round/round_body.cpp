@@ -88,8 +88,8 @@ Pose pose_of(const RoundBody& body, const Pose& pose) {
 
 // ---- What is drawn.
 
-constexpr std::size_t around = 24;  // points of a circle
-constexpr std::size_t rings = 8;    // from pole to pole
+constexpr std::size_t of_circle = 24;  // points
+constexpr std::size_t rings = 8;       // from pole to pole
 
 Point3 added(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
 Point3 scaled(double k, const Point3& p) { return {k * p.x, k * p.y, k * p.z}; }
@@ -104,8 +104,9 @@ std::vector<Point3> ball_points() {
   std::vector<Point3> points{{0, 0, 1}, {0, 0, -1}};
   for (std::size_t i = 1; i < rings; ++i) {
     const double from_pole = angle(i, 2 * rings), radius = std::sin(from_pole);
-    for (std::size_t k = 0; k < around; ++k) {
-      points.push_back({radius * std::cos(angle(k, around)), radius * std::sin(angle(k, around)), std::cos(from_pole)});
+    for (std::size_t k = 0; k < of_circle; ++k) {
+      points.push_back(
+          {radius * std::cos(angle(k, of_circle)), radius * std::sin(angle(k, of_circle)), std::cos(from_pole)});
     }
   }
   return points;
@@ -116,8 +117,8 @@ void add_circle(const Point3& middle, const Point3& axis, double radius, std::ve
   const Point3 along = unit(axis);
   const bool is_upright = std::fabs(along.z) > 0.5;
   const Point3 u = unit(cross(along, is_upright ? Point3{1, 0, 0} : Point3{0, 0, 1})), v = cross(along, u);
-  for (std::size_t k = 0; k < around; ++k) {
-    const double turn = angle(k, around);
+  for (std::size_t k = 0; k < of_circle; ++k) {
+    const double turn = angle(k, of_circle);
     points.push_back(added(middle, added(scaled(radius * std::cos(turn), u), scaled(radius * std::sin(turn), v))));
   }
 }
