@@ -45,7 +45,7 @@ MUTANTS = [
     (PAIR, '{"--depth", deep},', "", "depth"),
     (PAIR, '{"--mend", plane},', "", "pair:Planar pairs"),
     (PAIR, "note_hulls(talk, bodies);", "", "pair:not convex"),
-    ("sunder/ask/pair/pair_question.cpp", '{"kept", is_kept}', '{"kept", !is_kept}', "pair:Distances"),
+    ("sunder/ask/pair/pair_bounded.cpp", '{"kept", is_kept}', '{"kept", !is_kept}', "pair:Distances"),
     (SCENE, "scene.none_meet() && scene.is_kept() ?", "scene.none_meet() ?", "scene_clearance:Tells"),
     ("sunder/ask/scene/verb_scene.cpp", "  draw(talk, call, report);", "  if (false) draw(talk, call, report);", "scene:The arm"),
     (SCENE, 'json["said_of"] = meet_as_hulls(report, pair) ? "hulls"', 'json["said_of"] = meet_as_hulls(report, pair) ? "bodies"', "unread:A bend"),

@@ -33,14 +33,10 @@ class FlatPair : public PairQuestion {
     facts_ = {{"common", common_json(), common_text()}};
     part_ = solid::common_part(of_a_.flat, of_b_.flat, common_);
     if (meet_ && !part_) not_proved_.emplace_back("the common part");
-  }
-
-  std::string certificate() const {
-    return certificate_of(
-        PairClaims::Space::solid, a_, b_, [this](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
-          add_claims(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, common_, call.classify);
-          if (part_) add_common_part(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, *part_);
-        });
+    state([this](auto& pairs, auto a, auto b) {
+      add_claims(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, common_, call.classify);
+      if (part_) add_common_part(pairs, a, b, of_a_.flat, *of_a_.body, of_b_.flat, *of_b_.body, *part_);
+    });
   }
 
  private:

@@ -140,7 +140,9 @@ class LinePair : public PairQuestion {
         body_(body),
         line_(line),
         other_(line_like(line.flat)),
-        body_is_a_(body_is_a) {}
+        body_is_a_(body_is_a) {
+    is_b_first_ = !body_is_a;  // the body is the first of the file
+  }
 
   void ask() {
     cut_ = method_(body_.mesh.hull, body_.pose, other_);
@@ -153,16 +155,11 @@ class LinePair : public PairQuestion {
     CutTold told = cut_told(cut_, body_, body_is_a_ ? "A" : "B", line_.object.points[0], line_.object.points[1]);
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"common", std::move(told.json), std::move(told.text)}};
-  }
-
-  // The body is the first of the file, whichever of A and B it is. Only the front door names evidence.
-  std::string certificate() const {
-    const bool is_own = call.method != "automatic";
-    const PolyhedronCut proved = is_own ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
-    return certificate_of(PairClaims::Space::solid, body_is_a_ ? a_ : b_, body_is_a_ ? b_ : a_,
-                          [&](PairClaims& pairs, std::uint32_t body, std::uint32_t line) {
-                            add_claims(pairs, body, line, body_.mesh.hull, body_.pose, other_, proved, call.classify);
-                          });
+    state([this](auto& pairs, auto body, auto line) {
+      const bool is_own = call.method != "automatic";  // only the front door names evidence
+      const PolyhedronCut proved = is_own ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
+      add_claims(pairs, body, line, body_.mesh.hull, body_.pose, other_, proved, call.classify);
+    });
   }
 
  private:

@@ -62,8 +62,6 @@ class MotionPair : public PairQuestion {
     take(answer_, answer_.undecided()
                       ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"
                       : decided_text(answer_.decided_by));
-    if (answer_.undecided()) word_ = "undecided";
-    is_yes_ = answer_.verdict() != Verdict::apart;  // what is undecided is not known to be apart
     const bool is_said_of_hulls = is_yes_ && (round_a_.is_hull() || round_b_.is_hull());
     verdict_ = answer_.undecided() ? "undecided whether they meet on the way"
                : !meet_            ? "apart all the way"
@@ -82,10 +80,7 @@ class MotionPair : public PairQuestion {
   }
 
   std::string certificate() const {
-    if (answer_.undecided()) {
-      throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
-                  "--certificate");
-    }
+    require_decided();
     return claims_text(origin(), [&](ClaimsWriter& file) {
       PairClaims pairs(file);
       const auto add = [&](const PairObject& object, const PlacedRoundBody& body, const Translation& motion) {

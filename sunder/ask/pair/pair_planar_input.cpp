@@ -158,12 +158,9 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
   return body;
 }
 
-std::string PlanarBody::feature_text(const char* letter, std::uint32_t v, bool edge) const {
-  return edge ? fmt::format("edge {}-{} of {}", v, polygon.next(v), letter) : fmt::format("vertex {} of {}", v, letter);
-}
-
-Json PlanarBody::feature_json(std::uint32_t v, bool edge) const {
-  return edge ? Json{{"edge", {v, polygon.next(v)}}} : Json{{"vertex", v}};
+Feature PlanarBody::feature(const char* letter, std::uint32_t v, bool is_edge) const {
+  if (!is_edge) return {{{"vertex", v}}, fmt::format("vertex {} of {}", v, letter)};
+  return {{{"edge", {v, polygon.next(v)}}}, fmt::format("edge {}-{} of {}", v, polygon.next(v), letter)};
 }
 
 }  // namespace sunder::ask

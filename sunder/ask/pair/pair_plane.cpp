@@ -35,7 +35,9 @@ class PlanePair : public PairQuestion {
         body_(body),
         plane_(std::get<Plane>(plane.flat)),
         in_file_(plane.body),
-        body_is_a_(body_is_a) {}
+        body_is_a_(body_is_a) {
+    is_b_first_ = !body_is_a;  // the body is the first of the file
+  }
 
   void ask() {
     const ConvexPolyhedron& body = body_.mesh.hull;
@@ -45,15 +47,9 @@ class PlanePair : public PairQuestion {
     if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
     facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
               {"evidence", evidence_json(), evidence_text()}};
-  }
-
-  // The body is the first of the file, whichever of A and B it is.
-  std::string certificate() const {
-    return certificate_of(PairClaims::Space::solid, body_is_a_ ? a_ : b_, body_is_a_ ? b_ : a_,
-                          [this](PairClaims& pairs, std::uint32_t body, std::uint32_t plane) {
-                            add_claims(pairs, body, plane, body_.mesh.hull, body_.pose, plane_, *in_file_, answer_,
-                                       contact_);
-                          });
+    state([this](auto& pairs, auto first, auto second) {
+      add_claims(pairs, first, second, body_.mesh.hull, body_.pose, plane_, *in_file_, answer_, contact_);
+    });
   }
 
  private:

@@ -2,6 +2,7 @@
 #include <sunder/ask/pair/pair_question.h>
 
 #include <sunder/certificate/rounded_evidence.h>
+#include <sunder/solid/round/round_claims.h>
 
 #include <fmt/format.h>
 
@@ -25,16 +26,6 @@ std::string evidence_text(const PairCertificate& c, const PlacedVertices& a, con
 }
 
 }  // namespace
-
-double least_clearance(const PairCall& call) {
-  if (call.clearance.empty()) return 0;
-  const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");
-  if (numbers.size() != 1 || !(numbers[0] > 0)) {
-    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(call.clearance)),
-                "--clearance");
-  }
-  return numbers[0];
-}
 
 std::string decided_text(DecidedBy decided_by) {
   switch (decided_by) {
@@ -68,32 +59,35 @@ Report PairQuestion::report() const {
   return report;
 }
 
-Fact PairQuestion::evidence(const PairCertificate& certificate, int dimension) const {
+Fact PairQuestion::evidence(const PairCertificate& certificate) const {
   const PlacedVertices a = a_.in_space(), b = b_.in_space();
   Json json = evidence_json(certificate, a, b);
+  const bool is_planar = space_ == Space::planar;
   for (const char* key : {"point", "direction_about"}) {
-    if (dimension == 2 && json.contains(key)) json[key].erase(2);  // z
+    if (is_planar && json.contains(key)) json[key].erase(2);  // z
   }
-  return {"evidence", std::move(json), evidence_text(certificate, a, b, dimension == 2)};
+  return {"evidence", std::move(json), evidence_text(certificate, a, b, is_planar)};
 }
 
-Fact PairQuestion::clearance(double least, bool is_kept, const Interval& distance) {
-  return {"clearance",
-          {{"least", least}, {"kept", is_kept}},
-          fmt::format("{}: {}; {}", least, is_kept ? "kept" : "not kept",
-                      distance.high > 0 ? about_length(distance) + " apart" : "they meet")};
+void PairQuestion::require_decided() const {
+  if (!is_undecided_) return;
+  throw Error(ErrorCode::bad_value, "the pair is undecided, and there is no proof; leave out --certificate",
+              "--certificate");
 }
 
-std::string PairQuestion::certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
-                                         const Write& write) const {
+std::string PairQuestion::certificate() const {
+  require_decided();
   return claims_text(origin(), [&](ClaimsWriter& file) {
-    PairClaims pairs(file, space);
+    PairClaims pairs(file, space_);
     const auto add = [&](const PairObject& object) {
       file.say(object.said);
-      return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices, object.ways), object.pose);
+      return pairs.add_placed(object.name,
+                              object.round != nullptr ? solid::add_shape(pairs, object.name, *object.round)
+                                                      : pairs.add_body(object.name, object.vertices, object.ways),
+                              object.pose);
     };
-    const std::uint32_t a = add(first), b = add(second);
-    write(pairs, a, b);
+    const std::uint32_t first = add(is_b_first_ ? b_ : a_), second = add(is_b_first_ ? a_ : b_);
+    for (const Statement& statement : statements_) statement(pairs, first, second);
   });
 }
 

@@ -7,6 +7,7 @@
 #include <sunder/base/error.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
+#include <sunder/solid/round/round_body.h>
 
 #include <cstdint>
 #include <functional>
@@ -70,7 +71,15 @@ struct PairObject {
   std::span<const Way3> ways{};
   Said said{};  // what it is made of, in proofs
 
+  const solid::RoundBody* round = nullptr;  // of a body that may have a radius: that
+
   PlacedVertices in_space() const { return {vertices, pose, false}; }
+};
+
+// A vertex, an edge or a facet, as it is told of A or B.
+struct Feature {
+  Json json;
+  std::string text;
 };
 
 // What questions (question.h) about pairs share. ask() of each kind fills in what is protected here.
@@ -79,48 +88,51 @@ class PairQuestion {
   static constexpr const char *verb = "pair", *drawn_noun = "point";
   const PairCall& call;
 
-  PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files)
-      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files) {
+  using Space = PairClaims::Space;
+  PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files, Space space = Space::solid)
+      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files), space_(space) {
     files.talk.note_all(files.systems.remarks());
   }
 
   static std::uint64_t drawn() { return 0; }  // these two for planar pairs
   static std::string picture() { return ""; }
+  std::string certificate() const;  // all that was stated. Throws Error for what is undecided
   Report report() const;
 
  protected:
   template <class Answer>
   void take(const Answer& answer, std::string decided_text) {
     meet_ = answer.meet();
-    is_yes_ = meet_;
-    verdict_ = word_ = meet_ ? "meet" : "apart";
+    is_undecided_ = answer.undecided();
+    is_yes_ = meet_ || is_undecided_;  // what is undecided is not known to be apart
+    verdict_ = word_ = name_of(answer.verdict());
     decided_by_ = answer.decided_by;
     decided_text_ = std::move(decided_text);
     cost_ = answer.cost;
   }
 
-  // A point, or a direction and a gap, in two dimensions or three.
-  Fact evidence(const PairCertificate& certificate, int dimension) const;
-
-  // Is it kept, and how far are they apart, about? 0: they meet.
-  static Fact clearance(double least, bool is_kept, const Interval& distance);
+  // A point, or a direction and a gap.
+  Fact evidence(const PairCertificate& certificate) const;
 
   Origin origin() const { return origin_of(files_.talk, files_.read, files_.left_out.texts()); }
 
-  // A certificate about two bodies: write adds the statements about those of these numbers.
-  using Write = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;
-  std::string certificate_of(PairClaims::Space space, const PairObject& first, const PairObject& second,
-                             const Write& write) const;
+  // What the proof says of two bodies of its file, of these numbers. It is made when the proof is written.
+  using Statement = std::function<void(PairClaims&, std::uint32_t first, std::uint32_t second)>;
+  void state(Statement statement) { statements_.push_back(std::move(statement)); }
+  void require_decided() const;
 
   PairObject a_, b_;
   const PairFiles& files_;
-  bool meet_ = false, is_yes_ = false;         // is_yes_: is the exit code 1?
-  std::string word_, verdict_, decided_text_;  // word_: the answer; the others are for people
+  bool meet_ = false, is_undecided_ = false, is_yes_ = false;  // is_yes_: is the exit code 1?
+  std::string word_, verdict_, decided_text_;                  // word_: the answer; the others are for people
   Relation contact_ = Relation::none;
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
   std::vector<Fact> facts_;  // their texts stand under their keys
   std::vector<std::string> not_proved_;
+  Space space_;
+  bool is_b_first_ = false;  // in the proof
+  std::vector<Statement> statements_;
 };
 
 // What two objects are: of which kinds options are (verb.h).
@@ -134,19 +146,9 @@ inline const std::string polytopes = "polytopes", planar = "planar objects that 
 // Throws Error bad_call for an option that is for none of these kinds.
 void require_pair_fit(const PairCall& call, const std::vector<std::string>& kinds);
 
-// The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
-double least_clearance(const PairCall& call);
-
 // Who decided, in words.
 std::string decided_text(DecidedBy decided_by);
 
 std::string about(const Point2& p);  // "(x, y)", four digits
-
-// The way that A is moved out of B, back along the direction; of length 1, about.
-Point3 way_out(const WorldDirection& from_a_to_b);
-
-// A depth between these ends, and that way, to people and in a report.
-std::string depth_told(const Interval& depth, const std::string& way);
-Json depth_report(const Interval& depth, Json way);
 
 }  // namespace sunder::ask

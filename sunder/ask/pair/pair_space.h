@@ -82,9 +82,9 @@ void require_projected(const PairCall& call, const SpaceInput& a, const SpaceInp
 // Answers a pair of which at least one object is unbounded. Throws Error for --distance and --clearance.
 Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// Answers a pair of which at least one object has a radius. Throws Error if the other one is unbounded, and if a
+// Answers a pair of bounded objects, with a radius or without. Throws Error if one of them is unbounded, and if a
 // certificate is asked for and the pair is undecided.
-Report run_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+Report run_body_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // Where one of them moves, or both: --to-a, --to-b. Both are bounded, with a radius or without. Throws Error for what
 // turns, for a polygon in a frame that moves, for options of bodies at rest, and for a certificate of what is undecided.

@@ -117,8 +117,9 @@ class UnboundedPair : public PairQuestion {
  public:
   UnboundedPair(const PairCall& asked, const Mixed& mixed, const PairFiles& files)
       : PairQuestion(asked, mixed.body_is_a ? mixed.body.object : mixed.object,
-                     mixed.body_is_a ? mixed.object : mixed.body.object, files),
+                     mixed.body_is_a ? mixed.object : mixed.body.object, files, Space::planar),
         mixed_(mixed) {
+    is_b_first_ = !mixed.body_is_a;  // the body is the first of the file
     if (!body_.remark.empty()) files.talk.note(body_.remark);
   }
 
@@ -131,16 +132,11 @@ class UnboundedPair : public PairQuestion {
     contact_ = contact_of(body_.polygon, mixed_.unbounded, common_);
     facts_ = {{"common", common_json(), common_text()}};
     if (meet_ && kind_ == PlanarKind::half_plane) not_proved_.emplace_back("the common part");
+    state([this](auto& pairs, auto body, auto other) {
+      add_claims(pairs, body, other, body_.polygon, body_.pose, mixed_.unbounded, common_, call.classify);
+    });
   }
 
-  // The body is the first of the file, whichever of A and B it is.
-  std::string certificate() const {
-    return certificate_of(PairClaims::Space::planar, body_.object, mixed_.object,
-                          [this](PairClaims& pairs, std::uint32_t body, std::uint32_t other) {
-                            add_claims(pairs, body, other, body_.polygon, body_.pose, mixed_.unbounded, common_,
-                                       call.classify);
-                          });
-  }
   std::string picture() const {
     const auto& [a, b] = mixed_.line;
     picture::CutPicture picture{{body_.polygon, body_.pose, body_.object.name, body_.object.text},
@@ -161,7 +157,7 @@ class UnboundedPair : public PairQuestion {
 
  private:
   const char* letter() const { return mixed_.body_is_a ? "A" : "B"; }
-  std::string vertex(std::uint32_t v) const { return body_.feature_text(letter(), v, false); }
+  std::string vertex(std::uint32_t v) const { return body_.feature(letter(), v, false).text; }
   planar::ExactEnd exact(const planar::CutEnd& end) const {
     return planar::exact_end(body_.polygon, body_.pose, mixed_.line.a, mixed_.line.b, end);
   }
@@ -170,7 +166,7 @@ class UnboundedPair : public PairQuestion {
     const planar::ExactEnd e = exact(end);
     const std::string place = end.place == Place::inside
                                   ? fmt::format("inside {}", letter())
-                                  : body_.feature_text(letter(), end.feature, end.place == Place::edge);
+                                  : body_.feature(letter(), end.feature, end.place == Place::edge).text;
     if (end.own == OwnEnd::a) return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
     return fmt::format("about {}, {}, t = {}", about(e.rounded()), place, short_fraction(e.along_line));
   }
@@ -190,7 +186,7 @@ class UnboundedPair : public PairQuestion {
   std::string told(const planar::CutPoint& point) const { return "one point, " + end_text(point.at); }
   std::string told(const planar::CutAlong& along) const {
     const bool all = along.first.place == Place::vertex && along.last.place == Place::vertex;
-    return fmt::format("{}{}, {}", all ? "" : "a part of ", body_.feature_text(letter(), along.edge, true),
+    return fmt::format("{}{}, {}", all ? "" : "a part of ", body_.feature(letter(), along.edge, true).text,
                        ends_text({along.first, along.last}));
   }
   std::string told(const planar::CutAcross& across) const {
@@ -214,7 +210,7 @@ class UnboundedPair : public PairQuestion {
     if (end.place == Place::inside) {
       json["inside"] = true;
     } else {
-      json.update(body_.feature_json(end.feature, end.place == Place::edge));
+      json.update(body_.feature(letter(), end.feature, end.place == Place::edge).json);
       if (end.place == Place::edge) json["along_edge"] = exact_text(e.along_edge);
     }
     if (end.own == OwnEnd::a) json["beginning"] = true;
@@ -232,7 +228,7 @@ class UnboundedPair : public PairQuestion {
     const std::optional<Ends> ends = ends_of(common_.evidence);
     if (!ends) return json;
     if (const auto* along = std::get_if<planar::CutAlong>(&common_.evidence)) {
-      json.update(body_.feature_json(along->edge, true));
+      json.update(body_.feature(letter(), along->edge, true).json);
     }
     json["first"] = end_json(ends->first);
     json["last"] = end_json(ends->last);

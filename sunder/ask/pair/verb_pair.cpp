@@ -6,20 +6,11 @@
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
-#include <sunder/solid/line/polyhedron_line_claims.h>
-#include <sunder/solid/pair/contact_evidence.h>
-#include <sunder/solid/pair/polyhedron_polygon.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,159 +18,6 @@
 namespace sunder::ask {
 
 namespace {
-
-// Few vertices of a body that span a part of its surface: a vertex, an edge, or a part of a facet.
-struct SurfacePart {
-  const solid::ConvexPolyhedron& body;
-  std::span<const std::uint32_t> vertices;
-
-  const char* kind() const {
-    if (vertices.size() == 1) return "vertex";
-    if (vertices.size() > 2) return "facet";
-    const auto beside = body.neighbours(vertices[0]);
-    return std::find(beside.begin(), beside.end(), vertices[1]) == beside.end() ? "facet" : "edge";
-  }
-  Json json() const {
-    if (vertices.size() == 1) return {{"vertex", vertices[0]}};
-    return {{kind(), Json(std::vector<std::uint32_t>(vertices.begin(), vertices.end()))}};
-  }
-  std::string text(const char* letter) const {
-    return fmt::format("{} {} of {}", kind(), fmt::join(vertices, "-"), letter);
-  }
-};
-
-class SolidPair : public PairQuestion {
- public:
-  SolidPair(const PairCall& asked, PairMethod method, const PlacedBody& a, const PlacedBody& b, const PairFiles& files)
-      : PairQuestion(asked, object_of(a), object_of(b), files),
-        method_(method),
-        of_a_(a),
-        of_b_(b),
-        least_(least_clearance(asked)) {}
-
-  void ask() {
-    const solid::ConvexPolyhedron &a = of_a_.mesh.hull, &b = of_b_.mesh.hull;
-    answer_ = method_(a, of_a_.pose, b, of_b_.pose);
-    take(answer_, decided_text(answer_.decided_by));
-    if (call.classify && meet_) contact_ = solid::polyhedron_polyhedron_contact(a, of_a_.pose, b, of_b_.pose);
-    if (call.distance || least_ > 0) {
-      distance_ = solid::polyhedron_polyhedron_distance(a, of_a_.pose, b, of_b_.pose);
-      if (least_ > 0) {
-        is_kept_ = compare_distance(distance_, least_) != Sign::negative;
-        is_yes_ = !is_kept_;
-      }
-    }
-    // That they are apart, and so far, carries over from hulls to the meshes that they stand for; that they meet, or
-    // are no further apart, does not.
-    const bool is_hull = of_a_.is_hull() || of_b_.is_hull();
-    const bool is_said_of_hulls = is_hull && (meet_ || call.distance || (least_ > 0 && !is_kept_));
-    if (meet_ && is_hull) verdict_ = "meet as hulls";
-    facts_ = {{"said_of", is_said_of_hulls ? "hulls" : "bodies", ""}, evidence(answer_.evidence, 3)};
-    const char* of_hulls = is_hull && !meet_ ? " (of the hulls)" : "";
-    const bool is_of_a = of_a_.object && of_a_.object->kind == io::SpaceObject::Kind::segment;
-    cut_ = is_of_a ? segment_cut(of_b_, "B", of_a_) : segment_cut(of_a_, "A", of_b_);
-    cuts_b_ = is_of_a;
-    if (cut_) facts_.push_back({"cut", cut_->told.json, cut_->told.text});
-    if (call.distance) facts_.push_back({"distance", distance_json(), distance_text() + of_hulls});
-    if (call.depth && meet_) {
-      const solid::PolyhedronDepth found = solid::polyhedron_polyhedron_depth(a, of_a_.pose, b, of_b_.pose);
-      depth_ = std::get<solid::PolyhedraOverlap>(found.evidence);
-      facts_.push_back({"depth", depth_json(), depth_text()});
-      if (depth_->exact) not_proved_.emplace_back("the square of the depth");
-      if (deepest()) not_proved_.emplace_back("which features touch after that");
-    }
-    if (least_ == 0) return;
-    facts_.push_back(clearance(least_, is_kept_, distance_of(distance_)));
-    if (!is_kept_) facts_.back().text += of_hulls;
-  }
-
-  std::string certificate() const {
-    return claims_text(origin(), [this](ClaimsWriter& file) {
-      PairClaims pairs(file);
-      const auto add = [&](const PairObject& object) {
-        file.say(object.said);
-        return pairs.add_placed(object.name, pairs.add_body(object.name, object.vertices), object.pose);
-      };
-      const std::uint32_t a = add(a_), b = add(b_);
-      const solid::ClaimedPair pair{a, b, of_a_.mesh.hull, of_a_.pose, of_b_.mesh.hull, of_b_.pose};
-      add_claims(pairs, pair, answer_.evidence, contact_);
-      if (cut_ && cut_->cut.meet()) {
-        const PlacedBody& body = cuts_b_ ? of_b_ : of_a_;
-        add_common_part(pairs, cuts_b_ ? b : a, cuts_b_ ? a : b, body.mesh.hull, body.pose, cut_->segment, cut_->cut);
-      }
-      if (call.distance) add_distance(pairs, pair, distance_);
-      if (depth_) add_depth(file, a, b, *depth_);
-      if (least_ > 0) add_clearance(pairs, pair, distance_, least_);
-    });
-  }
-
- private:
-  std::array<SurfacePart, 2> closest() const {
-    const solid::FeatureVertices& f = closest_of(distance_)->features();
-    const std::span<const std::uint32_t> all(f.vertices);
-    return {SurfacePart{of_a_.mesh.hull, all.first(f.count_a)},
-            SurfacePart{of_b_.mesh.hull, all.subspan(f.count_a, f.count_b)}};
-  }
-  std::string distance_text() const {
-    if (meet_) return "0";
-    const auto [a, b] = closest();
-    return fmt::format("{}, from {} to {}", about_length(distance_of(distance_)), a.text("A"), b.text("B"));
-  }
-  Json distance_json() const {
-    const Interval distance = distance_of(distance_);
-    Json json{{"low", distance.low}, {"high", distance.high}};
-    if (meet_) return json;
-    const auto [a, b] = closest();
-    json["a"] = a.json();
-    json["b"] = b.json();
-    return json;
-  }
-
-  // Of A and of B, at the nearest facet of their difference; none where that is flat.
-  std::optional<std::array<SurfacePart, 2>> deepest() const {
-    if (!depth_->exact || depth_->exact->features.of_a.empty()) return std::nullopt;
-    const auto& [a, b] = depth_->exact->features;
-    return std::array{SurfacePart{of_a_.mesh.hull, a}, SurfacePart{of_b_.mesh.hull, b}};
-  }
-  std::string depth_text() const {
-    const auto parts = deepest();
-    return depth_told(depth_->depth, about(way_out(depth_->direction))) +
-           (parts ? fmt::format(", {} against {}", (*parts)[0].text("A"), (*parts)[1].text("B")) : "");
-  }
-  Json depth_json() const {
-    Json json = depth_report(depth_->depth, to_json(way_out(depth_->direction)));
-    if (depth_->exact) json["square"] = fraction_text(depth_->exact->squared[0], depth_->exact->squared[1]);
-    if (const auto parts = deepest()) {
-      json["a"] = (*parts)[0].json();
-      json["b"] = (*parts)[1].json();
-    }
-    return json;
-  }
-
-  PairMethod method_;
-  const PlacedBody &of_a_, &of_b_;
-  double least_;  // the clearance that is asked about; 0: none
-  solid::PairAnswer answer_;
-  std::optional<SegmentCut> cut_;
-  bool cuts_b_ = false;  // A is the segment
-  solid::PolyhedronDistance distance_;
-  std::optional<solid::PolyhedraOverlap> depth_;  // where it is asked for, and they meet
-  bool is_kept_ = false;
-};
-
-solid::PairAnswer polygon_polyhedron_by_drums(const solid::ConvexPolyhedron& polygon, const solid::Pose& pose,
-                                              const solid::ConvexPolyhedron& body, const solid::Pose& pose_of_body) {
-  return exchanged(solid::polyhedron_polygon_by_drums(body, pose_of_body, polygon, pose));
-}
-
-PairMethod solid_method(const PairCall& call, const PlacedBody& a, const PlacedBody& b) {
-  if (call.method != "drums") return pair_method(call.method, ", drums");
-  if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 3) return solid::polyhedron_polyhedron_by_drums;
-  if (a.mesh.hull.dimension() == 3 && b.mesh.hull.dimension() == 2) return solid::polyhedron_polygon_by_drums;
-  if (a.mesh.hull.dimension() == 2 && b.mesh.hull.dimension() == 3) return polygon_polyhedron_by_drums;
-  throw Error(ErrorCode::bad_call,
-              "drums is for a body and a body, a plane, a line, a ray or a flat polygon; give these", "--method");
-}
 
 // Of standard input, the other one tells.
 Report run(const PairCall& call, Talk& talk) {
@@ -215,9 +53,8 @@ Report run(const PairCall& call, Talk& talk) {
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
   const bool is_flat = a.flat || b.flat;
   if (is_motion && !is_flat) return run_motion_pair(call, a, b, files);
-  if (a.round || b.round) return run_round_pair(call, a, b, files);
-  if (is_flat) return run_flat_pair(call, a, b, files);
-  return answer(SolidPair(call, solid_method(call, *a.bounded, *b.bounded), *a.bounded, *b.bounded, files), files.talk);
+  if (is_flat && !a.round && !b.round) return run_flat_pair(call, a, b, files);
+  return run_body_pair(call, a, b, files);
 }
 
 // The table of this call.

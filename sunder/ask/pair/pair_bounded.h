@@ -1,0 +1,46 @@
+// What sunder pair is asked about two bounded objects, of the plane or of space: do they meet, and how; how far apart
+// are they, how deep in each other, are they as far apart as they should be? Here is, once, what is asked for, in which
+// order it is told and stated, and in which words; a kind of objects only finds it.
+#pragma once
+
+#include <sunder/ask/pair/pair_question.h>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace sunder::ask {
+
+// A distance or a depth, which the interval encloses.
+struct Measure {
+  Interval length;
+  std::optional<std::array<Feature, 2>> between{};  // features of A and of B, where they are known
+  std::string square{};                             // of a depth: a fraction, where that is known
+  WorldDirection direction{Point3{}};               // of a depth: from A to B; A is moved back along it
+};
+
+class BoundedPair : public PairQuestion {
+ public:
+  void ask();
+
+ protected:
+  // is_hull: one of them is the hull of the mesh that it stands for.
+  BoundedPair(const PairCall& asked, PairObject a, PairObject b, bool is_hull, const PairFiles& files, Space space);
+  ~BoundedPair() = default;
+
+  // Each is called where its answer is asked for, in this order, and states that answer.
+  virtual void decide() = 0;                       // tells the evidence; where --classify is given, contact_
+  virtual Measure distance() = 0;                  // states it only where --distance is given
+  virtual Measure depth() = 0;                     // they meet
+  virtual Verdict clearance_of(double least) = 0;  // apart: kept; meet: broken. Has the distance
+
+ private:
+  Fact told_distance(const Measure& found) const;
+  Fact told_depth(const Measure& found);
+  Fact told_clearance(Verdict found, const Interval& distance) const;
+
+  bool is_hull_;
+  double least_;  // the clearance that is asked about; 0: none
+};
+
+}  // namespace sunder::ask
