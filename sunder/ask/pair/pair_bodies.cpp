@@ -38,16 +38,6 @@ PlacedRoundBody rounded(const PlacedBody& body) {
   return {body.mesh.file, body.mesh.name, {}, body, RoundBody::rounded(body.mesh.hull, 0), body.pose, body.said};
 }
 
-// Few vertices of a body that span a part of its surface: a vertex, an edge, or a part of a facet.
-Feature surface_part(const ConvexPolyhedron& body, std::span<const std::uint32_t> vertices, const char* letter) {
-  if (vertices.size() == 1) return {{{"vertex", vertices[0]}}, fmt::format("vertex {} of {}", vertices[0], letter)};
-  const auto beside = body.neighbours(vertices[0]);
-  const bool is_edge = vertices.size() == 2 && std::find(beside.begin(), beside.end(), vertices[1]) != beside.end();
-  const char* kind = is_edge ? "edge" : "facet";
-  return {{{kind, Json(std::vector<std::uint32_t>(vertices.begin(), vertices.end()))}},
-          fmt::format("{} {} of {}", kind, fmt::join(vertices, "-"), letter)};
-}
-
 class BodyPair final : public BoundedPair {
  public:
   // The method is for polyhedra; null where one of the two is none.
@@ -110,7 +100,7 @@ class BodyPair final : public BoundedPair {
     const PlacedBody& body = is_a ? b : a;
     const std::optional<SegmentCut> found = segment_cut(body, is_a ? "B" : "A", is_a ? a : b);
     if (!found) return;
-    facts_.push_back({"cut", found->told.json, found->told.text});
+    facts_.push_back(fact_of("cut", found->told));
     if (!found->cut.meet()) return;
     state([is_a, &body, segment = found->segment, cut = found->cut](auto& pairs, auto of_a, auto of_b) {
       add_common_part(pairs, is_a ? of_b : of_a, is_a ? of_a : of_b, body.mesh.hull, body.pose, segment, cut);
@@ -207,6 +197,15 @@ PairMethod body_method(const std::string& name, const RoundBody& a, const RoundB
 }
 
 }  // namespace
+
+Told surface_part(const ConvexPolyhedron& body, std::span<const std::uint32_t> vertices, const char* letter) {
+  if (vertices.size() == 1) return {{{"vertex", vertices[0]}}, fmt::format("vertex {} of {}", vertices[0], letter)};
+  const auto beside = body.neighbours(vertices[0]);
+  const bool is_edge = vertices.size() == 2 && std::find(beside.begin(), beside.end(), vertices[1]) != beside.end();
+  const char* kind = is_edge ? "edge" : "facet";
+  return {{{kind, Json(std::vector<std::uint32_t>(vertices.begin(), vertices.end()))}},
+          fmt::format("{} {} of {}", kind, fmt::join(vertices, "-"), letter)};
+}
 
 PlacedRoundBody round_of(const SpaceInput& input) { return input.round ? *input.round : rounded(*input.bounded); }
 

@@ -14,9 +14,9 @@ namespace sunder::ask {
 // A distance or a depth, which the interval encloses.
 struct Measure {
   Interval length;
-  std::optional<std::array<Feature, 2>> between{};  // features of A and of B, where they are known
-  std::string square{};                             // of a depth: a fraction, where that is known
-  WorldDirection direction{Point3{}};               // of a depth: from A to B; A is moved back along it
+  std::optional<std::array<Told, 2>> between{};  // features of A and of B, where they are known
+  std::string square{};                          // of a depth: a fraction, where that is known
+  WorldDirection direction{Point3{}};            // of a depth: from A to B; A is moved back along it
 };
 
 class BoundedPair : public PairQuestion {

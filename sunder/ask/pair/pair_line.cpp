@@ -1,3 +1,4 @@
+#include <sunder/ask/pair/pair_mixed.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/solid/line/polyhedron_line.h>
@@ -26,89 +27,39 @@ using solid::LineLike;
 using solid::PolyhedronCut;
 using solid::Pose;
 
-// As a fraction where that is short.
-std::string short_text(const ExactFraction& t) {
-  const std::string text = fraction_text(t.numerator, t.denominator);
-  return text.size() <= 20 ? text : "about " + about(t.nearest());
+Told feature_told(const CutFeature& at, const ConvexPolyhedron& body, const char* letter) {
+  switch (at.place) {
+    case CutPlace::vertex: return surface_part(body, std::array{at.feature}, letter);
+    case CutPlace::edge: return surface_part(body, std::array{at.feature, at.other}, letter);
+    case CutPlace::facet: return surface_part(body, body.facet(at.feature).first(3), letter);  // told by three vertices
+    case CutPlace::inside: break;
+  }
+  return {{{"inside", true}}, fmt::format("inside {}", letter)};
 }
 
-// What is told of the ends of a common part.
-class CutTeller {
- public:
-  CutTeller(const PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a, const Point3& b)
-      : cut_(cut), body_(body), letter_(letter), a_(a), b_(b) {}
-
-  Json json() const {
-    Json json{{"kind", name_of(kind_of(cut_))}};
-    const auto ends = ends_of(cut_.evidence);
-    if (!ends) return json;
-    if (const auto* along = std::get_if<CutAlong>(&cut_.evidence)) json["surface"] = feature_json(along->surface);
-    json["first"] = end_json(ends->first);
-    json["last"] = end_json(ends->last);
-    return json;
+// What a line, a ray or a segment through a and b has in common with the body.
+Told cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a, const Point3& b) {
+  const ConvexPolyhedron& hull = body.mesh.hull;
+  const CutKind kind = kind_of(cut);
+  Told told{{{"kind", name_of(kind)}},
+            kind == CutKind::nothing ? "nothing"
+            : kind == CutKind::point ? "one point, "
+                                     : "a segment, "};
+  if (const auto* along = std::get_if<CutAlong>(&cut.evidence)) {
+    const Told surface = feature_told(along->surface, hull, letter);
+    told.json["surface"] = surface.json;
+    told.text = fmt::format("a part of {}, ", surface.text);
   }
-
-  std::string text() const {
-    const auto ends = ends_of(cut_.evidence);
-    if (!ends) return "nothing";
-    if (kind_of(cut_) == CutKind::point) return "one point, " + end_text(ends->first);
-    const auto* along = std::get_if<CutAlong>(&cut_.evidence);
-    const std::string what = along != nullptr ? "a part of " + feature_text(along->surface) : "a segment";
-    return fmt::format("{}, from {}\nto {}", what, end_text(ends->first), end_text(ends->last));
-  }
-
- private:
-  solid::ExactEnd exact(const CutEnd& end) const { return exact_end(body_.mesh.hull, body_.pose, a_, b_, end); }
-
-  // A facet is told by three of its vertices.
-  std::array<std::uint32_t, 3> corners(std::uint32_t facet) const {
-    const auto cycle = body_.mesh.hull.facet(facet);
-    return {cycle[0], cycle[1], cycle[2]};
-  }
-
-  Json feature_json(const CutFeature& at) const {
-    switch (at.place) {
-      case CutPlace::vertex: return {{"vertex", at.feature}};
-      case CutPlace::edge: return {{"edge", {at.feature, at.other}}};
-      case CutPlace::facet: return {{"facet", corners(at.feature)}};
-      case CutPlace::inside: break;
-    }
-    return {{"inside", true}};
-  }
-  std::string feature_text(const CutFeature& at) const {
-    switch (at.place) {
-      case CutPlace::vertex: return fmt::format("vertex {} of {}", at.feature, letter_);
-      case CutPlace::edge: return fmt::format("edge {}-{} of {}", at.feature, at.other, letter_);
-      case CutPlace::facet: {
-        const auto [i, j, k] = corners(at.feature);
-        return fmt::format("facet {}-{}-{} of {}", i, j, k, letter_);
-      }
-      case CutPlace::inside: break;
-    }
-    return fmt::format("inside {}", letter_);
-  }
-
-  Json end_json(const CutEnd& end) const {
-    const solid::ExactEnd e = exact(end);
-    Json json{{"point", to_json(e.rounded())},
-              {"along_line", fraction_text(e.along_line.numerator, e.along_line.denominator)}};
-    json.update(feature_json(end.at));
-    if (end.own == OwnEnd::a) json["beginning"] = true;
-    if (end.own == OwnEnd::b) json["end"] = true;
-    return json;
-  }
-  std::string end_text(const CutEnd& end) const {
-    const solid::ExactEnd e = exact(end);
-    const char* own = end.own == OwnEnd::a ? "its beginning at " : end.own == OwnEnd::b ? "its end at " : "";
-    std::string text = fmt::format("{}about {}, {}", own, about(e.rounded()), feature_text(end.at));
-    return end.own == OwnEnd::none ? text + ", t = " + short_text(e.along_line) : text;
-  }
-
-  const PolyhedronCut& cut_;
-  const PlacedBody& body_;
-  const char* letter_;
-  const Point3 &a_, &b_;
-};
+  const auto ends = ends_of(cut.evidence);
+  if (!ends) return told;
+  const auto end = [&](const CutEnd& at) {
+    const solid::ExactEnd exact = exact_end(hull, body.pose, a, b, at);
+    const Point3 p = exact.rounded();
+    return end_told(feature_told(at.at, hull, letter), to_json(p), about(p), exact.along_line, at.own, "its");
+  };
+  add_ends(end(ends->first), end(ends->last), kind, told);
+  return told;
+}
 
 using LineMethod = PolyhedronCut(const ConvexPolyhedron&, const Pose&, const LineLike&);
 
@@ -130,31 +81,24 @@ LineLike line_like(const solid::Flat& flat) {
   return std::get<solid::Line>(flat);
 }
 
-class LinePair : public PairQuestion {
+class LinePair : public MixedPair {
  public:
   LinePair(const PairCall& asked, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
            const PairFiles& files)
-      : PairQuestion(asked, body_is_a ? object_of(body) : line.object_of(asked),
-                     body_is_a ? line.object_of(asked) : object_of(body), files),
+      : MixedPair(asked, object_of(body), line.object_of(asked), body_is_a, files),
         method_(method_by(asked.method, line_methods, " (with a line or a ray)")),
         body_(body),
         line_(line),
-        other_(line_like(line.flat)),
-        body_is_a_(body_is_a) {
-    is_b_first_ = !body_is_a;  // the body is the first of the file
-  }
+        other_(line_like(line.flat)) {}
 
   void ask() {
     cut_ = method_(body_.mesh.hull, body_.pose, other_);
-    take(cut_, cut_.decided_by == DecidedBy::scan        ? decided_text(DecidedBy::scan)
-               : cut_.decided_by == DecidedBy::finishing ? decided_text(DecidedBy::finishing)
-               : cut_.decided_by == DecidedBy::filter    ? "signs, by floating-point filters alone"
-                                                         : "signs, with the help of exact arithmetic");
+    const bool is_by_signs = cut_.decided_by != DecidedBy::scan && cut_.decided_by != DecidedBy::finishing;
+    take(cut_, is_by_signs ? signs_text(cut_.decided_by) : decided_text(cut_.decided_by));
     contact_ = contact_of(body_.mesh.hull, other_, cut_);
-    if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
-    CutTold told = cut_told(cut_, body_, body_is_a_ ? "A" : "B", line_.object.points[0], line_.object.points[1]);
-    facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
-              {"common", std::move(told.json), std::move(told.text)}};
+    tell_said_of(body_.is_hull());
+    const auto& points = line_.object.points;
+    facts_.push_back(fact_of("common", cut_told(cut_, body_, letter(), points[0], points[1])));
     state([this](auto& pairs, auto body, auto line) {
       const bool is_own = call.method != "automatic";  // only the front door names evidence
       const PolyhedronCut proved = is_own ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
@@ -167,7 +111,6 @@ class LinePair : public PairQuestion {
   const PlacedBody& body_;
   const PlacedFlat& line_;
   LineLike other_;
-  bool body_is_a_;
   PolyhedronCut cut_;
 };
 
@@ -181,12 +124,6 @@ std::optional<SegmentCut> segment_cut(const PlacedBody& body, const char* letter
   const solid::Segment placed = solid::Segment::between(*a, *b);
   PolyhedronCut cut = polyhedron_segment(body.mesh.hull, body.pose, placed);
   return SegmentCut{placed, cut, cut_told(cut, body, letter, *a, *b)};
-}
-
-CutTold cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
-                 const Point3& b) {
-  const CutTeller teller(cut, body, letter, a, b);
-  return {teller.json(), teller.text()};
 }
 
 Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,

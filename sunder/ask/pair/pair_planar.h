@@ -47,7 +47,7 @@ struct PlanarBody {
   std::string remark{};  // to be noted: that its vertices are those of the file in reverse
 
   // "vertex 2 of A", {"vertex": 2}; "edge 2-3 of A", {"edge": [2, 3]}.
-  Feature feature(const char* letter, std::uint32_t v, bool is_edge) const;
+  Told feature(const char* letter, std::uint32_t v, bool is_edge) const;
 };
 
 // Throws Error where the vertices are not those of a convex polygon. Requires a bounded object.

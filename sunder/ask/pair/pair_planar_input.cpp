@@ -158,7 +158,7 @@ PlanarBody planar_body(const PlanarInput& input, const PairCall& call) {
   return body;
 }
 
-Feature PlanarBody::feature(const char* letter, std::uint32_t v, bool is_edge) const {
+Told PlanarBody::feature(const char* letter, std::uint32_t v, bool is_edge) const {
   if (!is_edge) return {{{"vertex", v}}, fmt::format("vertex {} of {}", v, letter)};
   return {{{"edge", {v, polygon.next(v)}}}, fmt::format("edge {}-{} of {}", v, polygon.next(v), letter)};
 }

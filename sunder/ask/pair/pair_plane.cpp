@@ -1,3 +1,4 @@
+#include <sunder/ask/pair/pair_mixed.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/predicate/coordinates.h>
@@ -25,37 +26,29 @@ constexpr std::array<Named<PlaneMethod>, 3> plane_methods{{{"automatic", solid::
                                                            {"drums", solid::polyhedron_plane_by_drums},
                                                            {"scan", solid::polyhedron_plane_by_scan}}};
 
-class PlanePair : public PairQuestion {
+class PlanePair : public MixedPair {
  public:
   PlanePair(const PairCall& asked, const PlacedBody& body, const PlacedFlat& plane, bool body_is_a,
             const PairFiles& files)
-      : PairQuestion(asked, body_is_a ? object_of(body) : plane.object_of(asked),
-                     body_is_a ? plane.object_of(asked) : object_of(body), files),
+      : MixedPair(asked, object_of(body), plane.object_of(asked), body_is_a, files),
         method_(method_by(asked.method, plane_methods, " (with a plane)")),
         body_(body),
         plane_(std::get<Plane>(plane.flat)),
-        in_file_(plane.body),
-        body_is_a_(body_is_a) {
-    is_b_first_ = !body_is_a;  // the body is the first of the file
-  }
+        in_file_(plane.body) {}
 
   void ask() {
     const ConvexPolyhedron& body = body_.mesh.hull;
     answer_ = method_(body, body_.pose, plane_);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify && meet_) contact_ = solid::polyhedron_plane_contact(body, body_.pose, plane_);
-    if (meet_ && body_.is_hull()) verdict_ = "meet as hulls";
-    facts_ = {{"said_of", meet_ && body_.is_hull() ? "hulls" : "bodies", ""},
-              {"evidence", evidence_json(), evidence_text()}};
+    tell_said_of(body_.is_hull());
+    facts_.push_back(fact_of("evidence", told()));
     state([this](auto& pairs, auto first, auto second) {
       add_claims(pairs, first, second, body_.mesh.hull, body_.pose, plane_, *in_file_, answer_, contact_);
     });
   }
 
  private:
-  const char* letter() const { return body_is_a_ ? "A" : "B"; }
-  const char* other_letter() const { return body_is_a_ ? "B" : "A"; }
-
   // Of the nearest vertex, rounded.
   double distance(std::uint32_t nearest) const {
     const Posed3 vertex{body_.mesh.hull.vertices()[nearest], &body_.pose.affine(), false};
@@ -64,36 +57,28 @@ class PlanePair : public PairQuestion {
     const solid::Exact3 n = coordinates<Dyadic>(plane_.normal);
     return std::sqrt(nearest_ratio(height * height, dot(n, n)));
   }
-  Point3 point() const { return nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_)); }
 
-  Json evidence_json() const {
-    if (const auto* across = std::get_if<solid::AcrossPlane>(&answer_.evidence)) {
-      return {{"point", to_json(point())}, {"below", across->below}, {"above", across->above}};
-    }
-    const auto& [side, nearest] = std::get<solid::BesidePlane>(answer_.evidence);
-    return {
-        {"side", side == Sign::positive ? "above" : "below"}, {"nearest", nearest}, {"gap_about", distance(nearest)}};
-  }
-  std::string evidence_text() const {
+  Told told() const {
     if (const auto* beside = std::get_if<solid::BesidePlane>(&answer_.evidence)) {
-      return fmt::format("all of {0} is {1} {2}; vertex {3} of {0} is nearest to it, about {4} away", letter(),
-                         beside->side == Sign::positive ? "above" : "below", other_letter(), beside->nearest,
-                         about(distance(beside->nearest)));
+      const char* side = beside->side == Sign::positive ? "above" : "below";
+      const double gap = distance(beside->nearest);
+      return {{{"side", side}, {"nearest", beside->nearest}, {"gap_about", gap}},
+              fmt::format("all of {0} is {1} {2}; vertex {3} of {0} is nearest to it, about {4} away", letter(), side,
+                          other_letter(), beside->nearest, about(gap))};
     }
     const auto& [below, above] = std::get<solid::AcrossPlane>(answer_.evidence);
-    if (below == above) {
-      return fmt::format("a common point at about {}, vertex {} of {}", about(point()), below, letter());
-    }
-    return fmt::format(
-        "a common point at about {}, between vertex {} of {}, not above {},\nand vertex {}, not below it",
-        about(point()), below, letter(), other_letter(), above);
+    const Point3 point = nearest(common_point(body_.mesh.hull, body_.pose, plane_, answer_));
+    return {{{"point", to_json(point)}, {"below", below}, {"above", above}},
+            fmt::format("a common point at about {}, ", about(point)) +
+                (below == above ? fmt::format("vertex {} of {}", below, letter())
+                                : fmt::format("between vertex {} of {}, not above {},\nand vertex {}, not below it",
+                                              below, letter(), other_letter(), above))};
   }
 
   PlaneMethod* method_;
   const PlacedBody& body_;
   const Plane& plane_;
   const std::optional<solid::FlatBody>& in_file_;
-  bool body_is_a_;
   PolyhedronPlane answer_;
 };
 

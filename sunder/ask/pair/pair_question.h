@@ -76,11 +76,13 @@ struct PairObject {
   PlacedVertices in_space() const { return {vertices, pose, false}; }
 };
 
-// A vertex, an edge or a facet, as it is told of A or B.
-struct Feature {
+// A part of an answer, to programs and to people: a feature of A or B, say.
+struct Told {
   Json json;
   std::string text;
 };
+
+inline Fact fact_of(std::string key, Told told) { return {std::move(key), std::move(told.json), std::move(told.text)}; }
 
 // What questions (question.h) about pairs share. ask() of each kind fills in what is protected here.
 class PairQuestion {

@@ -11,7 +11,9 @@
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace sunder::ask {
@@ -100,19 +102,15 @@ Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedF
 std::string plane_method_names();
 std::string line_method_names();
 
-// What a line, a ray or a segment through a and b has in common with the body called `letter`.
-struct CutTold {
-  Json json;
-  std::string text;
-};
-CutTold cut_told(const solid::PolyhedronCut& cut, const PlacedBody& body, const char* letter, const Point3& a,
-                 const Point3& b);
+// Few vertices of a body, which is called so, that span a part of its surface: a vertex, an edge, a part of a facet.
+Told surface_part(const solid::ConvexPolyhedron& body, std::span<const std::uint32_t> vertices, const char* letter);
 
-// The same where the other one is bounded. Nothing, where that is no segment, or its ends in the world are no doubles.
+// What a segment has in common with a body. Nothing, where the other one is none, or its ends in the world are no
+// doubles.
 struct SegmentCut {
   solid::Segment segment;  // in the world
   solid::PolyhedronCut cut;
-  CutTold told;
+  Told told;
 };
 std::optional<SegmentCut> segment_cut(const PlacedBody& body, const char* letter, const PlacedBody& segment);
 

@@ -1,3 +1,4 @@
+#include <sunder/ask/pair/pair_mixed.h>
 #include <sunder/ask/pair/pair_planar.h>
 
 #include <sunder/base/error.h>
@@ -35,14 +36,6 @@ constexpr std::array<Named<UnboundedMethod>, 3> unbounded_methods{
 UnboundedMethod* method_of(const std::string& name, PlanarKind kind) {
   const std::span<const Named<UnboundedMethod>> all = unbounded_methods;
   return method_by(name, kind == PlanarKind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
-}
-
-std::string exact_text(const ExactFraction& t) { return fraction_text(t.numerator, t.denominator); }
-
-// As a fraction where that is short.
-std::string short_fraction(const ExactFraction& t) {
-  const std::string text = exact_text(t);
-  return text.size() <= 20 ? text : "about " + about(t.nearest());
 }
 
 // In the world, exactly.
@@ -113,13 +106,10 @@ struct Mixed {
   PairObject object;
 };
 
-class UnboundedPair : public PairQuestion {
+class UnboundedPair : public MixedPair {
  public:
   UnboundedPair(const PairCall& asked, const Mixed& mixed, const PairFiles& files)
-      : PairQuestion(asked, mixed.body_is_a ? mixed.body.object : mixed.object,
-                     mixed.body_is_a ? mixed.object : mixed.body.object, files, Space::planar),
-        mixed_(mixed) {
-    is_b_first_ = !mixed.body_is_a;  // the body is the first of the file
+      : MixedPair(asked, mixed.body.object, mixed.object, mixed.body_is_a, files, Space::planar), mixed_(mixed) {
     if (!body_.remark.empty()) files.talk.note(body_.remark);
   }
 
@@ -127,10 +117,10 @@ class UnboundedPair : public PairQuestion {
 
   void ask() {
     common_ = mixed_.method(body_.polygon, body_.pose, mixed_.unbounded);
-    take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
-                                                          : "signs, with the help of exact arithmetic");
+    take(common_, signs_text(common_.decided_by));
     contact_ = contact_of(body_.polygon, mixed_.unbounded, common_);
-    facts_ = {{"common", common_json(), common_text()}};
+    told_ = told();
+    facts_.push_back(fact_of("common", told_));
     if (meet_ && kind_ == PlanarKind::half_plane) not_proved_.emplace_back("the common part");
     state([this](auto& pairs, auto body, auto other) {
       add_claims(pairs, body, other, body_.polygon, body_.pose, mixed_.unbounded, common_, call.classify);
@@ -146,7 +136,7 @@ class UnboundedPair : public PairQuestion {
                                 mixed_.object.name,
                                 mixed_.body_is_a,
                                 {},
-                                common_text(),
+                                told_.text,
                                 call.title,
                                 files_.left_out.clause()};
     if (const std::optional<Ends> ends = ends_of(common_.evidence)) {
@@ -156,89 +146,71 @@ class UnboundedPair : public PairQuestion {
   }
 
  private:
-  const char* letter() const { return mixed_.body_is_a ? "A" : "B"; }
   std::string vertex(std::uint32_t v) const { return body_.feature(letter(), v, false).text; }
   planar::ExactEnd exact(const planar::CutEnd& end) const {
     return planar::exact_end(body_.polygon, body_.pose, mixed_.line.a, mixed_.line.b, end);
   }
 
-  std::string end_text(const planar::CutEnd& end) const {
-    const planar::ExactEnd e = exact(end);
-    const std::string place = end.place == Place::inside
-                                  ? fmt::format("inside {}", letter())
-                                  : body_.feature(letter(), end.feature, end.place == Place::edge).text;
-    if (end.own == OwnEnd::a) return fmt::format("the ray's beginning at about {}, {}", about(e.rounded()), place);
-    return fmt::format("about {}, {}, t = {}", about(e.rounded()), place, short_fraction(e.along_line));
+  Told end(const planar::CutEnd& at) const {
+    const planar::ExactEnd e = exact(at);
+    const Point2 p = e.rounded();
+    Told place{{{"inside", true}}, fmt::format("inside {}", letter())};
+    if (at.place != Place::inside) place = body_.feature(letter(), at.feature, at.place == Place::edge);
+    if (at.place == Place::edge) {
+      place.json["along_edge"] = fraction_text(e.along_edge.numerator, e.along_edge.denominator);
+    }
+    return end_told(std::move(place), {p.x, p.y}, about(p), e.along_line, at.own, "the ray's");
   }
 
-  std::string ends_text(const Ends& ends) const {
-    return fmt::format("from {}\nto {}", end_text(ends.first), end_text(ends.last));
-  }
-
-  std::string told(const planar::BesideLine& beside) const {
+  // What it is; where it has ends, before these.
+  std::string words(const planar::BesideLine& beside) const {
     return kind_ == PlanarKind::line ? fmt::format("nothing; {} is nearest to the line", vertex(beside.nearest))
                                      : "nothing";
   }
-  std::string told(const planar::BeyondEnd&) const { return "nothing"; }
-  std::string told(const planar::BesideHalfPlane& beside) const {
+  std::string words(const planar::BeyondEnd&) const { return "nothing"; }
+  std::string words(const planar::BesideHalfPlane& beside) const {
     return fmt::format("nothing; {} is nearest to it", vertex(beside.nearest));
   }
-  std::string told(const planar::CutPoint& point) const { return "one point, " + end_text(point.at); }
-  std::string told(const planar::CutAlong& along) const {
+  std::string words(const planar::CutPoint&) const { return "one point, "; }
+  std::string words(const planar::CutAlong& along) const {
     const bool all = along.first.place == Place::vertex && along.last.place == Place::vertex;
-    return fmt::format("{}{}, {}", all ? "" : "a part of ", body_.feature(letter(), along.edge, true).text,
-                       ends_text({along.first, along.last}));
+    return fmt::format("{}{}, ", all ? "" : "a part of ", body_.feature(letter(), along.edge, true).text);
   }
-  std::string told(const planar::CutAcross& across) const {
-    return "a segment, " + ends_text({across.first, across.last});
+  std::string words(const planar::CutAcross&) const { return "a segment, "; }
+  std::string words(const planar::PartWithin&) const {
+    return body_.polygon.size() > 2 ? "a part, cut off " : "a part, ";
   }
-  std::string told(const planar::PartWithin& part) const {
-    if (body_.polygon.size() > 2) return "a part, cut off " + ends_text({part.first, part.last});
-    return fmt::format("a part, from {}\nto {}", end_text(part.first), vertex(part.furthest));
-  }
-  std::string told(const planar::WholeWithin& whole) const {
+  std::string words(const planar::WholeWithin& whole) const {
     return fmt::format("all of {}; {} is furthest within", letter(), vertex(whole.furthest));
   }
-  std::string common_text() const {
-    return std::visit([this](const auto& common) { return told(common); }, common_.evidence);
-  }
 
-  Json end_json(const planar::CutEnd& end) const {
-    const planar::ExactEnd e = exact(end);
-    const Point2 p = e.rounded();
-    Json json{{"point", {p.x, p.y}}, {"along_line", exact_text(e.along_line)}};
-    if (end.place == Place::inside) {
-      json["inside"] = true;
-    } else {
-      json.update(body_.feature(letter(), end.feature, end.place == Place::edge).json);
-      if (end.place == Place::edge) json["along_edge"] = exact_text(e.along_edge);
-    }
-    if (end.own == OwnEnd::a) json["beginning"] = true;
-    return json;
-  }
-
-  Json common_json() const {
-    Json json{{"kind", name_of(kind_of(common_))}};
+  Told told() const {
+    const planar::PolygonCommon::Evidence& evidence = common_.evidence;
+    Told told{{{"kind", name_of(kind_of(common_))}},
+              std::visit([this](const auto& common) { return words(common); }, evidence)};
     if (kind_ == PlanarKind::half_plane) {
-      json[common_.meet() ? "furthest" : "nearest"] = furthest_of(common_);
-    } else if (const auto* beside = std::get_if<planar::BesideLine>(&common_.evidence);
-               beside != nullptr && kind_ == PlanarKind::line) {
-      json["nearest"] = beside->nearest;
+      told.json[meet_ ? "furthest" : "nearest"] = furthest_of(common_);
+    } else if (const auto* beside = std::get_if<planar::BesideLine>(&evidence); beside && kind_ == PlanarKind::line) {
+      told.json["nearest"] = beside->nearest;
     }
-    const std::optional<Ends> ends = ends_of(common_.evidence);
-    if (!ends) return json;
-    if (const auto* along = std::get_if<planar::CutAlong>(&common_.evidence)) {
-      json.update(body_.feature(letter(), along->edge, true).json);
+    const std::optional<Ends> ends = ends_of(evidence);
+    if (!ends) return told;
+    if (const auto* along = std::get_if<planar::CutAlong>(&evidence)) {
+      told.json.update(body_.feature(letter(), along->edge, true).json);
     }
-    json["first"] = end_json(ends->first);
-    json["last"] = end_json(ends->last);
-    return json;
+    const Told first = end(ends->first);
+    Told last = end(ends->last);
+    const auto* part = std::get_if<planar::PartWithin>(&evidence);
+    if (part != nullptr && body_.polygon.size() == 2) last.text = vertex(part->furthest);
+    add_ends(first, last, kind_of(common_), told);
+    return told;
   }
 
   const Mixed& mixed_;
   const PlanarBody& body_ = mixed_.body;
   const PlanarKind kind_ = mixed_.other.object.kind;
   planar::PolygonCommon common_;
+  Told told_;
 };
 
 }  // namespace
