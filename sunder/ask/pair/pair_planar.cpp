@@ -16,7 +16,6 @@
 #include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace sunder::ask {
 

@@ -9,7 +9,6 @@
 #include <sunder/solid/line/flat_body.h>
 #include <sunder/solid/line/polyhedron_cut.h>
 #include <sunder/solid/object/pose.h>
-#include <sunder/solid/pair/polyhedron_polyhedron_sweep.h>
 
 #include <cstdint>
 #include <optional>

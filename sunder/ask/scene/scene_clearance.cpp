@@ -51,18 +51,6 @@ scene::Margin margin_of(const std::string& text, const robot::Cell& cell) {
   return {std::min(a, b), std::max(a, b), distance_of(io::trimmed(all.substr(equals + 1)), margin_option, true)};
 }
 
-std::string name_a(const Placed& placed, const PartDistance& pair) {
-  return part_name(placed.bodies[pair.body_a], pair.part_a);
-}
-std::string name_b(const Placed& placed, const PartDistance& pair) {
-  return part_name(placed.bodies[pair.body_b], pair.part_b);
-}
-
-// How far apart two parts are, or that they are closer, is said of what stands for them.
-bool is_of_hulls(const SceneReport& report, const PartDistance& pair) {
-  return report.cell.is_hull(pair.body_a, pair.part_a) || report.cell.is_hull(pair.body_b, pair.part_b);
-}
-
 // "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
 std::string distance_text(const PartDistance& pair) {
   if (pair.meet()) return "they meet";
@@ -75,16 +63,16 @@ std::string closer_text(const SceneReport& report, const Placed& placed, const s
   std::string text;
   for (std::size_t k = 0; k < answer.closer.size() && k < most_listed_closer; ++k) {
     const scene::CloserParts& pair = answer.closer[k];
-    text += fmt::format("{}{} and {} are closer than {}{}: {}\n", prefix, name_a(placed, pair), name_b(placed, pair),
-                        pair.least, is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair));
+    text += fmt::format("{}{} are closer than {}{}: {}\n", prefix, names_of(placed, pair), pair.least,
+                        is_hull(report, pair) ? ", as hulls" : "", distance_text(pair));
   }
   if (answer.closer.size() > most_listed_closer) {
     text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed_closer, "pair"));
   }
   for (std::size_t k = 0; k < answer.undecided.size() && k < most_listed_closer; ++k) {
     const scene::CloserParts& pair = answer.undecided[k];
-    text += fmt::format("{}undecided: it is not known whether {} and {} are closer than {}: {}\n", prefix,
-                        name_a(placed, pair), name_b(placed, pair), pair.least, distance_text(pair));
+    text += fmt::format("{}undecided: it is not known whether {} are closer than {}: {}\n", prefix,
+                        names_of(placed, pair), pair.least, distance_text(pair));
   }
   if (answer.undecided.size() > most_listed_closer) {
     text += fmt::format("{}and {} more undecided\n", prefix,
@@ -102,20 +90,15 @@ std::string nearest_text(const SceneReport& report, const Placed& placed, const 
   const LeftOutList& left_out = report.cell.left_out();
   if (!placed.near.nearest) return prefix + "nearest: no pair is asked about" + left_out.clause() + "\n";
   const PartDistance& pair = *placed.near.nearest;
-  return fmt::format("{}nearest: {} and {}{}: {}{}\n", prefix, name_a(placed, pair), name_b(placed, pair),
-                     is_of_hulls(report, pair) ? ", as hulls" : "", distance_text(pair), left_out.clause());
+  return fmt::format("{}nearest: {}{}: {}{}\n", prefix, names_of(placed, pair),
+                     is_hull(report, pair) ? ", as hulls" : "", distance_text(pair), left_out.clause());
 }
 
 Json pair_json(const SceneReport& report, std::size_t placement, const PartDistance& pair) {
-  const Placed& placed = report.placements[placement];
-  Json json{{"placement", placement},
-            {"a", placed.bodies[pair.body_a].name},
-            {"b", placed.bodies[pair.body_b].name},
-            {"part_a", pair.part_a},
-            {"part_b", pair.part_b},
-            {"said_of", is_of_hulls(report, pair) ? "hulls" : "bodies"},
-            {"low", pair.distance.low},
-            {"high", pair.distance.high}};
+  Json json = begun_json(report, placement, pair);
+  json["said_of"] = is_hull(report, pair) ? "hulls" : "bodies";
+  json["low"] = pair.distance.low;
+  json["high"] = pair.distance.high;
   if (const auto points = rounded_nearest(pair.evidence)) {
     json["points_about"] = Json::array({to_json((*points)[0]), to_json((*points)[1])});
   }

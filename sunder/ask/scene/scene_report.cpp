@@ -26,14 +26,8 @@ constexpr std::size_t most_listed = 20;     // pairs that meet, of one placement
 const scene::Part& part_a(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_a].parts[pair.part_a]; }
 const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_b].parts[pair.part_b]; }
 
-std::string name_a(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_a], pair.part_a); }
-std::string name_b(const Placed& p, const PartPair& pair) { return part_name(p.bodies[pair.body_b], pair.part_b); }
-
 // Do the parts meet, and do hulls replace meshes in that?
-bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
-  return pair.meet() &&
-         (report.cell.is_hull(pair.body_a, pair.part_a) || report.cell.is_hull(pair.body_b, pair.part_b));
-}
+bool meet_as_hulls(const SceneReport& report, const PartPair& pair) { return pair.meet() && is_hull(report, pair); }
 
 // Of a pair that meets, rounded.
 Point3 common_point(const Placed& placed, const PartPair& pair) {
@@ -151,7 +145,7 @@ std::string undecided_text(const Placed& placed, const std::string& prefix) {
   std::uint64_t listed = 0;
   for (const PartPair& pair : placed.answer.pairs) {
     if (!pair.undecided() || ++listed > most_listed) continue;
-    text += prefix + "undecided: " + name_a(placed, pair) + " and " + name_b(placed, pair) +
+    text += prefix + "undecided: " + names_of(placed, pair) +
             " are so near to touching that it is not known whether they meet\n";
   }
   if (listed > most_listed) {
@@ -170,7 +164,7 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
     if (++listed > most_listed) continue;
     const std::string contact =
         report.question.contacts ? fmt::format(", {}{}", contact_name(pair), pair.counts ? "" : " (allowed)") : "";
-    text += prefix + name_a(placed, pair) + " and " + name_b(placed, pair) + " " +
+    text += prefix + names_of(placed, pair) + " " +
             painted(meet_as_hulls(report, pair) ? "meet as hulls" : "meet", report.colour && pair.counts, "1;31") +
             contact + ", at about " + about(common_point(placed, pair)) + "\n";
   }
@@ -217,7 +211,7 @@ std::string allowed_meeting_text(const SceneReport& report, const Placed& placed
       const char* const verdict = pair->undecided()              ? ", undecided whether they meet"
                                   : meet_as_hulls(report, *pair) ? " meet as hulls"
                                                                  : " meet";
-      const std::string names = name_a(placed, *pair) + " and " + name_b(placed, *pair);
+      const std::string names = names_of(placed, *pair);
       if (is_of_neighbours(of.reason)) {
         neighbours += (neighbours.empty() ? "" : "; ") + names + verdict;
       } else {
@@ -266,12 +260,8 @@ Json object_json(const io::BodyPart& part) {
 
 Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   const Placed& placed = report.placements[p];
-  Json json{{"placement", p},
-            {"a", placed.bodies[pair.body_a].name},
-            {"b", placed.bodies[pair.body_b].name},
-            {"part_a", pair.part_a},
-            {"part_b", pair.part_b},
-            {"answer", name_of(pair.verdict())}};
+  Json json = begun_json(report, p, pair);
+  json["answer"] = name_of(pair.verdict());
   if (report.question.contacts) add_contact(pair, json);
   json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
   json["counted"] = pair.counts;
@@ -292,14 +282,10 @@ Json allowed_meeting_json(const SceneReport& report) {
     const Placed& placed = report.placements[p];
     for (const PartPair& pair : placed.of_allowed->pairs) {
       if (!pair.meet() && !pair.undecided()) continue;
-      Json json{{"placement", p},
-                {"a", placed.bodies[pair.body_a].name},
-                {"b", placed.bodies[pair.body_b].name},
-                {"part_a", pair.part_a},
-                {"part_b", pair.part_b},
-                {"reason", reasons.at({pair.body_a, pair.body_b})},
-                {"answer", name_of(pair.verdict())},
-                {"said_of", meet_as_hulls(report, pair) ? "hulls" : "bodies"}};
+      Json json = begun_json(report, p, pair);
+      json["reason"] = reasons.at({pair.body_a, pair.body_b});
+      json["answer"] = name_of(pair.verdict());
+      json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
       if (pair.meet()) json["point_about"] = to_json(common_point(placed, pair));
       list.push_back(std::move(json));
     }

@@ -43,6 +43,27 @@ struct SceneReport {
   bool is_kept() const;  // no pair is closer than its margin
 };
 
+// "hand and post/2"; is one of them a hull that replaces a mesh; which pair a list tells of. A pair has body_a, part_a,
+// body_b and part_b.
+template <class Pair>
+std::string names_of(const Placed& placed, const Pair& pair) {
+  return part_name(placed.bodies[pair.body_a], pair.part_a) + " and " +
+         part_name(placed.bodies[pair.body_b], pair.part_b);
+}
+template <class Pair>
+bool is_hull(const SceneReport& report, const Pair& pair) {
+  return report.cell.is_hull(pair.body_a, pair.part_a) || report.cell.is_hull(pair.body_b, pair.part_b);
+}
+template <class Pair>
+Json begun_json(const SceneReport& report, std::size_t placement, const Pair& pair) {
+  const std::vector<scene::Body>& bodies = report.placements[placement].bodies;
+  return {{"placement", placement},
+          {"a", bodies[pair.body_a].name},
+          {"b", bodies[pair.body_b].name},
+          {"part_a", pair.part_a},
+          {"part_b", pair.part_b}};
+}
+
 // Where contacts were asked for: "none", "touching", "overlapping"; "touching or overlapping" where it is not known;
 // "undecided" of a pair that is.
 std::string_view contact_name(const scene::PartPair& pair);

@@ -35,8 +35,8 @@ void add_file_options(Verb& verb, SetCall& call) {
 }
 
 void require_provable(std::uint64_t contacts) {
-  constexpr std::uint64_t most = 10'000'000, bytes_each = 24;  // [1234567,1234567,"inside"],
-  if (contacts <= most) return;
+  constexpr std::uint64_t bytes_each = 24;  // [1234567,1234567,"inside"],
+  if (contacts <= most_proved) return;
   throw Error(ErrorCode::bad_call,
               fmt::format("the proof of a list is as long as the list: {} contacts, about {} MB; ask for --count",
                           contacts, contacts * bytes_each / 1'000'000),

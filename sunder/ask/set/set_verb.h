@@ -77,7 +77,10 @@ struct SetFacts {
   Json first = Json::object(), last = Json::object();  // in a report, around what is allowed
 };
 
-// Proofs of lists are as long as the lists. Throws Error bad_call for more than 10^7 contacts: it names the option.
+// Proofs of lists are as long as the lists. Of more contacts, pairs or defects than that none is written.
+inline constexpr std::uint64_t most_proved = 10'000'000;
+
+// Throws Error bad_call for more: it names the option.
 void require_provable(std::uint64_t contacts);
 
 // Throws Error bad_call where a proof is asked of the method scan.

@@ -34,8 +34,7 @@ constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", pl
                                                                 {"sweep", planar::find_contacts_by_sweep},
                                                                 {"scan", planar::find_contacts_by_scan}}};
 
-constexpr std::uint64_t most_proved_pairs = 10'000'000;  // pairs
-constexpr std::uint64_t most_numbers = 100'000'000;      // of a sweep: at most some 0.8 GB
+constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some 0.8 GB
 
 [[noreturn]] void refuse_proof(const PolygonsInput& input, const std::string& what, std::uint64_t numbers) {
   const std::size_t digits = std::to_string(input.edges()).size();
@@ -47,8 +46,8 @@ constexpr std::uint64_t most_numbers = 100'000'000;      // of a sweep: at most 
 
 // The sweep that proves all answers but `some`.
 planar::SweepEvents sweep_of(const Talk& talk, const PolygonsInput& input, std::uint64_t pairs) {
-  if (pairs > most_proved_pairs) {
-    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved_pairs), 2 * pairs);
+  if (pairs > most_proved) {
+    refuse_proof(input, fmt::format("{} pairs meet, more than {}", pairs, most_proved), 2 * pairs);
   }
   const auto progress = talk.progress("proving");
   const std::uint64_t most = std::max(most_numbers, 8 * input.edges());  // six for an edge, where none cross

@@ -40,8 +40,6 @@ struct Sheet {
   std::string layer;  // where it is one of several sheets, its name as it stands in those of files
 };
 
-constexpr std::uint64_t most_proved_contacts = 10'000'000;  // pairs that a proof tells of
-
 using SegmentsAnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
 constexpr std::array<Named<SegmentsAnyMethod>, 5> segments_any_methods{
     {{"automatic", planar::segments_any},
@@ -175,19 +173,19 @@ Block in_sheet(const Sheet& sheet, const Block& block) {
 // A proof of a list has the list, and an event for each place where some meet.
 void require_provable(const Sheet& sheet, const SetOptions& options) {
   const std::uint64_t count = planar::segments_count(sheet.segments, options).count;
-  if (count <= most_proved_contacts) return;
+  if (count <= most_proved) return;
   const std::size_t digits = std::to_string(sheet.segments.size()).size();
   const double gigabytes = static_cast<double>(count) * static_cast<double>(5 * digits + 30) / 1e9;
   throw Error(ErrorCode::bad_call,
               fmt::format("{} pairs meet, and the proof would have about {:.1f} GB; of more than {} pairs none is "
                           "written; leave it out, or ask about less",
-                          count, gigabytes, most_proved_contacts),
+                          count, gigabytes, most_proved),
               "--certificate");
 }
 
 // What proves how many pairs meet, or that none do: the events alone, few where many meet in one place.
 planar::SweepEvents events_of(const Sheet& sheet) {
-  const std::uint64_t most = std::max(4 * most_proved_contacts, 8 * std::uint64_t{sheet.segments.size()});
+  const std::uint64_t most = std::max(4 * most_proved, 8 * std::uint64_t{sheet.segments.size()});
   std::optional<planar::SweepEvents> events = planar::sweep_events(sheet.segments, most);
   if (events) return std::move(*events);
   const std::size_t digits = std::to_string(sheet.segments.size()).size();

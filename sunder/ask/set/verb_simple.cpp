@@ -3,6 +3,7 @@
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/set/polygons_input.h>
+#include <sunder/ask/set/set_verb.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -62,9 +63,8 @@ struct SimpleResult {
   bool valid() const { return count == 0; }
 };
 
-constexpr std::size_t most_held = 1 << 16;                 // defects, of all features
-constexpr std::uint64_t most_proved_defects = 10'000'000;  // defects
-constexpr std::size_t most_listed = 20;                    // of a feature, and features
+constexpr std::size_t most_held = 1 << 16;  // defects, of all features
+constexpr std::size_t most_listed = 20;     // of a feature, and features
 
 using VisitDefects = std::function<void(const PolygonDefectVisitor&)>;
 
@@ -220,7 +220,7 @@ class ValidQuestion {
 
   // A statement for each feature that is valid, and for each defect that is listed.
   void prove() const {
-    if (defects_ > most_proved_defects) {
+    if (defects_ > most_proved) {
       throw Error(ErrorCode::bad_call,
                   fmt::format("{} defects, and their proofs would have about {:.1f} GB; leave out --all", defects_,
                               static_cast<double>(defects_) * 150 / 1e9),
