@@ -121,7 +121,9 @@ Report run_planar_pair(const PairCall& call, Talk& talk) {
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
   PolygonMethod* const method = method_by(call.method, polygon_methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
-  return answer(PolygonPair(call, method, a, b, files), files.talk);
+  PolygonPair question(call, method, a, b, files);
+  files.talk.note_all(files.systems.remarks());
+  return answer(std::move(question), files.talk);
 }
 
 std::string planar_method_names() { return method_names(polygon_methods); }

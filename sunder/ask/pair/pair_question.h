@@ -92,9 +92,7 @@ class PairQuestion {
 
   using Space = PairClaims::Space;
   PairQuestion(const PairCall& asked, PairObject a, PairObject b, const PairFiles& files, Space space = Space::solid)
-      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files), space_(space) {
-    files.talk.note_all(files.systems.remarks());
-  }
+      : call(asked), a_(std::move(a)), b_(std::move(b)), files_(files), space_(space) {}
 
   static std::uint64_t drawn() { return 0; }  // these two for planar pairs
   static std::string picture() { return ""; }

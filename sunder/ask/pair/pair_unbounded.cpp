@@ -223,6 +223,7 @@ Report run_unbounded_pair(const PairCall& call, const PlanarInput& a, const Plan
   }
   require_pair_fit(call, {pair_kind::planar_lines});
   const Mixed mixed(call, a, b);
+  files.talk.note_all(files.systems.remarks());
   return answer(UnboundedPair(call, mixed, files), files.talk);
 }
 
