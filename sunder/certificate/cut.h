@@ -1,6 +1,6 @@
-// What is told alike of the part that a line, a ray or a segment has in common with a convex body, of the plane and of
-// space. Answers are in planar/pair/polygon_cut.h and solid/line/polyhedron_cut.h, each an Answer of evidence that has
-// one alternative for each outcome.
+// The common part of a convex body and a line, a ray or a segment: the types that the plane and space share. The
+// answers are in planar/pair/polygon_cut.h and solid/line/polyhedron_cut.h. The evidence of each has one alternative
+// for each outcome.
 // Also called: clipped line; chord.
 //
 // The line runs from its point a through its point b; so do the ray, from a on, and the segment, from a to b.

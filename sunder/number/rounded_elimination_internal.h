@@ -27,8 +27,8 @@ class RoundedElimination {
   std::optional<std::size_t> step(double least);
 
   std::size_t rank() const { return rank_; }  // how many steps there were
-  // Of step k: its row, of which the columns of the steps before it mean nothing; and the column of its pivot. From
-  // rank() on: the columns that are left, ascending.
+  // The row of step k, and the column of its pivot. In this row, the columns of earlier steps have no meaning. From
+  // k = rank() on, column(k) lists the columns without a pivot, in ascending order.
   const std::array<double, most>& row(std::size_t k) const { return rows_[k]; }
   std::size_t column(std::size_t k) const { return columns_[k]; }
   double pivot(std::size_t k) const { return rows_[k][columns_[k]]; }

@@ -1,6 +1,6 @@
 // What sunder pair is asked about two bounded objects, of the plane or of space: do they meet, and how; how far apart
-// are they, how deep in each other, are they as far apart as they should be? Here is, once, what is asked for, in which
-// order it is told and stated, and in which words; a kind of objects only finds it.
+// are they, how deep in each other, are they as far apart as they should be? BoundedPair chooses the questions, and the
+// order and the words of the answers. A class for each kind of objects finds the answers.
 #pragma once
 
 #include <sunder/ask/pair/pair_question.h>

@@ -1,5 +1,5 @@
-// What sunder pair is asked about a bounded body and what need not be: a line, a ray, a plane, a half-plane; and how
-// is told what a line, a ray or a segment has in common with a body, in the plane and in space.
+// What sunder pair is asked about a bounded body and an object that may be unbounded: a line, a ray, a plane or a
+// half-plane. Also the words for the common part of a body and a line, a ray or a segment, in the plane and in space.
 #pragma once
 
 #include <sunder/ask/pair/pair_question.h>
@@ -20,7 +20,8 @@ class MixedPair : public PairQuestion {
   const char* letter() const { return is_b_first_ ? "B" : "A"; }  // of the body
   const char* other_letter() const { return is_b_first_ ? "A" : "B"; }
 
-  // Of bodies of space, before other facts: that the body meets the other as the hull that it is.
+  // Tells whether the answer is about the body, or about the hull that stands for its mesh. For bodies of space; call
+  // it before other facts are added.
   void tell_said_of(bool is_hull);
 
   // Signs alone decided: by filters, or not.

@@ -23,7 +23,7 @@ using solid::PlacedRound;
 using solid::SweepContact;
 using solid::Translation;
 
-// Where the side goes. Throws Error for what turns.
+// The motion that the call gives this body. Throws Error where the body would turn.
 Translation motion_of(const solid::Pose& begin, const PairSide& side) {
   if (side.to.empty()) return Translation(begin);
   const solid::Pose end = parse_pose(side.to, side.option("to"));
@@ -112,7 +112,7 @@ class MotionPair : public PairQuestion {
                 : fmt::format("{:.12g} of 0 to 1: they meet then, and not before {:.12g}", high, low)};
   }
 
-  // Of two polyhedra also the vertices between which the slab is.
+  // The empty slab between the bodies. For two polyhedra it also names the two vertices that bound the slab.
   Fact told_apart() const {
     const auto* of_vertices = std::get_if<solid::SeparationOnTheWay>(&answer_.evidence);
     const auto [x, y, z] = direction_of(round_a_.body, of_a_, round_b_.body, of_b_, answer_);

@@ -87,8 +87,9 @@ Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput
 // certificate is asked for and the pair is undecided.
 Report run_body_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// Where one of them moves, or both: --to-a, --to-b. Both are bounded, with a radius or without. Throws Error for what
-// turns, for a polygon in a frame that moves, for options of bodies at rest, and for a certificate of what is undecided.
+// Answers a pair of bounded bodies, with a radius or without, of which one moves, or both (--to-a, --to-b). Throws
+// Error where a body turns, where a polygon in a frame moves, for options of bodies at rest, and where a certificate is
+// asked for and the pair is undecided.
 Report run_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // A body and a plane, a body and a line or ray.

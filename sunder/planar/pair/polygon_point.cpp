@@ -69,7 +69,7 @@ Located locate(const Sequence& p, const typename Sequence::Vertex& x, Cost& cost
   return {Place::inside, i};
 }
 
-// Of what was found: in numbers, and with what proves it.
+// The evidence for the place that was found: its numbers, and what proves it.
 template <class Sequence>
 PolygonPoint::Evidence explain(const Sequence& p, const typename Sequence::Vertex& x, const Located& found,
                                StageTally& tally) {

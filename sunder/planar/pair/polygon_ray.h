@@ -3,9 +3,9 @@
 //
 // As polygon_line.h, of which it is the part from the ray's beginning on; that beginning, where it is in the polygon,
 // is an end of the answer. Where the line meets the polygon and the ray does not, no vertex is named. A point on the
-// line is compared with an end of the common part by its side of the edge there, so no point is constructed. None
-// throws, but for want of memory. Source: Chazelle & Dobkin 1987, section 2.3: "the extension to the case in which L is
-// a line segment".
+// line is compared with an end of the common part by its side of the edge there, so no point is constructed. These
+// functions throw only when memory runs out. Source: Chazelle & Dobkin 1987, section 2.3: "the extension to the case
+// in which L is a line segment".
 #pragma once
 
 #include <sunder/planar/object/line.h>

@@ -14,7 +14,7 @@ namespace {
 
 using Exact = Vector2<Dyadic>;
 
-// Of a polygon of so many vertices and what a line or ray has in common with it.
+// The relation of a polygon with this number of vertices and a line or ray, from the ends of their common part.
 Relation contact_of_ends(CutKind kind, const CutEnds<CutEnd>& ends, std::uint32_t vertices) {
   const bool inner_of_body = vertices == 1 ||
                              (vertices == 2 && (kind == CutKind::along || ends.first.place == Place::edge)) ||
