@@ -230,10 +230,10 @@ void PairClaims::add_motion_apart(std::uint32_t a, std::uint32_t b, std::uint32_
 }
 
 void PairClaims::add_motion_meet(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
-                                 const Dyadic& time, const Dyadic& denominator, const CommonPoint& point,
+                                 const ExactFraction& time, const CommonPoint& point,
                                  const std::array<Dyadic, 3>* first_along) {
   begin_motion(a, b, to_a, to_b, first_along == nullptr ? "meet" : "first");
-  file_.fraction("time", time, denominator);
+  file_.fraction("time", time.numerator, time.denominator);
   add_point_claims("holds_at", point);
   if (first_along != nullptr) add_parting("not_before", *first_along);
   file_.end_statement();

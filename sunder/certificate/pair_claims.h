@@ -64,13 +64,13 @@ class PairClaims {
   void add_overlapping(std::uint32_t a, std::uint32_t b, const CommonPoint& point);
 
   // That A and B, which go straight to where to_a and to_b are, are apart all along, as along the direction; that they
-  // have the point at time / denominator; that this is the first such time, which is not 0, as along the direction (of
+  // have the point at the time; that this is the first such time, which is not 0, as along the direction (of
   // which they are before it, and not then). Requires to_a and to_b to be a and b, moved: of one matrix; a time from 0
-  // to 1, and a positive denominator.
+  // to 1.
   void add_motion_apart(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
                         const std::array<Dyadic, 3>& direction);
-  void add_motion_meet(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b, const Dyadic& time,
-                       const Dyadic& denominator, const CommonPoint& point,
+  void add_motion_meet(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b,
+                       const ExactFraction& time, const CommonPoint& point,
                        const std::array<Dyadic, 3>* first_along = nullptr);
 
   // That A and B, which is on a line, have in common what is between two points: one of A and B ends at the first along

@@ -8,7 +8,8 @@
 
 namespace sunder {
 
-Interval root(const Dyadic& numerator, const Dyadic& denominator) {
+Interval root(const ExactFraction& square) {
+  const auto& [numerator, denominator] = square;
   SUNDER_REQUIRE(numerator.sign() != Sign::negative && denominator.sign() == Sign::positive);
   if (numerator.sign() == Sign::zero) return {0.0};
   std::int64_t shift = numerator.top() - denominator.top();
@@ -16,14 +17,10 @@ Interval root(const Dyadic& numerator, const Dyadic& denominator) {
   constexpr double largest = std::numeric_limits<double>::max(), infinity = std::numeric_limits<double>::infinity();
   const int power = static_cast<int>(std::clamp<std::int64_t>(shift / 2, -2000, 2000));
   double low = std::min(std::ldexp(std::sqrt(nearest_ratio(numerator.scaled(-shift), denominator)), power), largest);
-  const auto compared = [&](double x) {
-    const Dyadic exact(x);
-    return (exact * exact * denominator - numerator).sign();
-  };
-  while (compared(low) == Sign::positive) low = std::nextafter(low, 0.0);
-  while (low < largest && compared(std::nextafter(low, infinity)) != Sign::positive)
+  while (compare_root(square, low) == Sign::negative) low = std::nextafter(low, 0.0);
+  while (low < largest && compare_root(square, std::nextafter(low, infinity)) != Sign::negative)
     low = std::nextafter(low, infinity);
-  return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
+  return {low, compare_root(square, low) == Sign::zero ? low : std::nextafter(low, infinity)};
 }
 
 std::optional<Interval> sure_root(const Estimate& numerator, const Estimate& denominator) {

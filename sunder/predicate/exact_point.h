@@ -1,8 +1,9 @@
-// Fractions, and points with one denominator, in exact numbers: of the plane (D = 2), of space (D = 3), and of R^d.
+// Points with one denominator, in exact numbers: of the plane (D = 2), of space (D = 3), and of R^d.
 // Also called: homogeneous coordinates.
 #pragma once
 
 #include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/number/vector.h>
 #include <sunder/predicate/point.h>
 
@@ -11,12 +12,6 @@
 #include <vector>
 
 namespace sunder {
-
-// numerator / denominator, not in lowest terms; the denominator is positive.
-struct ExactFraction {
-  Dyadic numerator, denominator{1.0};
-  double nearest() const { return nearest_ratio(numerator, denominator); }  // ties to even
-};
 
 // Each coordinate is over the denominator, which is positive where nothing else is said.
 template <std::size_t D>

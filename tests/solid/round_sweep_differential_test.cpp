@@ -104,12 +104,12 @@ TEST(RoundSweepDifferential, EachAnswerIsProved) {
     std::optional<RoundFirstContact> first;
     if (answer.meet()) {
       first = round_round_first_contact(m.a, m.of_a, m.b, m.of_b, answer);
-      const Interval found = contact_of(m.a, m.of_a, m.b, m.of_b, answer).about();
+      const Interval found = contact_of(m.a, m.of_a, m.b, m.of_b, answer).time.enclosure();
       tally.between += found.low > 0 && found.high < 1;
       ASSERT_LE(0, first->time.low);
       ASSERT_LE(first->time.low, first->time.high);
       ASSERT_LE(first->time.high, found.high) << i << " " << named(c);
-      ASSERT_EQ(first->contact.about().high, first->time.high);
+      ASSERT_EQ(first->contact.time.enclosure().high, first->time.high);
       ++firsts;
       narrow += first->time.high - first->time.low <= 0x1p-36;
     }

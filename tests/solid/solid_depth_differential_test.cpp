@@ -118,8 +118,7 @@ std::string depth_certificate(const PairCase& c, const PolyhedraOverlap& overlap
 
 // P2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the depth.
 void expect_narrow_depth(const PolyhedraOverlap& d) {
-  const std::array<Dyadic, 2>& squared = d.exact->squared;
-  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * squared[1] - squared[0]).sign(); };
+  const auto compared = [&](double x) { return compare(ExactFraction{Dyadic(x) * Dyadic(x)}, d.exact->squared); };
   const auto [low, high] = d.depth;
   ASSERT_NE(compared(low), Sign::positive);
   ASSERT_EQ(low == high, compared(low) == Sign::zero);
@@ -169,7 +168,7 @@ TEST(SolidDepthDifferential, AgreesWithAllNormalsAndIsProved) {
       ++t.scanned;
       const Oracle oracle(images(c.a, c.pose_a), images(c.b, c.pose_b));
       const Fraction square = oracle.least_.value_or(0) / Fraction(Integer(1) << (4 * unit));
-      ASSERT_TRUE(fraction(d.exact->squared[0]) == square * fraction(d.exact->squared[1]))
+      ASSERT_TRUE(fraction(d.exact->squared.numerator) == square * fraction(d.exact->squared.denominator))
           << i << " " << name_of(c.family);
     }
     if (!std::isfinite(d.depth.high)) continue;
@@ -210,8 +209,8 @@ TEST(SolidDepthDifferential, SymmetriesKeepTheDepth) {
     const auto same = [&](const PolyhedronDepth& answer, double factor) {
       const PolyhedraOverlap* other = overlap_of(answer);
       if (other == nullptr || !other->exact) return false;
-      const auto &x = overlap->exact->squared, &y = other->exact->squared;
-      return (Dyadic(factor) * Dyadic(factor) * x[0] * y[1] - y[0] * x[1]).sign() == Sign::zero;
+      const auto& [numerator, denominator] = overlap->exact->squared;
+      return ExactFraction{Dyadic(factor) * Dyadic(factor) * numerator, denominator} == other->exact->squared;
     };
     ASSERT_TRUE(same(polyhedron_polyhedron_depth(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;
     const auto changed = [&](const auto& change) {

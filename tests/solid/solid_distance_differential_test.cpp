@@ -27,13 +27,6 @@ using solid::ConvexPolyhedron;
 using solid::PolyhedronDistance;
 using solid::Pose;
 
-using DyadicRatio = std::array<Dyadic, 2>;
-
-// x times `factor` against y.
-Sign compare(const DyadicRatio& x, const Dyadic& factor, const DyadicRatio& y) {
-  return (factor * x[0] * y[1] - y[0] * x[1]).sign();
-}
-
 // What the library says of the pair: parted, how far, and of clearances that are kept barely, and not quite.
 std::string distance_certificate(const PairCase& c, const PolyhedronDistance& distance) {
   std::string text;
@@ -54,8 +47,9 @@ std::string distance_certificate(const PairCase& c, const PolyhedronDistance& di
 
 // D2: low^2 <= numerator / denominator <= high^2, and the two are neighbours, or equal where a double is the distance.
 void expect_narrow_distance(const PolyhedronDistance& d) {
-  const auto [numerator, denominator] = closest_of(d)->squared();
-  const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * denominator - numerator).sign(); };
+  const auto compared = [square = closest_of(d)->squared()](double x) {
+    return compare(ExactFraction{Dyadic(x) * Dyadic(x)}, square);
+  };
   const auto [low, high] = distance_of(d);
   ASSERT_NE(compared(low), Sign::positive);
   ASSERT_EQ(low == high, compared(low) == Sign::zero);
@@ -93,7 +87,7 @@ TEST(SolidDistanceDifferential, AgreesWithTheScanAndIsProved) {
       ASSERT_EQ(d.meet(), scan.meet()) << i << " " << name_of(c.family);
       if (!d.meet()) {
         ++t.scanned;
-        ASSERT_EQ(compare(closest_of(d)->squared(), 1.0, closest_of(scan)->squared()), Sign::zero)
+        ASSERT_EQ(closest_of(d)->squared(), closest_of(scan)->squared())
             << i << " " << name_of(c.family) << " " << distance_of(d).low << " " << distance_of(scan).low;
       }
     }
@@ -168,8 +162,8 @@ TEST(SolidDistanceDifferential, SymmetriesKeepTheDistance) {
     const PolyhedronDistance d = polyhedron_polyhedron_distance(c.a, c.pose_a, c.b, c.pose_b);
     const auto same = [&](const PolyhedronDistance& other, double factor) {
       if (d.meet() || other.meet()) return d.meet() == other.meet();
-      return compare(closest_of(d)->squared(), Dyadic(factor) * Dyadic(factor), closest_of(other)->squared()) ==
-             Sign::zero;
+      const auto [numerator, denominator] = closest_of(d)->squared();
+      return ExactFraction{Dyadic(factor) * Dyadic(factor) * numerator, denominator} == closest_of(other)->squared();
     };
     apart += !d.meet();
     ASSERT_TRUE(same(polyhedron_polyhedron_distance(c.b, c.pose_b, c.a, c.pose_a), 1)) << "swapped " << i;

@@ -91,7 +91,7 @@ FractionPoint mean(const MovingHull& hull, const Combination& of, const Fraction
 
 // Returns the time.
 Fraction expect_contact(const Moving& m, const SweepContact& contact) {
-  const Fraction time = fraction_of(contact.time) / fraction_of(contact.denominator);
+  const Fraction time = fraction_of(contact.time.numerator) / fraction_of(contact.time.denominator);
   EXPECT_TRUE(time >= 0 && time <= 1);
   const MovingHull a = m.hull_a(), b = m.hull_b();
   const auto& [x, y, z, denominator] = contact.point.at;
@@ -99,7 +99,7 @@ Fraction expect_contact(const Moving& m, const SweepContact& contact) {
   for (Fraction& number : point) number /= fraction_of(denominator);
   EXPECT_EQ(mean(a, contact.point.of_a, time), point);
   EXPECT_EQ(mean(b, contact.point.of_b, time), point);
-  const Interval about = contact.about();
+  const Interval about = contact.time.enclosure();
   EXPECT_TRUE(fraction_of(about.low) <= time && time <= fraction_of(about.high));
   EXPECT_LE(about.high, std::nextafter(about.low, 2.0));
   return time;
@@ -117,14 +117,14 @@ std::string motion_certificate(const Moving& m, const SweepAnswer& answer, const
     const auto [a, to_a] = add(m.a, m.of_a);
     const auto [b, to_b] = add(m.b, m.of_b);
     const auto add_meet = [&](const SweepContact& c, const std::array<Dyadic, 3>* along) {
-      pairs.add_motion_meet(a, b, to_a, to_b, c.time, c.denominator, c.point, along);
+      pairs.add_motion_meet(a, b, to_a, to_b, c.time, c.point, along);
     };
     if (!answer.meet()) {
       pairs.add_motion_apart(a, b, to_a, to_b, solid::parting_direction(answer, m.a, m.of_a, m.b, m.of_b));
     } else if (const auto* between = std::get_if<ContactOnTheWay>(&answer.evidence)) {
       add_meet(*between->contact, nullptr);
     }
-    if (first) add_meet(*first, first->time.sign() == Sign::zero ? nullptr : &first->direction);
+    if (first) add_meet(*first, first->time.numerator.sign() == Sign::zero ? nullptr : &first->direction);
   });
 }
 
@@ -330,7 +330,7 @@ TEST(SolidSweepDifferential, Symmetries) {
     EXPECT_EQ(first.has_value(), there);
     EXPECT_EQ(scaled.has_value(), there);
     if (first && scaled) {
-      EXPECT_TRUE(first->time * scaled->denominator == scaled->time * first->denominator);
+      EXPECT_EQ(first->time, scaled->time);
     }
     // At rest.
     const Translation rests_a(pose_at(Pose(), a0)), rests_b(pose_at(Pose(), b0));

@@ -141,7 +141,7 @@ class BodyPair final : public BoundedPair {
     const solid::PolyhedraOverlap& overlap = std::get<solid::PolyhedraOverlap>(deep.evidence);
     take_depth(overlap);
     if (!overlap.exact) return found;
-    found.square = fraction_text(overlap.exact->squared[0], overlap.exact->squared[1]);
+    found.square = overlap.exact->squared.text();
     const auto& [of_a, of_b] = overlap.exact->features;  // none where the difference is flat
     if (!of_a.empty()) found.between = {surface_part(core_a(), of_a, "A"), surface_part(core_b(), of_b, "B")};
     return found;

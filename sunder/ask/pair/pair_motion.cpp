@@ -76,7 +76,8 @@ class MotionPair : public PairQuestion {
     const SweepContact& contact = first_->contact;
     const bool is_proved = std::any_of(contact.direction.begin(), contact.direction.end(),
                                        [](const Dyadic& x) { return x.sign() != Sign::zero; });
-    if (!is_proved && contact.time.sign() != Sign::zero) not_proved_.emplace_back("that they do not meet before");
+    if (!is_proved && contact.time.numerator.sign() != Sign::zero)
+      not_proved_.emplace_back("that they do not meet before");
   }
 
   std::string certificate() const {

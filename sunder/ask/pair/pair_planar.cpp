@@ -78,7 +78,7 @@ class PolygonPair final : public BoundedPair {
     state([this, depth](auto& pairs, auto a, auto b) {
       add_depth(pairs.file(), a, b, of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose, depth);
     });
-    Measure found{depth.depth, std::nullopt, fraction_text(depth.squared[0], depth.squared[1]),
+    Measure found{depth.depth, std::nullopt, depth.squared.text(),
                   WorldDirection({depth.direction[0], depth.direction[1], 0.0})};
     if (depth.edge_of_a || depth.edge_of_b) {  // not of two points
       found.between = {of_a_.feature("A", depth.a, depth.edge_of_a), of_b_.feature("B", depth.b, depth.edge_of_b)};

@@ -23,21 +23,13 @@ namespace sunder::planar {
 
 namespace {
 
-template <class Number>
-struct Height {
-  Number squared, edge_squared;  // the square of the height is squared over edge_squared
-};
-
+// The square of the height of p above the line: a numerator and a denominator.
 template <class Number, class V>
-Height<Number> height_above(const V& from, const V& to, const V& p) {
+std::pair<Number, Number> height_above(const V& from, const V& to, const V& p) {
   const auto start = coordinates<Number>(from);
   const auto edge = coordinates<Number>(to) - start;
   const Number area = cross(edge, coordinates<Number>(p) - start);
   return {area * area, dot(edge, edge)};
-}
-
-bool is_less(const Height<Dyadic>& x, const Height<Dyadic>& y) {
-  return (x.squared * y.edge_squared - y.squared * x.edge_squared).sign() == Sign::negative;
 }
 
 // Calls visit(k, v) for each edge of p: it begins at position k, and v is the position of q's vertex furthest to its
@@ -74,9 +66,8 @@ class LeastHeight {
     out.b = of_a ? b_.number(j) : edge_number(b_, j);
     const auto way = of_a ? edge_way(a_, i) : edge_way(b_, j);
     out.direction = of_a ? std::array{way.y, -way.x} : std::array{-way.y, way.x};
-    const Height<Dyadic>& exact = exact_height(*least_);
-    out.squared = {exact.squared, exact.edge_squared};
-    out.depth = root(exact.squared, exact.edge_squared);
+    out.squared = exact_height(*least_);
+    out.depth = root(out.squared);
     return out;
   }
 
@@ -88,7 +79,7 @@ class LeastHeight {
   struct Tried {
     Edge edge;
     Interval square;  // of the height
-    std::optional<Height<Dyadic>> exact{};
+    std::optional<ExactFraction> exact{};
   };
 
   template <class P>
@@ -97,25 +88,26 @@ class LeastHeight {
   }
 
   template <class Number>
-  Height<Number> height(const Edge& e) const {
+  std::pair<Number, Number> height(const Edge& e) const {
     return e.of_a ? height_above<Number>(a_[e.i], vertex_at(a_, e.i + 1), b_[e.j])
                   : height_above<Number>(b_[e.j], vertex_at(b_, e.j + 1), a_[e.i]);
   }
-  const Height<Dyadic>& exact_height(Tried& of) {
+  const ExactFraction& exact_height(Tried& of) {
     if (!of.exact) {
       ++exact_heights_;
-      of.exact = height<Dyadic>(of.edge);
+      auto [numerator, denominator] = height<Dyadic>(of.edge);
+      of.exact = {std::move(numerator), std::move(denominator)};
     }
     return *of.exact;
   }
 
   void try_edge(const Edge& edge) {
-    const Height<Interval> rough = height<Interval>(edge);
-    Tried tried{edge, rough.squared / rough.edge_squared};
+    const auto [numerator, denominator] = height<Interval>(edge);
+    Tried tried{edge, numerator / denominator};
     if (least_) {
       if (tried.square.low > least_->square.high) return;
       const bool is_sure = tried.square.high < least_->square.low;
-      if (!is_sure && !is_less(exact_height(tried), exact_height(*least_))) return;
+      if (!is_sure && exact_height(tried) >= exact_height(*least_)) return;
     }
     least_ = std::move(tried);
   }
@@ -214,27 +206,28 @@ PolygonDepthAnswer polygon_polygon_depth_by_scan(const ConvexPolygon& polygon_a,
       const auto edge = coordinates<Dyadic>(vertex_at(p, k + 1)) - coordinates<Dyadic>(p[k]);
       const std::array<Dyadic, 2> d = of_a ? std::array{edge.y, -edge.x} : std::array{-edge.y, edge.x};
       std::uint32_t i = 0, j = 0;
-      const Dyadic reach = overlap(d, i, j), length = d[0] * d[0] + d[1] * d[1];
+      const Dyadic reach = overlap(d, i, j);
+      ExactFraction squared{reach * reach, d[0] * d[0] + d[1] * d[1]};
       const bool is_first = !best.edge_of_a && !best.edge_of_b;
-      if (!is_first && (reach * reach * best.squared[1] - best.squared[0] * length).sign() != Sign::negative) continue;
+      if (!is_first && squared >= best.squared) continue;
       best.edge_of_a = of_a;
       best.edge_of_b = !of_a;
       best.a = of_a ? edge_number(a, k) : a.number(i);
       best.b = of_a ? b.number(j) : edge_number(b, k);
       best.direction = d;
-      best.squared = {reach * reach, length};
+      best.squared = std::move(squared);
     }
   };
   try_edges(a, true);
   try_edges(b, false);
-  best.depth = root(best.squared[0], best.squared[1]);
+  best.depth = root(best.squared);
   out.evidence = best;
   return out;
 }
 
 Sign compare_depth(const PolygonDepth& depth, double than) {
   SUNDER_REQUIRE(than >= 0 && std::isfinite(than));
-  return (depth.squared[0] - depth.squared[1] * Dyadic(than) * Dyadic(than)).sign();
+  return compare_root(depth.squared, than);
 }
 
 void add_depth(ClaimsWriter& file, std::uint32_t index_a, std::uint32_t index_b, const ConvexPolygon& a,

@@ -19,7 +19,7 @@
 
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/number/interval.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
@@ -39,7 +39,7 @@ struct PolygonDepth {
   bool edge_of_a = false, edge_of_b = false;  // not both
   std::uint32_t a = 0, b = 0;
   std::array<Dyadic, 2> direction{1.0, 0.0};  // from A to B, across the edge
-  std::array<Dyadic, 2> squared{0.0, 1.0};    // of the depth: numerator over denominator, which is positive
+  ExactFraction squared;                      // of the depth
   Interval depth{0.0};
 };
 

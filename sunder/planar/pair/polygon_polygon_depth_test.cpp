@@ -56,7 +56,7 @@ TEST(PolygonPolygonDepthTest, Features) {
   expect_depth(depth(four_square, ConvexPolygon::from_vertices({{1, 2}, {2, 2}, {2, 3}})), 2);
   const PolygonDepth root = depth(ConvexPolygon::from_vertices({{0, 0}, {3, 0}, {0, 3}}),
                                   ConvexPolygon::from_vertices({{1, 1}, {9, 1}, {9, 9}, {1, 9}}));
-  EXPECT_EQ((root.squared[0] - Dyadic(0.5) * root.squared[1]).sign(), Sign::zero);
+  EXPECT_EQ(root.squared, ExactFraction{Dyadic(0.5)});
   EXPECT_EQ(root.depth.high, std::nextafter(root.depth.low, 1));
 }
 

@@ -36,12 +36,12 @@ namespace {
 
 // The square of the distance of a point from a point, or from a line, exactly.
 template <class V>
-std::array<Dyadic, 2> squared_from_point(const V& p, const V& q) {
+ExactFraction squared_from_point(const V& p, const V& q) {
   const auto d = coordinates<Dyadic>(q) - coordinates<Dyadic>(p);
-  return {dot(d, d), Dyadic(1)};
+  return {dot(d, d)};
 }
 template <class V>
-std::array<Dyadic, 2> squared_from_line(const V& p, const V& from, const V& to) {
+ExactFraction squared_from_line(const V& p, const V& from, const V& to) {
   const auto e = coordinates<Dyadic>(to) - coordinates<Dyadic>(from);
   const Dyadic height = cross(e, coordinates<Dyadic>(p) - coordinates<Dyadic>(from));
   return {height * height, dot(e, e)};
@@ -139,7 +139,7 @@ PolygonDistance distance_between(const A& a, const B& b) {
   const minkowski_difference_search::Found found = search_difference(a, 0, b, 0, certificate, cost, tally);
   const auto finish = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
     ClosestFeatures closest = features(a, i, edge_of_a, b, j, edge_of_b);
-    closest.distance = root(closest.squared[0], closest.squared[1]);
+    closest.distance = root(closest.squared);
     out.evidence = std::move(closest);
   };
   if (found.meet) {
@@ -203,11 +203,6 @@ PolygonDistance distance_between(const A& a, const B& b) {
   return out;
 }
 
-// Of two fractions, each with a positive denominator.
-Sign compare(const std::array<Dyadic, 2>& x, const std::array<Dyadic, 2>& y) {
-  return (x[0] * y[1] - y[0] * x[1]).sign();
-}
-
 }  // namespace
 
 PolygonDistance polygon_polygon_distance(const ConvexPolygon& a, const Pose& pose_a,  //
@@ -229,7 +224,7 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
   StageTally tally;
   const auto try_one = [&](std::uint32_t i, bool edge_of_a, std::uint32_t j, bool edge_of_b) {
     ClosestFeatures other = features(a, i, edge_of_a, b, j, edge_of_b);
-    if (!best || compare(other.squared, best->squared) == Sign::negative) best = std::move(other);
+    if (!best || other.squared < best->squared) best = std::move(other);
   };
   // The foot of p on the edge from q to r is inside it.
   const auto faces = [&](const Posed2& p, const Posed2& q, const Posed2& r) {
@@ -242,7 +237,7 @@ PolygonDistance polygon_polygon_distance_by_scan(const ConvexPolygon& polygon_a,
       if (b.size() > 1 && faces(a[i], b[j], vertex_at(b, j + 1))) try_one(i, false, j, true);
     }
   }
-  best->distance = root(best->squared[0], best->squared[1]);
+  best->distance = root(best->squared);
   out.evidence = *std::move(best);
   out.cost.exact += tally.exact;
   return out;
@@ -254,8 +249,7 @@ Sign compare_distance(const PolygonDistance& distance, double radius) {
   if (closest == nullptr) return radius > 0 ? Sign::negative : Sign::zero;
   if (closest->distance.low > radius) return Sign::positive;
   if (closest->distance.high < radius) return Sign::negative;
-  const Dyadic r(radius);
-  return compare(closest->squared, {r * r, Dyadic(1)});
+  return compare_root(closest->squared, radius);
 }
 
 }  // namespace sunder::planar

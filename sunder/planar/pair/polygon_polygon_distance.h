@@ -13,11 +13,10 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/planar/object/convex_polygon.h>
 #include <sunder/planar/object/pose.h>
 
-#include <array>
 #include <cstdint>
 #include <variant>
 
@@ -30,7 +29,7 @@ struct ClosestFeatures {
   bool edge_of_a = false, edge_of_b = false;  // not both
   std::uint32_t a = 0, b = 0;
   Interval distance;
-  std::array<Dyadic, 2> squared{};  // of the distance: numerator over denominator, both exact; the latter is positive
+  ExactFraction squared;  // of the distance
 };
 
 using PolygonDistance = Answer<std::variant<CommonVertices, ClosestFeatures>>;

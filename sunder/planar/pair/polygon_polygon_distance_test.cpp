@@ -85,14 +85,14 @@ TEST(PolygonPolygonDistanceTest, AgreesWithTheScan) {
     if (d.meet()) continue;
     ++apart;
     (closest_of(d)->edge_of_a ? edges_a : closest_of(d)->edge_of_b ? edges_b : vertices) += 1;
-    const auto &squared = closest_of(d)->squared, &of_scan = closest_of(scan)->squared;
-    ASSERT_EQ((squared[0] * of_scan[1] - of_scan[0] * squared[1]).sign(), Sign::zero)
+    const ExactFraction& squared = closest_of(d)->squared;
+    ASSERT_EQ(squared, closest_of(scan)->squared)
         << i << " " << name_of(c.family) << " " << distance_of(d).low << " " << distance_of(scan).low;
     // The enclosure: low^2 <= numerator / denominator <= high^2, and no double is between.
     const Dyadic low(distance_of(d).low), high(distance_of(d).high);
-    ASSERT_NE((squared[0] - low * low * squared[1]).sign(), Sign::negative) << i;
-    ASSERT_NE((high * high * squared[1] - squared[0]).sign(), Sign::negative) << i;
-    const bool is_double = (squared[0] - low * low * squared[1]).sign() == Sign::zero;
+    ASSERT_GE(squared, ExactFraction{low * low}) << i;
+    ASSERT_LE(squared, ExactFraction{high * high}) << i;
+    const bool is_double = squared == ExactFraction{low * low};
     doubles += is_double ? 1 : 0;
     ASSERT_EQ(distance_of(d).high, is_double ? distance_of(d).low : std::nextafter(distance_of(d).low, HUGE_VAL)) << i;
     ASSERT_NE(compare_distance(d, distance_of(d).low), Sign::negative) << i;

@@ -55,27 +55,22 @@ bool is_inside(const std::vector<Edge>& edges, const Vector& v) {
   return inside;
 }
 
-// n / d, both positive.
-struct Ratio {
-  Dyadic n, d;
-};
-
-// A power of two below the ratio.
-Dyadic power_below(const Ratio& r) { return Dyadic::power_of_two(r.n.top() - r.d.top() - 1); }
+// A power of two below the fraction, which is positive.
+Dyadic power_below(const ExactFraction& x) { return Dyadic::power_of_two(x.numerator.top() - x.denominator.top() - 1); }
 
 // How many times the direction the ray goes until it meets the edge.
-std::optional<Ratio> way_to(const Edge& edge, const Vector& direction) {
+std::optional<ExactFraction> way_to(const Edge& edge, const Vector& direction) {
   const Dyadic at_a = cross(direction, edge.a), at_b = cross(direction, edge.b);
   if (at_a.sign() == Sign::zero || at_b.sign() == Sign::zero) {
     const Vector& end = at_a.sign() == Sign::zero ? edge.a : edge.b;  // one at the nearer end ends there too
     const Dyadic n = dot(direction, end);
-    if (n.sign() == Sign::positive) return Ratio{n, dot(direction, direction)};
+    if (n.sign() == Sign::positive) return ExactFraction{n, dot(direction, direction)};
     return std::nullopt;
   }
   if (at_a.sign() == at_b.sign()) return std::nullopt;
   const Dyadic d = at_b - at_a, n = cross(edge.a, edge.b);
   if (n.sign() != d.sign()) return std::nullopt;
-  return d.sign() == Sign::positive ? Ratio{n, d} : Ratio{-n, -d};
+  return ExactFraction::quotient(n, d);
 }
 
 // One direction within each sector at the place.
@@ -105,12 +100,12 @@ std::vector<Vector> between_edges(const std::array<std::vector<Edge>, 2>& edges)
 std::optional<ExactPoint2> inside_both_near(const Polygon& a, const Polygon& b, const ExactPoint2& place) {
   const std::array<std::vector<Edge>, 2> edges{edges_from(a, place), edges_from(b, place)};
   for (const Vector& direction : between_edges(edges)) {
-    std::optional<Ratio> least;
+    std::optional<ExactFraction> least;
     for (const std::vector<Edge>& of_polygon : edges) {
       for (const Edge& edge : of_polygon) {
         if (edge.holds_origin()) continue;
-        const std::optional<Ratio> way = way_to(edge, direction);
-        if (way && (!least || (way->n * least->d - least->n * way->d).sign() == Sign::negative)) least = way;
+        const std::optional<ExactFraction> way = way_to(edge, direction);
+        if (way && (!least || *way < *least)) least = way;
       }
     }
     if (!least) continue;  // the ray leaves both

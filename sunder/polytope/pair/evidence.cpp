@@ -1,7 +1,6 @@
 #include <sunder/polytope/pair/evidence.h>
 #include <sunder/polytope/pair/placed.h>
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -9,24 +8,7 @@ namespace sunder::polytope {
 
 namespace {
 
-bool is_negative(const Dyadic& x) { return x.sign() == Sign::negative; }
 bool is_positive(const Dyadic& x) { return x.sign() == Sign::positive; }
-
-bool are_weights(const Polytope& body, const Weights& weights) {
-  return is_positive(weights.denominator) &&
-         std::all_of(weights.parts.begin(), weights.parts.end(), [&](const Weights::Part& part) {
-           return part.index < body.size() && !is_negative(part.numerator);
-         });
-}
-
-// The weighted sum of rows.
-ExactVector combined(const Polytope& body, const Weights& weights) {
-  ExactVector sum(body.columns().dimension);
-  for (const auto& [row, weight] : weights.parts) {
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sum[c] + weight * Dyadic(body.row(row)[c]);
-  }
-  return sum;
-}
 
 Dyadic total(const Weights& weights) {
   Dyadic sum;
@@ -34,30 +16,19 @@ Dyadic total(const Weights& weights) {
   return sum;
 }
 
-// An upper bound of the products of the body with a direction, over `denominator`; nothing where none is proved.
-struct Bound {
-  Dyadic numerator, denominator{1.0};
-};
-
-std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
-                                 const Weights& multipliers) {
-  const Dyadic moved = dot(direction, pose.translation());
+// An upper bound of the products of the body with a direction; nothing where none is proved.
+std::optional<ExactFraction> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
+                                         const Weights& multipliers) {
+  const auto row = [&](std::uint32_t k) { return body.row(k); };
+  if (!body.is_of_points()) return bound_along(pose, direction, multipliers, row, body.size());
+  if (!multipliers.parts.empty()) return std::nullopt;
   const ExactVector wanted = pulled(pose, direction);
-  if (body.is_of_points()) {
-    if (!multipliers.parts.empty()) return std::nullopt;
-    std::optional<Dyadic> greatest;
-    for (std::uint32_t k = 0; k < body.size(); ++k) {
-      Dyadic product = dot(wanted, body.row(k));
-      if (!greatest || is_positive(product - *greatest)) greatest = std::move(product);
-    }
-    return Bound{*greatest + moved};
+  std::optional<Dyadic> greatest;
+  for (std::uint32_t k = 0; k < body.size(); ++k) {
+    Dyadic product = dot(wanted, body.row(k));
+    if (!greatest || is_positive(product - *greatest)) greatest = std::move(product);
   }
-  if (!are_weights(body, multipliers)) return std::nullopt;
-  const ExactVector sum = combined(body, multipliers);
-  for (std::size_t c = 0; c < wanted.size(); ++c) {
-    if (!(sum[c] == wanted[c] * multipliers.denominator)) return std::nullopt;
-  }
-  return Bound{sum[wanted.size()] + moved * multipliers.denominator, multipliers.denominator};
+  return ExactFraction{*greatest + dot(direction, pose.translation())};
 }
 
 // Does the body hold the point, by its weights or at its place?
@@ -66,9 +37,10 @@ bool holds(const Polytope& body, const Pose& pose, const ExactEvidence& evidence
   const std::size_t d = body.dimension();
   const bool is_of_points = body.is_of_points();
   if (is_of_points ? !place.numbers.empty() : !weights.parts.empty()) return false;
-  if (!are_weights(body, weights)) return false;
+  const auto sum = weighted_sum(weights, [&](std::uint32_t k) { return body.row(k); }, body.size(), d);
+  if (!sum) return false;
   const Dyadic& w = is_of_points ? weights.denominator : place.denominator;
-  const ExactVector v = is_of_points ? combined(body, weights) : place.numbers;
+  const ExactVector& v = is_of_points ? *sum : place.numbers;
   if (v.size() != d || !is_positive(w)) return false;
   if (is_of_points) {
     if (!(total(weights) == w)) return false;
@@ -109,7 +81,7 @@ bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose&
   const auto of_a = bound_along(a, pose_a, evidence.numbers, evidence.of_a);
   const auto of_b = bound_along(b, pose_b, negated(evidence.numbers), evidence.of_b);
   // greatest of A < least of B = -(greatest of B along the opposite)
-  return of_a && of_b && is_negative(of_a->numerator * of_b->denominator + of_b->numerator * of_a->denominator);
+  return of_a && of_b && *of_a < ExactFraction{-of_b->numerator, of_b->denominator};
 }
 
 }  // namespace sunder::polytope

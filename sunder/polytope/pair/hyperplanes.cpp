@@ -124,13 +124,9 @@ class Enclosure {
   bool are_shells_ = true;
 };
 
-// A bound of the body along the direction, over `denominator`, by its multipliers; nothing where none is proved.
-struct Bound {
-  Dyadic numerator, denominator{1.0};
-};
-
-std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
-                                 const Around& around) {
+// A bound of the body along the direction, by its multipliers; nothing where none is proved.
+std::optional<ExactFraction> bound_along(const Polytope& body, const Pose& pose, const ExactVector& direction,
+                                         const Around& around) {
   const std::size_t d = body.dimension();
   if (!body.is_of_points() && !around.planes.empty()) return std::nullopt;
   for (const ExactVector& plane : around.planes) {
@@ -139,21 +135,10 @@ std::optional<Bound> bound_along(const Polytope& body, const Pose& pose, const E
       if ((dot(plane, body.row(k)) - plane[d]).sign() == Sign::positive) return std::nullopt;
     }
   }
-  const std::size_t size = body.is_of_points() ? around.planes.size() : body.size();
-  const Dyadic& w = around.multipliers.denominator;
-  if (w.sign() != Sign::positive) return std::nullopt;
-  ExactVector sum(d + 1);
-  for (const auto& [row, multiplier] : around.multipliers.parts) {
-    if (row >= size || multiplier.sign() == Sign::negative) return std::nullopt;
-    for (std::size_t c = 0; c <= d; ++c) {
-      sum[c] = sum[c] + multiplier * (body.is_of_points() ? around.planes[row][c] : Dyadic(body.row(row)[c]));
-    }
-  }
-  const ExactVector wanted = pulled(pose, direction);
-  for (std::size_t c = 0; c < d; ++c) {
-    if (!(sum[c] == wanted[c] * w)) return std::nullopt;
-  }
-  return Bound{sum[d] + dot(direction, pose.translation()) * w, w};
+  const auto plane = [&](std::uint32_t k) { return std::span<const Dyadic>(around.planes[k]); };
+  const auto row = [&](std::uint32_t k) { return body.row(k); };
+  return body.is_of_points() ? bound_along(pose, direction, around.multipliers, plane, around.planes.size())
+                             : bound_along(pose, direction, around.multipliers, row, body.size());
 }
 
 }  // namespace
@@ -192,8 +177,7 @@ bool check(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose&
   if (evidence.direction.size() != a.dimension()) return false;
   const auto of_a = bound_along(a, pose_a, evidence.direction, evidence.a);
   const auto of_b = bound_along(b, pose_b, negated(evidence.direction), evidence.b);
-  return of_a && of_b &&
-         (of_a->numerator * of_b->denominator + of_b->numerator * of_a->denominator).sign() == Sign::negative;
+  return of_a && of_b && *of_a < ExactFraction{-of_b->numerator, of_b->denominator};
 }
 
 }  // namespace sunder::polytope

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <sunder/base/cost.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/certificate/common_point.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/polytope/object/polytope.h>
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
@@ -26,6 +27,34 @@ ExactVector negated(ExactVector v);
 // linear^T times a direction of the world, and linear times a vector of the body.
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction);
 ExactVector turned(const Pose& pose, std::span<const Dyadic> vector);
+
+// The sum of weights times rows, each of at least `size` numbers; nothing where a weight is negative or names no row, or
+// their denominator is not positive.
+template <class Rows>
+std::optional<ExactVector> weighted_sum(const Weights& weights, const Rows& row, std::size_t rows, std::size_t size) {
+  if (weights.denominator.sign() != Sign::positive) return std::nullopt;
+  ExactVector sum(size);
+  for (const auto& [index, weight] : weights.parts) {
+    if (index >= rows || weight.sign() == Sign::negative) return std::nullopt;
+    for (std::size_t c = 0; c < size; ++c) sum[c] = sum[c] + weight * Dyadic(row(index)[c]);
+  }
+  return sum;
+}
+
+// An upper bound of the products with a direction of the world, of what is within the half-spaces a1, .., ad, b of the
+// frame of the body: that which the multipliers prove; nothing where they prove none.
+template <class Rows>
+std::optional<ExactFraction> bound_along(const Pose& pose, std::span<const Dyadic> direction,
+                                         const Weights& multipliers, const Rows& half_space, std::size_t count) {
+  const ExactVector wanted = pulled(pose, direction);
+  const auto sum = weighted_sum(multipliers, half_space, count, wanted.size() + 1);
+  if (!sum) return std::nullopt;
+  const Dyadic& w = multipliers.denominator;
+  for (std::size_t c = 0; c < wanted.size(); ++c) {
+    if (!((*sum)[c] == wanted[c] * w)) return std::nullopt;
+  }
+  return ExactFraction{sum->back() + dot(direction, pose.translation()) * w, w};
+}
 
 // Keeps references to both. What is furthest is found by a scan of all rows, or by a walk down the tree of the body.
 class Placed {

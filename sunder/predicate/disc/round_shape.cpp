@@ -384,7 +384,7 @@ std::vector<ReachAlong> reaches_along(const Vector3<Dyadic>& direction, const Ro
   std::vector<ReachAlong> reaches;
   const auto ends = ends_along<ExactStage>(shape, direction);
   for (std::size_t k = 0; k < shape.ends(); ++k) {
-    reaches.push_back({dot(direction, ends[k].at), ends[k].root.square, ends[k].root.over});
+    reaches.push_back({dot(direction, ends[k].at), {ends[k].root.square, ends[k].root.over}});
   }
   return reaches;
 }

@@ -11,7 +11,7 @@
 // squares. Intervals of doubles come first, then exact numbers.
 #pragma once
 
-#include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/predicate/disc/round_kind.h>
 #include <sunder/predicate/exact_point.h>
 #include <sunder/predicate/point/along.h>
@@ -56,9 +56,10 @@ Sign gap_sign(const Dyadic& g, const Dyadic& u, const Dyadic& v);
 Sign clear_sign(const WorldDirection& direction, const RoundShape& a, const RoundShape& b, double least,
                 StageTally* tally = nullptr);
 
-// How far the body reaches along a direction: as far as the furthest of q + sqrt(square / over), over above 0. Exact.
+// How far the body reaches along a direction: as far as the furthest of q + sqrt(square). Exact.
 struct ReachAlong {
-  Dyadic q, square, over;
+  Dyadic q;
+  ExactFraction square;
 };
 std::vector<ReachAlong> reaches_along(const Vector3<Dyadic>& direction, const RoundShape& shape);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <sunder/certificate/common_point.h>
-#include <sunder/number/interval.h>
+#include <sunder/number/exact_fraction.h>
 
 #include <array>
 
@@ -10,13 +10,11 @@ namespace sunder::solid {
 
 // A time at which bodies have a common point, and that point: all exact.
 struct SweepContact {
-  Dyadic time, denominator{1.0};  // time / denominator is from 0 to 1
-  CommonPoint point;              // weights of the bodies' vertices, where the bodies are at that time
+  ExactFraction time;  // from 0 to 1
+  CommonPoint point;   // weights of the bodies' vertices, where the bodies are at that time
   // Of the first such time, where it is not 0: along it A ends before B begins, at all times before, and where B begins
   // at this one. Else zero.
   std::array<Dyadic, 3> direction{};
-
-  Interval about() const;  // of neighbouring doubles, around the time
 };
 
 }  // namespace sunder::solid

@@ -173,12 +173,12 @@ class SweepSimplex {
       }
       include(v.kind == of_a ? a_[v.index] : at_[v.index], weight);
       if (v.kind == of_a) contact.point.of_a.parts.push_back({v.index, weight});
-      if (is_late(v)) contact.time = weight;
+      if (is_late(v)) contact.time.numerator = weight;
     }
     const Dyadic whole = dyadic_of(basis_.denominator(), 0);
-    contact.denominator = contact.point.of_a.denominator = contact.point.of_b.denominator = whole;
+    contact.time.denominator = contact.point.of_a.denominator = contact.point.of_b.denominator = whole;
     contact.point.at = exact_point(sum, whole);
-    if (is_first_ && contact.time.sign() != Sign::zero) contact.direction = {d.x, d.y, d.z};
+    if (is_first_ && contact.time.numerator.sign() != Sign::zero) contact.direction = {d.x, d.y, d.z};
     result.contact = std::move(contact);
     return result;
   }

@@ -107,8 +107,8 @@ struct Sum {
   }
 };
 
-// Of a + t (b - a): t as a fraction.
-std::pair<Dyadic, Dyadic> parameter(const Point3& a, const Point3& b, const ExactPoint3& x) {
+// Of a + t (b - a): t.
+ExactFraction parameter(const Point3& a, const Point3& b, const ExactPoint3& x) {
   const Exact3 way = coordinates<Dyadic>(b) - coordinates<Dyadic>(a);
   return {dot(way, way_to(x, a)), dot(way, way) * x.denominator};
 }

@@ -34,7 +34,7 @@ class DepthSearch {
   PolyhedraOverlap run(const CommonVertices& common) {
     const std::optional<Vector3<Dyadic>> normal = begin();
     PolyhedraOverlap found =
-        normal ? PolyhedraOverlap{{{0, 0}, WorldDirection(*normal), {}}, common, exactly({Dyadic(), Dyadic(1.0)})}
+        normal ? PolyhedraOverlap{{{0, 0}, WorldDirection(*normal), {}}, common, PolyhedraOverlap::Exact{}}
                : grow(common);
     exact_ += polytope_.exact_signs();
     return found;
@@ -120,14 +120,14 @@ class DepthSearch {
   PolyhedraOverlap grow(const CommonVertices& common) {
     const std::uint64_t pairs = std::uint64_t{a_.graph.vertices.size()} * b_.graph.vertices.size();
     const bool has_end = pairs > PolyhedraOverlap::all_are_exact;
-    std::optional<ExpandingPolytope::Square> best;  // of the facets of D seen
+    std::optional<ExactFraction> best;  // of the facets of D seen
     std::optional<WorldDirection> best_direction;
     std::uint32_t best_facet = 0;
     double best_high = unlimited;
     while (const std::optional<std::uint32_t> facet = polytope_.nearest()) {
       const Interval height = polytope_.facets()[*facet].height;
       if (best && height.low > best_high) break;
-      if (best && !polytope_.square(*facet).is_less_than(*best)) {
+      if (best && polytope_.square(*facet) >= *best) {
         polytope_.close(*facet);
         continue;
       }
@@ -146,18 +146,18 @@ class DepthSearch {
       best_direction = normal_;
     }
     SUNDER_REQUIRE(best.has_value());
-    const Interval depth = root(best->numerator, best->denominator);
+    const Interval depth = root(*best);
     return {{depth, *std::move(best_direction), proof_of_low(depth)},
             common,
-            exactly({best->numerator, best->denominator}, features_of(best_facet))};
+            PolyhedraOverlap::Exact{*std::move(best), features_of(best_facet)}};
   }
 
   // The polytope has grown enough: its nearest facet is so far, and D has no boundary nearer; but it has along the
   // nearest facet of it.
-  PolyhedraOverlap grown_within(double low, const std::optional<ExpandingPolytope::Square>& best,
+  PolyhedraOverlap grown_within(double low, const std::optional<ExactFraction>& best,
                                 std::optional<WorldDirection> direction, const CommonVertices& common) {
     Interval depth{std::max(low, 0.0), unlimited};
-    if (best) depth.high = root(best->numerator, best->denominator).high;
+    if (best) depth.high = root(*best).high;
     // The nearest facets' directions are nearest, too: the best of some of them.
     std::vector<std::uint32_t> alive;
     const auto facets = polytope_.facets();
@@ -173,16 +173,12 @@ class DepthSearch {
       const auto [v, w] = furthest(along_normal, corners_[facets[alive[k]].corner[0]]);
       const Dyadic along = dot(normal, coordinates<Dyadic>(a_[v]) - coordinates<Dyadic>(b_[w]));
       exact_ += 2;
-      const double high = root(along * along, dot(normal, normal)).high;
+      const double high = root({along * along, dot(normal, normal)}).high;
       if (direction && high >= depth.high) continue;
       depth.high = high;
       direction = along_normal;
     }
     return {{depth, *std::move(direction), proof_of_low(depth)}, common, std::nullopt};
-  }
-
-  static PolyhedraOverlap::Exact exactly(std::array<Dyadic, 2> squared, DepthFeatures features = {}) {
-    return {std::move(squared), std::move(features)};
   }
 
   DepthFeatures features_of(std::uint32_t facet) const {
@@ -249,9 +245,7 @@ std::optional<Sign> compare_depth(const PolyhedraOverlap& overlap, double than) 
   if (than < overlap.depth.low) return Sign::positive;
   if (than > overlap.depth.high) return Sign::negative;
   if (!overlap.exact) return std::nullopt;
-  const auto& [numerator, denominator] = overlap.exact->squared;
-  const Dyadic exact(than);
-  return (numerator - exact * exact * denominator).sign();
+  return compare_root(overlap.exact->squared, than);
 }
 
 }  // namespace sunder::solid

@@ -20,7 +20,7 @@
 
 #include <sunder/certificate/depth_claims.h>
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
@@ -44,8 +44,8 @@ struct PolyhedraOverlap : EnclosedDepth {
   static constexpr std::uint32_t most_corners = 2048;
 
   struct Exact {
-    std::array<Dyadic, 2> squared;  // of the depth, numerator over positive denominator
-    DepthFeatures features;         // none where A - B is flat
+    ExactFraction squared;   // of the depth
+    DepthFeatures features;  // none where A - B is flat
   };
 
   CommonVertices common;       // they meet in a point of these

@@ -58,7 +58,7 @@ TEST(PolyhedronPolyhedronDepthTest, Features) {
   const PolyhedraOverlap corner =
       depth(body({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {0, 0, 3}}), box({0.5, 0.5, 0.5}, {9, 9, 9}));
   ASSERT_TRUE(corner.exact);
-  EXPECT_EQ(fraction_text(corner.exact->squared[0], corner.exact->squared[1]), "3/4");
+  EXPECT_EQ(corner.exact->squared.text(), "3/4");
   EXPECT_EQ(corner.depth.high, std::nextafter(corner.depth.low, 1));
 }
 

@@ -227,7 +227,7 @@ std::array<Point3, 2> ClosestFeatures::nearest_points() const {
   return points;
 }
 
-std::array<Dyadic, 2> ClosestFeatures::squared() const {
+ExactFraction ClosestFeatures::squared() const {
   const ShortestWay<Dyadic> found = way_in<Dyadic>();
   return {found.squared(), found.denominator};
 }
@@ -235,8 +235,7 @@ std::array<Dyadic, 2> ClosestFeatures::squared() const {
 Interval ClosestFeatures::distance() const {
   const ShortestWay<Estimate> estimate = way_in<Estimate>();
   if (const auto sure = sure_root(estimate.squared(), estimate.denominator)) return *sure;
-  const auto [numerator, denominator] = squared();
-  return root(numerator, denominator);
+  return root(squared());
 }
 
 PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a, const Pose& pose_a,
@@ -264,9 +263,7 @@ Sign compare_distance(const PolyhedronDistance& distance, double radius) {
   const auto [low, high] = closest->distance();
   if (radius < low) return Sign::positive;
   if (radius > high) return Sign::negative;
-  const auto [numerator, denominator] = closest->squared();
-  const Dyadic r(radius);
-  return (numerator - r * r * denominator).sign();
+  return compare_root(closest->squared(), radius);
 }
 
 }  // namespace sunder::solid

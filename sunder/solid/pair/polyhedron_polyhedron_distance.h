@@ -12,7 +12,7 @@
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/predicate/point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
@@ -39,8 +39,8 @@ class ClosestFeatures {
   // Numbers of at most four vertices, made when asked for: in about 106 bits where these tell the last one of a double,
   // else exactly.
   Interval distance() const;
-  std::array<Dyadic, 2> squared() const;  // of the distance: numerator over denominator; both are positive
-  ExactWay way() const;                   // from A to B, and the weights of the vertices
+  ExactFraction squared() const;  // of the distance; positive
+  ExactWay way() const;           // from A to B, and the weights of the vertices
 
   // The nearest points, of A and of B, each coordinate rounded to the nearest double; as `distance` is made.
   std::array<Point3, 2> nearest_points() const;

@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/root.h>
 #include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_clearance.h>
@@ -65,14 +65,14 @@ class ClearanceSearch {
     found_.cost.exact += cores.cost.exact;
     const ClosestFeatures* closest = closest_of(cores);
     if (closest == nullptr) return false;
-    const auto [square, over] = closest->squared();
+    const ExactFraction square = closest->squared();
     const ClosestPoints points = closest_points(*closest);
     const Dyadic radii = Dyadic(a_.radius()) + Dyadic(b_.radius()), all = radii + Dyadic(least_);
-    if ((all * all * over - square).sign() != Sign::positive) {
+    if (compare_root(square, all) != Sign::negative) {
       const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
       return keeps(WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}));
     }
-    if ((radii * radii * over - square).sign() != Sign::negative) return false;
+    if (compare_root(square, radii) != Sign::positive) return false;
     return breaks(points_nearer_than(least_, points, a_.radius(), b_.radius()));
   }
 

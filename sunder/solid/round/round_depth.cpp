@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/certificate/common_point.h>
+#include <sunder/number/root.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_depth.h>
 #include <sunder/solid/round/round_depth.h>
@@ -33,13 +34,13 @@ Interval neighbours(const Compared& compared) {
   return {at(low), compared(at(low)) == Sign::zero ? at(low) : at(high)};
 }
 
-// radii + sqrt(square / over), where `sign` is 1; radii - sqrt(square / over), which is not negative, where it is -1.
-Interval radii_and_root(const Dyadic& radii, int sign, const Dyadic& square, const Dyadic& over) {
+// radii + sqrt(square), where `sign` is 1; radii - sqrt(square), which is not negative, where it is -1.
+Interval radii_and_root(const Dyadic& radii, int sign, const ExactFraction& square) {
   return neighbours([&](double x) {
     const Dyadic rest = sign > 0 ? Dyadic(x) - radii : radii - Dyadic(x);  // against the root
     if (rest.sign() == Sign::negative) return sign > 0 ? Sign::negative : Sign::positive;
-    const Sign of_squares = (rest * rest * over - square).sign();
-    return sign > 0 ? of_squares : to_sign(static_cast<Guess>(-static_cast<std::int8_t>(of_squares)));
+    const Sign of_root = compare_root(square, rest);
+    return sign > 0 ? -of_root : of_root;
   });
 }
 
@@ -66,17 +67,15 @@ EnclosedDepth depth_of_hulls(const PlacedRound& a, const PlacedRound& b, Cost& c
     const PolyhedronDistance apart = polyhedron_polyhedron_distance(a.body.core(), a.pose, b.body.core(), b.pose);
     cost = apart.cost;
     const ClosestFeatures& closest = *closest_of(apart);
-    const auto [square, over] = closest.squared();
     const ClosestPoints points = closest_points(closest);
     const std::array<Dyadic, 3> way = way_between(points.of_a, points.of_b);
-    return proved({radii_and_root(radii, -1, square, over), WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}),
-                   DepthPoints{points.of_a, points.of_b}});
+    return proved({radii_and_root(radii, -1, closest.squared()),
+                   WorldDirection(Vector3<Dyadic>{way[0], way[1], way[2]}), DepthPoints{points.of_a, points.of_b}});
   }
   EnclosedDepth found = *overlap;
   const bool has_surface = std::holds_alternative<DepthSurface>(found.proof_of_low);
   if (overlap->exact) {
-    const auto& [numerator, denominator] = overlap->exact->squared;
-    found.depth = radii_and_root(radii, 1, numerator, denominator);
+    found.depth = radii_and_root(radii, 1, overlap->exact->squared);
   } else {
     const Interval sum = overlap->depth + radii.enclosure();
     found.depth = {std::max(has_surface ? sum.low : radii.enclosure().low, 0.0), sum.high};

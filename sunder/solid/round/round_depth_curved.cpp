@@ -37,11 +37,11 @@ std::vector<ReachAlong> reaches(const PlacedRound& body, const WorldDirection& d
 // How far A reaches along the direction beyond where B begins, over the length of the direction: no further than that.
 double reach_at_most(const PlacedRound& a, const PlacedRound& b, const WorldDirection& direction, Cost& cost) {
   const Exact d = direction.exact();
-  const Interval length = root(dot(d, d), Dyadic(1.0));
+  const Interval length = root({dot(d, d)});
   double most = -unlimited;
   for (const ReachAlong& last : reaches(a, direction, End::greatest, cost)) {
     for (const ReachAlong& first : reaches(b, direction, End::least, cost)) {
-      const Interval roots = root(last.square, last.over) + root(first.square, first.over);
+      const Interval roots = root(last.square) + root(first.square);
       most = std::max(most, (((last.q + first.q).enclosure() + roots) / length).high);
     }
   }
@@ -246,9 +246,9 @@ class CurvedDepth {
     // The radii exceed `low` by what the points are apart, at least.
     const auto is_near = [&](double low) {
       const Dyadic rest = radii_ - Dyadic(low);
-      return rest.sign() != Sign::negative && (rest * rest * points.over - points.square).sign() != Sign::negative;
+      return rest.sign() != Sign::negative && compare_root(points.square, rest) != Sign::positive;
     };
-    const double low = (radii_ - Dyadic(root(points.square, points.over).high)).enclosure().low;
+    const double low = (radii_ - Dyadic(root(points.square).high)).enclosure().low;
     if (!(low > 0) || !is_near(low)) return;
     depth_.low = low;
     proof_ = DepthPoints{points.of_a, points.of_b, !is_a, is_a};

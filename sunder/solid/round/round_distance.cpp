@@ -1,5 +1,5 @@
 #include <sunder/base/contract.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/root.h>
 #include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_distance.h>
@@ -22,7 +22,8 @@ constexpr double largest_double = std::numeric_limits<double>::max(),
                  infinity = std::numeric_limits<double>::infinity();
 
 // The root of a quotient, in doubles, about.
-double root_about(const Dyadic& numerator, const Dyadic& denominator) {
+double root_about(const ExactFraction& square) {
+  const auto& [numerator, denominator] = square;
   if (numerator.sign() == Sign::zero) return 0;
   std::int64_t shift = numerator.top() - denominator.top();
   shift -= shift & 1;
@@ -55,15 +56,12 @@ double greatest(double about, const Holds& holds) {
   return at(low);
 }
 
-// Two hulls whose cores are apart: sqrt(square / over) less the radii.
-Interval less_radii(const Dyadic& square, const Dyadic& over, const Dyadic& radii) {
-  const auto compared = [&](double x) {
-    const Dyadic all = radii + Dyadic(x);
-    return (all * all * over - square).sign();
-  };
-  const double about =
-      nearest_ratio(square - radii * radii * over, over) / (root_about(square, over) + radii.nearest());
-  const double low = greatest(about, [&](double x) { return compared(x) != Sign::positive; });
+// Two hulls whose cores are apart: sqrt(square) less the radii.
+Interval less_radii(const ExactFraction& square, const Dyadic& radii) {
+  const auto compared = [&](double x) { return compare_root(square, radii + Dyadic(x)); };
+  const double about = nearest_ratio(square.numerator - radii * radii * square.denominator, square.denominator) /
+                       (root_about(square) + radii.nearest());
+  const double low = greatest(about, [&](double x) { return compared(x) != Sign::negative; });
   return {low, compared(low) == Sign::zero ? low : std::nextafter(low, infinity)};
 }
 
@@ -149,10 +147,9 @@ class DistanceSearch {
     direction_ = direction;
   }
   void take(NearPoints points) {
-    const auto compared = [&](double x) { return (Dyadic(x) * Dyadic(x) * points.over - points.square).sign(); };
-    double high =
-        greatest(root_about(points.square, points.over), [&](double x) { return compared(x) != Sign::positive; });
-    if (compared(high) == Sign::negative) high = std::nextafter(high, infinity);
+    const auto compared = [&](double x) { return compare_root(points.square, x); };
+    double high = greatest(root_about(points.square), [&](double x) { return compared(x) != Sign::negative; });
+    if (compared(high) == Sign::positive) high = std::nextafter(high, infinity);
     distance_.high = high;
     points_ = std::move(points);
   }
@@ -180,10 +177,7 @@ class DistanceSearch {
 
 }  // namespace
 
-Interval HullsApart::distance() const {
-  const auto [square, over] = cores.squared();
-  return less_radii(square, over, Dyadic(radius_a) + Dyadic(radius_b));
-}
+Interval HullsApart::distance() const { return less_radii(cores.squared(), Dyadic(radius_a) + Dyadic(radius_b)); }
 
 std::array<PointOf, 2> HullsApart::points() const {
   const ClosestPoints points = closest_points(cores);
@@ -207,10 +201,9 @@ std::optional<HullsApart> hulls_of(const RoundDistanceEvidence& evidence) {
 }
 
 bool is_nearer(const HullsApart& one, const HullsApart& other) {
-  const std::array<Dyadic, 2> x = one.cores.squared(), y = other.cores.squared();
   // Is sqrt(n / d) < sqrt(m / e) + t?
-  const auto& [n, d] = x;
-  const auto& [m, e] = y;
+  const auto [n, d] = one.cores.squared();
+  const auto [m, e] = other.cores.squared();
   const Dyadic t = Dyadic(one.radius_a) + Dyadic(one.radius_b) - (Dyadic(other.radius_a) + Dyadic(other.radius_b));
   if (t.sign() != Sign::negative) {  // iff n / d - m / e - t^2 < 2 t sqrt(m / e)
     const Dyadic left = n * e - m * d - t * t * d * e;

@@ -5,6 +5,8 @@
 #include <sunder/solid/round/round_placed.h>
 #include <sunder/solid/search/extreme_vertex.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace sunder::solid {
@@ -126,8 +128,8 @@ class Slab {
 
   // The point of it that is nearest to the axis. Requires a corner, and that the axis does not meet it.
   struct Nearest {
-    Exact towards;               // along `across`
-    Dyadic square, square_over;  // of the distance times |axis|, squared
+    Exact towards;         // along `across`
+    ExactFraction square;  // of the distance times |axis|
     Combination of_polyhedron;
     Exact point;             // over the combination's denominator
     std::size_t corner = 0;  // one that it is made of
@@ -173,22 +175,22 @@ class Slab {
     Exact m = cross(axis_, nearest.towards);  // m p = towards (p x axis)
     const Corner& corner = corners[nearest.corner];
     const Dyadic value = dot(nearest.towards, corner.across);
-    Dyadic most(0.0), most_over(1.0);
+    ExactFraction most;
     Sign side = Sign::zero;
     for (std::size_t v = 0; v < along.size(); ++v) {
-      const Dyadic lacks = value - dot(m, from_base[v]) * corner.divisor;  // times the divisor
+      Dyadic lacks = value - dot(m, from_base[v]) * corner.divisor;  // times the divisor
       if (lacks.sign() != Sign::positive) continue;
       const bool above = over[v].sign() == Sign::positive;
-      const Dyadic beyond = above ? over[v] : -along[v];
+      Dyadic beyond = above ? over[v] : -along[v];
       if (beyond.sign() != Sign::positive) continue;  // within the slab none lacks
-      if ((lacks * most_over - most * beyond).sign() != Sign::positive) continue;
-      most = lacks;
-      most_over = beyond;
+      ExactFraction turn{std::move(lacks), std::move(beyond)};
+      if (turn <= most) continue;
+      most = std::move(turn);
       side = above ? Sign::positive : Sign::negative;
     }
     if (side == Sign::zero) return m;
-    const Dyadic turn = side == Sign::positive ? most : -most;
-    return times(corner.divisor * most_over, m) + times(turn, axis_);
+    const Dyadic turn = side == Sign::positive ? most.numerator : -most.numerator;
+    return times(corner.divisor * most.denominator, m) + times(turn, axis_);
   }
 
  private:
@@ -213,7 +215,7 @@ class Slab {
   }
   Nearest made(const ClosestWay<Dyadic>& closest) const {
     const auto& [features, way, weights] = closest;
-    Nearest nearest{way.way, way.squared(), way.denominator * scale_ * scale_, {}, {}, features.of_b(0)};
+    Nearest nearest{way.way, {way.squared(), way.denominator * scale_ * scale_}, {}, {}, features.of_b(0)};
     // The scaled points are all `scale_` times the corners: the weights are those of the corners.
     Combination& sum = nearest.of_polyhedron;
     sum.denominator = way.denominator;
@@ -248,7 +250,7 @@ CurvedVerdict within_radius(const PlacedRound& curved, Slab& slab, const Exact& 
   }
   const Slab::Nearest nearest = slab.nearest_to_axis();
   const Dyadic r(curved.radius());
-  verdict.sign = (r * r * dot(axis, axis) * nearest.square_over - nearest.square).sign();
+  verdict.sign = compare(ExactFraction{r * r * dot(axis, axis)}, nearest.square);
   if (verdict.sign != Sign::positive) verdict.direction = slab.direction_to(nearest);
   if (verdict.sign != Sign::negative) {
     verdict.point = common(curved, nearest.point, nearest.of_polyhedron.denominator, nearest.of_polyhedron);
@@ -274,48 +276,43 @@ class EdgeAndCone {
     const Dyadic a = length2_ * dot(e, e) - r2 * s_way * s_way;
     const Dyadic b = length2_ * dot(c, e) + r2 * rest * s_way;  // half of B
     const Dyadic d = length2_ * dot(c, c) - r2 * rest * rest;
-    Ratio low{Dyadic(0.0), Dyadic(1.0)}, high{Dyadic(1.0), Dyadic(1.0)};
+    ExactFraction low, high{Dyadic(1.0)};
     // 0 <= s + t s_way <= length2
     switch (s_way.sign()) {
       case Sign::zero:
         if (s.sign() == Sign::negative || rest.sign() == Sign::negative) return std::nullopt;
         break;
       case Sign::positive:
-        low = greater(low, {-s, s_way});
-        high = lesser(high, {rest, s_way});
+        low = std::max(low, {-s, s_way});
+        high = std::min(high, {rest, s_way});
         break;
       case Sign::negative:
-        low = greater(low, {-rest, -s_way});
-        high = lesser(high, {s, -s_way});
+        low = std::max(low, {-rest, -s_way});
+        high = std::min(high, {s, -s_way});
         break;
     }
-    if (less(high, low)) return std::nullopt;
-    const auto holds = [&](const Ratio& t) {
-      return (a * t.n * t.n + Dyadic(2.0) * b * t.n * t.d + d * t.d * t.d).sign() != Sign::positive;
+    if (high < low) return std::nullopt;
+    const auto holds = [&](const ExactFraction& t) {
+      const auto& [n, m] = t;
+      return (a * n * n + Dyadic(2.0) * b * n * m + d * m * m).sign() != Sign::positive;
     };
     if (holds(low)) return made(u, v, low);
     if (holds(high)) return made(u, v, high);
     if (a.sign() != Sign::positive) return std::nullopt;
-    const Ratio least{-b, a};
-    if (!less(low, least) || !less(least, high) || !holds(least)) return std::nullopt;
+    const ExactFraction least{-b, a};
+    if (low >= least || least >= high || !holds(least)) return std::nullopt;
     return made(u, v, least);
   }
 
  private:
-  struct Ratio {
-    Dyadic n, d;  // d is positive
-  };
-  static bool less(const Ratio& x, const Ratio& y) { return (x.n * y.d - y.n * x.d).sign() == Sign::negative; }
-  static Ratio greater(const Ratio& x, const Ratio& y) { return less(x, y) ? y : x; }
-  static Ratio lesser(const Ratio& x, const Ratio& y) { return less(y, x) ? y : x; }
-
-  CommonPoint made(std::uint32_t u, std::uint32_t v, const Ratio& t) const {
-    const Dyadic rest = t.d - t.n;
-    Combination of_edge{{}, t.d};
+  CommonPoint made(std::uint32_t u, std::uint32_t v, const ExactFraction& t) const {
+    const auto& [n, whole] = t;
+    const Dyadic rest = whole - n;
+    Combination of_edge{{}, whole};
     if (rest.sign() == Sign::positive) of_edge.parts.push_back({u, rest});
-    if (t.n.sign() == Sign::positive) of_edge.parts.push_back({v, t.n});
-    const Exact at = times(rest, coordinates<Dyadic>(core_[u])) + times(t.n, coordinates<Dyadic>(core_[v]));
-    return common(cone_, at, t.d, std::move(of_edge));
+    if (n.sign() == Sign::positive) of_edge.parts.push_back({v, n});
+    const Exact at = times(rest, coordinates<Dyadic>(core_[u])) + times(n, coordinates<Dyadic>(core_[v]));
+    return common(cone_, at, whole, std::move(of_edge));
   }
 
   const PlacedRound& cone_;

@@ -22,12 +22,12 @@ PointOf moved(const PointOf& p, const PointOf& q, const Dyadic& part) {
 
 // The part of the way that the radius is, which is less than 1, from below: as near as 2^-bits.
 Dyadic part_of_way(double radius, const NearPoints& ends, int bits) {
-  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * ends.over;
+  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * ends.square.denominator;
   Dyadic low(0.0), step(0.5);
   if (limit.sign() == Sign::zero) return low;
   for (int k = 0; k < bits; ++k, step = step.scaled(-1)) {
     const Dyadic next = low + step;
-    if ((next * next * ends.square - limit).sign() != Sign::positive) low = next;
+    if ((next * next * ends.square.numerator - limit).sign() != Sign::positive) low = next;
   }
   return low;
 }
@@ -43,9 +43,8 @@ RoundGap::RoundGap(const PlacedRound& a, const PlacedRound& b, const WorldDirect
 
 NearPoints::NearPoints(PointOf p, PointOf q) : of_a(std::move(p)), of_b(std::move(q)) {
   const std::array<Dyadic, 3> way = way_between(of_a, of_b);
-  square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
   const Dyadic weight = of_a.at.denominator * of_b.at.denominator;
-  over = weight * weight;
+  square = {way[0] * way[0] + way[1] * way[1] + way[2] * way[2], weight * weight};
 }
 
 NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b) {
@@ -58,16 +57,17 @@ NearPoints points_of_cores(const PlacedRound& a, const PlacedRound& b) {
 
 PointOf towards(PointOf of_core, double radius, const PointOf& to) {
   if (radius == 0) return of_core;
-  const NearPoints between(of_core, to);
-  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * between.over;
-  if ((limit - between.square).sign() != Sign::negative) return {to.at, of_core.of_body};
+  const ExactFraction between = NearPoints(of_core, to).square;
+  const Dyadic& square = between.numerator;
+  const Dyadic limit = Dyadic(radius) * Dyadic(radius) * between.denominator;
+  if ((limit - square).sign() != Sign::negative) return {to.at, of_core.of_body};
   // The part of the way: the root of limit / square, in doubles, once more by Newton's method, and less by 2^-98 of it.
-  const std::int64_t shift = (limit.top() - between.square.top()) / 2;
-  const double about = std::sqrt(nearest_ratio(limit.scaled(-2 * shift), between.square));
+  const std::int64_t shift = (limit.top() - square.top()) / 2;
+  const double about = std::sqrt(nearest_ratio(limit.scaled(-2 * shift), square));
   const Dyadic s(about);
-  const double rest = nearest_ratio(limit.scaled(-2 * shift) - s * s * between.square, s * between.square.scaled(1));
+  const double rest = nearest_ratio(limit.scaled(-2 * shift) - s * s * square, s * square.scaled(1));
   Dyadic part = (s + Dyadic(rest) - s.scaled(-98)).scaled(shift);
-  const auto is_within = [&] { return (part * part * between.square - limit).sign() != Sign::positive; };
+  const auto is_within = [&] { return (part * part * square - limit).sign() != Sign::positive; };
   for (int k = 90; !is_within() && k > 0; k -= 10) part = (s - s.scaled(-k)).scaled(shift);
   return moved(of_core, to, part);
 }

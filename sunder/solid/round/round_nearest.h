@@ -3,7 +3,7 @@
 #pragma once
 
 #include <sunder/certificate/pair_claims.h>
-#include <sunder/number/dyadic.h>
+#include <sunder/number/root.h>
 #include <sunder/number/vector.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/round/round_body.h>
@@ -38,17 +38,15 @@ class RoundGap {
   StageTally& tally_;
 };
 
-// A point of each body, and the square of how far apart they are: numerator over denominator, which is positive.
+// A point of each body, and the square of how far apart they are.
 struct NearPoints {
   PointOf of_a, of_b;
-  Dyadic square, over;
+  ExactFraction square;
 
   NearPoints(PointOf p, PointOf q);
 
   // Are they nearer to each other than that? Exact.
-  bool nearer_than(double least) const {
-    return (square - Dyadic(least) * Dyadic(least) * over).sign() == Sign::negative;
-  }
+  bool nearer_than(double least) const { return compare_root(square, least) == Sign::negative; }
 };
 
 // A point of a search, or a weight of one.

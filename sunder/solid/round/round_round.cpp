@@ -3,6 +3,7 @@
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/direction.h>
 #include <sunder/number/exact_vector.h>
+#include <sunder/number/root.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -63,12 +64,11 @@ class RoundFinish {
       return true;
     }
     const ClosestFeatures& features = *closest_of(distance);
-    const auto [square, over] = features.squared();
     const ClosestPoints closest = closest_points(features);
     const std::array<Dyadic, 3> way = way_between(closest.of_a, closest.of_b);
     const Dyadic reach = Dyadic(a_.radius()) + Dyadic(b_.radius());
     ++tally_.exact;
-    if ((reach * reach * over - square).sign() == Sign::negative) {
+    if (compare_root(features.squared(), reach) == Sign::positive) {
       apart(way);
       return true;
     }
@@ -422,10 +422,10 @@ RoundFirstContact round_round_first_contact(const RoundBody& a, const Translatio
                                             const RoundBody& b, const Translation& of_b,  //
                                             const SweepAnswer& answer) {
   const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
-  if (contact.time.sign() == Sign::zero) return {{0, 0}, contact};
+  if (contact.time.numerator.sign() == Sign::zero) return {{0, 0}, contact};
   if (!are_polyhedra(a, b)) return first_contact_searched(a, of_a, b, of_b, are_hulls(a, b), contact);
   SweepContact first = *polyhedron_polyhedron_first_contact(a.core(), of_a, b.core(), of_b);
-  const Interval time = first.about();
+  const Interval time = first.time.enclosure();
   return {time, std::move(first)};
 }
 

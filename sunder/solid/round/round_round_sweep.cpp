@@ -22,11 +22,6 @@ using Exact = Vector3<Dyadic>;
 Exact vector(const std::array<Dyadic, 3>& v) { return {v[0], v[1], v[2]}; }
 std::array<Dyadic, 3> numbers(const Exact& v) { return {v.x, v.y, v.z}; }
 
-// A time from 0 to 1.
-struct Time {
-  Dyadic numerator, denominator{1.0};
-};
-
 // What a translation adds from the begin to the end.
 Exact way_of(const PlacedRound& begin, const PlacedRound& end) {
   const auto part = [&](std::size_t k) {
@@ -92,20 +87,19 @@ class RoundSweep {
       }
       if (!goes_on) break;
     }
-    for (double ahead = std::max(low * 0x1p-50, 0x1p-60); low + ahead < found.about().low; ahead *= 4) {
+    for (double ahead = std::max(low * 0x1p-50, 0x1p-60); low + ahead < found.time.enclosure().low; ahead *= 4) {
       if (!meets_about(low + ahead) && !hulls_meet_at(low + ahead)) continue;
       return {{low, low + ahead}, *std::get<ContactOnTheWay>(answer_.evidence).contact};
     }
     SweepContact contact = found;
     contact.direction = {};
-    const double high = found.about().high;
+    const double high = found.time.enclosure().high;
     return {{std::min(low, high), high}, std::move(contact)};
   }
 
  private:
-  void meet(const Time& time, CommonPoint point) {
-    answer_.evidence = ContactOnTheWay{
-        std::make_shared<const SweepContact>(SweepContact{time.numerator, time.denominator, std::move(point), {}})};
+  void meet(const ExactFraction& time, CommonPoint point) {
+    answer_.evidence = ContactOnTheWay{std::make_shared<const SweepContact>(SweepContact{time, std::move(point), {}})};
   }
 
   bool parts(const WorldDirection& d) {
@@ -148,17 +142,17 @@ class RoundSweep {
   }
 
   // Where a point of a body is then that is here at the beginning; and the other way round.
-  static ExactPoint3 after(const ExactPoint3& x, const Exact& way, const Time& time) {
+  static ExactPoint3 after(const ExactPoint3& x, const Exact& way, const ExactFraction& time) {
     const Dyadic by = time.numerator * x.denominator;
     return exact_point(sum(times(time.denominator, x.numerators()), times(by, way)), x.denominator * time.denominator);
   }
-  static ExactPoint3 before(const ExactPoint3& x, const Exact& way, const Time& time) {
+  static ExactPoint3 before(const ExactPoint3& x, const Exact& way, const ExactFraction& time) {
     const Dyadic by = time.numerator * x.denominator;
     return exact_point(times(time.denominator, x.numerators()) - times(by, way), x.denominator * time.denominator);
   }
 
   // Do both hold, at that time, a point that is made as this one is, which is one of theirs about then?
-  bool meets_at(const Time& time, const CommonPoint& near) {
+  bool meets_at(const ExactFraction& time, const CommonPoint& near) {
     ++answer_.cost.proposals;
     ++tally_.exact;
     const auto core_a = core_point(a_, near.of_a.parts), core_b = core_point(b_, near.of_b.parts);
@@ -367,7 +361,7 @@ SweepContact contact_of(const RoundBody& a, const Translation& of_a,  //
   if (const auto* on_the_way = std::get_if<ContactOnTheWay>(&answer.evidence)) return *on_the_way->contact;
   const auto& [common, is_at_end] = std::get<CommonVerticesAtAnEnd>(answer.evidence);
   const PlacedRound in_a(a, is_at_end ? of_a.end() : of_a.begin()), in_b(b, is_at_end ? of_b.end() : of_b.begin());
-  return {Dyadic(is_at_end ? 1.0 : 0.0), Dyadic(1.0), common_point(common, in_a.core, in_b.core), {}};
+  return {{Dyadic(is_at_end ? 1.0 : 0.0)}, common_point(common, in_a.core, in_b.core), {}};
 }
 
 void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundBody& a, const Translation& of_a,
@@ -377,15 +371,15 @@ void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundBody&
     return pairs.add_motion_apart(bodies.a, bodies.b, bodies.to_a, bodies.to_b, direction_of(a, of_a, b, of_b, answer));
   }
   const SweepContact contact = contact_of(a, of_a, b, of_b, answer);
-  pairs.add_motion_meet(bodies.a, bodies.b, bodies.to_a, bodies.to_b, contact.time, contact.denominator, contact.point);
+  pairs.add_motion_meet(bodies.a, bodies.b, bodies.to_a, bodies.to_b, contact.time, contact.point);
 }
 
 void add_claims(PairClaims& pairs, const ClaimedMotion& bodies, const RoundFirstContact& first) {
-  const auto& [time, denominator, point, along] = first.contact;
+  const auto& [time, point, along] = first.contact;
   const bool is_proved =
       std::any_of(along.begin(), along.end(), [](const Dyadic& x) { return x.sign() != Sign::zero; });
   const auto [a, b, to_a, to_b] = bodies;
-  pairs.add_motion_meet(a, b, to_a, to_b, time, denominator, point, is_proved ? &along : nullptr);
+  pairs.add_motion_meet(a, b, to_a, to_b, time, point, is_proved ? &along : nullptr);
 }
 
 }  // namespace sunder::solid

@@ -32,7 +32,7 @@ TEST(RoundRoundSweep, BallsThatTouchOnTheWay) {
   const SweepAnswer answer = round_round_sweep(unit_ball, rests, unit_ball, goes);
   ASSERT_TRUE(answer.meet());
   const SweepContact& contact = *std::get<ContactOnTheWay>(answer.evidence).contact;
-  EXPECT_EQ(nearest_ratio(contact.time, contact.denominator), 0.5);
+  EXPECT_EQ(contact.time.nearest(), 0.5);
   EXPECT_EQ(nearest(contact.point.at).y, 1);
   const RoundFirstContact first = round_round_first_contact(unit_ball, rests, unit_ball, goes, answer);
   EXPECT_LE(first.time.low, 0.5);

@@ -18,10 +18,6 @@ Interval enclosure(const Estimate& x) {
 
 }  // namespace
 
-bool ExpandingPolytope::Square::is_less_than(const Square& other) const {
-  return (numerator * other.denominator - other.numerator * denominator).sign() == Sign::negative;
-}
-
 std::uint32_t ExpandingPolytope::add_corner(const Vector3<Estimate>& at) {
   at_.push_back(at);
   exact_.emplace_back();
@@ -51,7 +47,7 @@ Interval ExpandingPolytope::exact_height(const Facet& facet) {
   ++tally_.exact;
   const Vector3<Dyadic> normal = exact_normal_of(facet.corner);
   const Dyadic along = dot(normal, exact(facet.corner[0]));
-  const Interval height = root(along * along, dot(normal, normal));
+  const Interval height = root({along * along, dot(normal, normal)});
   return along.sign() == Sign::negative ? -height : height;
 }
 
@@ -98,7 +94,7 @@ Sign ExpandingPolytope::side(std::uint32_t facet, std::uint32_t corner) {
       [&] { return dot(exact_normal_of(of.corner), exact(corner) - exact(of.corner[0])); }, &tally_);
 }
 
-ExpandingPolytope::Square ExpandingPolytope::square(std::uint32_t facet) {
+ExactFraction ExpandingPolytope::square(std::uint32_t facet) {
   ++tally_.exact;
   const Vector3<Dyadic> normal = exact_normal(facet);
   const Dyadic along = dot(normal, exact(facets_[facet].corner[0]));

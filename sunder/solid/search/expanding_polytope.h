@@ -10,6 +10,7 @@
 
 #include <sunder/number/dyadic.h>
 #include <sunder/number/estimate.h>
+#include <sunder/number/exact_fraction.h>
 #include <sunder/number/interval.h>
 #include <sunder/number/vector.h>
 #include <sunder/predicate/posed.h>
@@ -31,11 +32,6 @@ class ExpandingPolytope {
     Interval height{};
     bool is_alive = true;    // of the hull as it is
     bool is_closed = false;  // known to be a facet of the difference: not told of again by nearest()
-  };
-  // A square of a height: numerator over denominator, which is positive.
-  struct Square {
-    Dyadic numerator, denominator{1.0};
-    bool is_less_than(const Square& other) const;
   };
 
   // Tells a corner's exact coordinates, asked for where estimates do not do.
@@ -64,7 +60,7 @@ class ExpandingPolytope {
 
   Vector3<Dyadic> exact_normal(std::uint32_t facet);
   // Of the facet's height. Requires that this is not negative.
-  Square square(std::uint32_t facet);
+  ExactFraction square(std::uint32_t facet);
 
   std::span<const Facet> facets() const { return facets_; }
   std::uint32_t alive_count() const { return alive_; }
