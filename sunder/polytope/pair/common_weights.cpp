@@ -211,14 +211,13 @@ std::optional<ExactEvidence> common_point(Placed a, Placed b, const FewNamed& na
   if (!v) return std::nullopt;
   auto weights = weights_of(*v, named);
   if (!weights) return std::nullopt;
-  ExactEvidence result;
-  result.numbers.resize(d);
+  ExactEvidence result{.numbers = ExactVector(d)};
   result.denominator = result.of_a.denominator = result.of_b.denominator = dyadic_of((*v)[count - 1], 0);
   for (std::size_t k = 0; k < named.count; ++k) {
     if (is_zero((*weights)[k])) continue;
     const Dyadic weight = dyadic_of(std::move((*weights)[k]), 0);
     const auto [is_of_a, row] = named.item[k];
-    for (std::size_t c = 0; c < d && is_of_a; ++c) result.numbers[c] = result.numbers[c] + weight * images[k][c];
+    if (is_of_a) add_multiple(result.numbers, weight, images[k]);
     (is_of_a ? result.of_a : result.of_b).parts.push_back({row, weight});
   }
   return result;

@@ -20,6 +20,18 @@ bool deepened(Placed& a, Placed& b) {
   return of_first || of_second;
 }
 
+// The weights of A's variables and of B's; and as numbers the sum of those of one kind times its vectors.
+template <class VectorOf>
+ExactEvidence weighted(const PhaseOne& program, std::size_t d, Kind summed, const VectorOf& vector_of) {
+  ExactEvidence result{.numbers = ExactVector(d)};
+  for (const auto& [variable, weight] : program.weights()) {
+    if (variable.kind == slack) continue;
+    (variable.kind == kind_a ? result.of_a : result.of_b).parts.push_back({variable.index, weight});
+    if (variable.kind == summed) add_multiple(result.numbers, weight, vector_of(variable.index));
+  }
+  return result;
+}
+
 // ---- Points and points.
 
 struct NamedColumn {
@@ -78,15 +90,8 @@ class PointsProgram {
   }
 
   ExactEvidence common_point() const {
-    ExactEvidence result;
-    result.numbers.resize(d_);
+    ExactEvidence result = weighted(program_, d_, kind_a, [&](std::uint32_t k) { return a_.image(k); });
     result.denominator = result.of_a.denominator = result.of_b.denominator = program_.denominator();
-    for (const auto& [variable, weight] : program_.weights()) {
-      (variable.kind == kind_a ? result.of_a : result.of_b).parts.push_back({variable.index, weight});
-      if (variable.kind != kind_a) continue;
-      const ExactVector p = a_.image(variable.index);
-      for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];
-    }
     return result;
   }
 
@@ -125,20 +130,14 @@ ExactDecision decide_half_spaces(Placed& a, Placed& b, std::span<const std::uint
     ++cost.iterations;
     if (pays || deepened(a, b)) continue;
     ExactEvidence common{.numbers = {place.begin(), place.end()}, .denominator = y[d]};
-    common.in_a = {a.unplaced(place, y[d]), y[d] * a.scale()};
-    common.in_b = {b.unplaced(place, y[d]), y[d] * b.scale()};
-    return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+    common.in_a = a.in_frame(place, y[d]);
+    common.in_b = b.in_frame(place, y[d]);
+    return proved(Verdict::meet, std::move(common));
   }
-  ExactEvidence parting;
-  parting.numbers.resize(d);
-  for (const auto& [variable, weight] : program.weights()) {
-    const bool is_of_a = variable.kind == kind_a;
-    (is_of_a ? parting.of_a : parting.of_b).parts.push_back({variable.index, weight * (is_of_a ? a : b).scale()});
-    if (!is_of_a) continue;
-    const ExactVector row = a.half_space(variable.index);
-    for (std::size_t c = 0; c < d; ++c) parting.numbers[c] = parting.numbers[c] + weight * row[c];
-  }
-  return {Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+  ExactEvidence parting = weighted(program, d, kind_a, [&](std::uint32_t k) { return a.half_space(k); });
+  for (Weights::Part& part : parting.of_a.parts) part.numerator = part.numerator * a.scale();
+  for (Weights::Part& part : parting.of_b.parts) part.numerator = part.numerator * b.scale();
+  return proved(Verdict::apart, std::move(parting));
 }
 
 // ---- Half-spaces and points.
@@ -180,9 +179,7 @@ class MixedProgram {
   // The combination of normals by these numbers.
   ExactVector combined(std::span<const Dyadic> by) const {
     ExactVector sum(d_);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      for (std::size_t c = 0; c < d_; ++c) sum[c] = sum[c] + by[i] * rows_[i][c];
-    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) add_multiple(sum, by[i], rows_[i]);
     return sum;
   }
 
@@ -197,15 +194,8 @@ class MixedProgram {
   }
 
   ExactEvidence common_point() const {
-    ExactEvidence result;
-    result.numbers.resize(d_);
+    ExactEvidence result = weighted(program_, d_, kind_b, [&](std::uint32_t k) { return points_.image(k); });
     result.denominator = result.of_b.denominator = program_.denominator();
-    for (const auto& [variable, weight] : program_.weights()) {
-      if (variable.kind != kind_b) continue;
-      result.of_b.parts.push_back({variable.index, weight});
-      const ExactVector p = points_.image(variable.index);
-      for (std::size_t c = 0; c < d_; ++c) result.numbers[c] = result.numbers[c] + weight * p[c];
-    }
     return result;
   }
 
@@ -225,17 +215,15 @@ ExactDecision decide_mixed(Placed& a, Placed& b, std::span<const std::uint32_t> 
   for (;;) {
     may_be_interrupted(1000);
     MixedProgram program(a, b, some);
-    if (!program.solve(named, cost)) {
-      return {Verdict::apart, std::make_shared<const ExactEvidence>(program.parting())};
-    }
+    if (!program.solve(named, cost)) return proved(Verdict::apart, program.parting());
     ExactEvidence common = program.common_point();
     auto broken = a.most_broken(common.numbers, common.denominator, cost);
     while (broken && broken->product.sign() != Sign::positive && a.deepen()) {
       broken = a.most_broken(common.numbers, common.denominator, cost);
     }
     if (!broken || broken->product.sign() != Sign::positive) {
-      common.in_a = {a.unplaced(common.numbers, common.denominator), common.denominator * a.scale()};
-      return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+      common.in_a = a.in_frame(common.numbers, common.denominator);
+      return proved(Verdict::meet, std::move(common));
     }
     some.push_back(broken->index);
     named.clear();
@@ -250,7 +238,7 @@ ExactDecision exchanged(ExactDecision decision) {
   if (decision.verdict == Verdict::apart) evidence.numbers = negated(std::move(evidence.numbers));
   std::swap(evidence.of_a, evidence.of_b);
   std::swap(evidence.in_a, evidence.in_b);
-  return {decision.verdict, std::make_shared<const ExactEvidence>(std::move(evidence))};
+  return proved(decision.verdict, std::move(evidence));
 }
 
 namespace {
@@ -264,8 +252,7 @@ ExactDecision decide(Placed& a, Placed& b, std::span<const std::uint32_t> named_
   if (!points_b) return exchanged(decide_mixed(b, a, named_b, named_a, cost));
   PointsProgram program(a, b);
   const bool meet = program.try_named(named_a, named_b) || program.solve(cost);
-  return {meet ? Verdict::meet : Verdict::apart,
-          std::make_shared<const ExactEvidence>(meet ? program.common_point() : program.parting())};
+  return meet ? proved(Verdict::meet, program.common_point()) : proved(Verdict::apart, program.parting());
 }
 
 }  // namespace

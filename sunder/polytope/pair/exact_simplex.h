@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 
 namespace sunder::polytope {
 
@@ -29,6 +30,9 @@ struct ExactDecision {
   Verdict verdict = Verdict::apart;
   std::shared_ptr<const ExactEvidence> evidence;
 };
+inline ExactDecision proved(Verdict verdict, ExactEvidence evidence) {
+  return {verdict, std::make_shared<const ExactEvidence>(std::move(evidence))};
+}
 
 // The same of B and A.
 ExactDecision exchanged(ExactDecision decision);

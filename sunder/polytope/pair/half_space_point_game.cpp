@@ -144,7 +144,7 @@ class GameSearch {
       ++cost_.proposals;
       ExactEvidence parting{.numbers = std::move(normal)};
       parting.of_a.parts.push_back({half_space, half_spaces_.scale()});
-      return ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))};
+      return proved(Verdict::apart, std::move(parting));
     }
     if (gap == Sign::negative) return std::nullopt;
     std::vector<Item> corners;
@@ -155,15 +155,15 @@ class GameSearch {
   }
 
   // The weights of points, and of half-spaces, that are more than `least`.
-  std::vector<Weighted> weights_of_points(double least) const {
-    std::vector<Weighted> result;
+  std::vector<Weights::Part> weights_of_points(double least) const {
+    std::vector<Weights::Part> result;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
       if (game_.column_weight(j) > least) result.push_back({columns_[j].index, game_.column_weight(j)});
     }
     return result;
   }
-  std::vector<Weighted> weights_of_half_spaces(double least) const {
-    std::vector<Weighted> result;
+  std::vector<Weights::Part> weights_of_half_spaces(double least) const {
+    std::vector<Weights::Part> result;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (game_.row_weight(i) > least) result.push_back({rows_[i].index, game_.row_weight(i)});
     }
@@ -174,32 +174,32 @@ class GameSearch {
   // half-spaces, exactly; where they are not, the exact weights of a point that is.
   std::optional<ExactDecision> tight() {
     if (rows_.empty() || columns_.empty()) return std::nullopt;
-    std::vector<Weighted> points = weights_of_points(payoff_matters);
-    const std::vector<Weighted> half_spaces = weights_of_half_spaces(payoff_matters);
+    std::vector<Weights::Part> points = weights_of_points(payoff_matters);
+    const std::vector<Weights::Part> half_spaces = weights_of_half_spaces(payoff_matters);
     if (points.empty() || half_spaces.empty()) return std::nullopt;
     if (auto held = inside(points)) return held;
     if (auto held = parted(half_spaces)) return held;
     if (auto held = inside(weights_within(half_spaces, columns_at(half_spaces)))) return held;
     if (half_spaces.size() > most_dimension || points.size() > half_spaces.size() + 1) return std::nullopt;
     std::vector<ExactVector> payoffs;
-    for (const Weighted& point : points) {
+    for (const Weights::Part& point : points) {
       const ExactVector image = points_.image(point.index);
       payoffs.emplace_back();
-      for (const Weighted& of : half_spaces) {
+      for (const Weights::Part& of : half_spaces) {
         const ExactVector row = half_spaces_.half_space(of.index);
         payoffs.back().push_back(dot(row, image) - row[d_]);
       }
     }
     auto numbers = null_vector(payoffs);
     if (!numbers) return std::nullopt;
-    for (std::size_t k = 0; k < points.size(); ++k) points[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
+    for (std::size_t k = 0; k < points.size(); ++k) points[k].numerator = dyadic_of(std::move((*numbers)[k]), 0);
     return inside(points);
   }
 
   // Those points that are on the boundaries of all of these half-spaces, about.
-  std::vector<Item> columns_at(const std::vector<Weighted>& half_spaces) const {
+  std::vector<Item> columns_at(const std::vector<Weights::Part>& half_spaces) const {
     std::vector<Item> columns = columns_;
-    for (const Weighted& of : half_spaces) {
+    for (const Weights::Part& of : half_spaces) {
       const Item row{of.index, rounded_.row(of.index)};
       double greatest = 0;
       for (const Item& column : columns_) greatest = std::max(greatest, std::fabs(payoff(row, column)));
@@ -211,12 +211,12 @@ class GameSearch {
 
   // Weights of the points, at most MatrixGame::most, for a point that is as deep inside of all half-spaces but these as
   // may be: a game without these.
-  std::vector<Weighted> weights_within(const std::vector<Weighted>& half_spaces,
-                                       const std::vector<Item>& columns) const {
+  std::vector<Weights::Part> weights_within(const std::vector<Weights::Part>& half_spaces,
+                                            const std::vector<Item>& columns) const {
     std::vector<Item> rows;
     if (columns.empty()) return {};
     MatrixGame game;
-    std::vector<Weighted> result;
+    std::vector<Weights::Part> result;
     for (const Item& column : columns) {
       game.add_column([](std::size_t) { return 0.0; });
       result.push_back({column.index, 1.0});
@@ -227,13 +227,13 @@ class GameSearch {
       double total = 0;
       for (std::size_t j = 0; j < columns.size(); ++j) {
         const double weight = rows.empty() ? 1 : game.column_weight(j);
-        result[j].weight = weight;
+        result[j].numerator = weight;
         total += weight;
         for (std::size_t c = 0; c < d_; ++c) x[c] += weight * columns[j].at[c];
       }
       const std::uint32_t broken = rounded_.most_broken(x, total, candidates, cost_).index;
-      const bool is_boundary =
-          std::any_of(half_spaces.begin(), half_spaces.end(), [&](const Weighted& of) { return of.index == broken; });
+      const bool is_boundary = std::any_of(half_spaces.begin(), half_spaces.end(),
+                                           [&](const Weights::Part& of) { return of.index == broken; });
       if (is_boundary || has(rows, broken)) {
         if (candidates.are_all()) break;
         candidates.widen();
@@ -247,10 +247,10 @@ class GameSearch {
     return result;
   }
 
-  std::optional<ExactDecision> inside(const std::vector<Weighted>& weights) {
+  std::optional<ExactDecision> inside(const std::vector<Weights::Part>& weights) {
     return met_by_weights(half_spaces_, points_, weights, cost_);
   }
-  std::optional<ExactDecision> parted(const std::vector<Weighted>& weights) {
+  std::optional<ExactDecision> parted(const std::vector<Weights::Part>& weights) {
     return parted_by_weights(half_spaces_, points_, weights, cost_);
   }
 

@@ -98,9 +98,9 @@ class HalfSpaceSearch {
   }
 
   ExactDecision met_in(ExactEvidence common) {
-    common.in_a = {a_.unplaced(common.numbers, common.denominator), common.denominator * a_.scale()};
-    common.in_b = {b_.unplaced(common.numbers, common.denominator), common.denominator * b_.scale()};
-    return {Verdict::meet, std::make_shared<const ExactEvidence>(std::move(common))};
+    common.in_a = a_.in_frame(common.numbers, common.denominator);
+    common.in_b = b_.in_frame(common.numbers, common.denominator);
+    return proved(Verdict::meet, std::move(common));
   }
 
   // A row, exactly.
@@ -165,8 +165,7 @@ class HalfSpaceSearch {
     auto multipliers = null_vector(std::span(normals).first(of.count));
     if (!multipliers) return {};
     Dyadic side;
-    ExactEvidence parting;
-    parting.numbers.resize(d_);
+    ExactEvidence parting{.numbers = ExactVector(d_)};
     bool is_positive = true;
     for (std::size_t k = 0; k < of.count; ++k) {
       Integer& l = (*multipliers)[k];
@@ -177,12 +176,10 @@ class HalfSpaceSearch {
       const Dyadic weight = dyadic_of(std::move(l), 0);
       side = side + weight * row.side;
       (row.kind == of_a ? parting.of_a : parting.of_b).parts.push_back({row.index, weight * placed(row.kind).scale()});
-      for (std::size_t c = 0; c < d_ && row.kind == of_a; ++c) {
-        parting.numbers[c] = parting.numbers[c] + weight * row.normal[c];
-      }
+      if (row.kind == of_a) add_multiple(parting.numbers, weight, row.normal);
     }
     if (side.sign() != Sign::negative) return {{}, is_positive && side.sign() == Sign::zero};
-    return {ExactDecision{Verdict::apart, std::make_shared<const ExactEvidence>(std::move(parting))}};
+    return {proved(Verdict::apart, std::move(parting))};
   }
 
   // Where the rows that have weight hold the origin, about, and are fewer than a full simplex: is that a contradiction;

@@ -14,7 +14,7 @@ const Pose in_place(2);
 std::optional<ExactDecision> met(const Polytope& half_spaces, double first, double second) {
   Placed a(half_spaces, in_place), b(two_points, in_place);
   Cost cost;
-  return met_by_weights(a, b, std::array{Weighted{0, first}, Weighted{1, second}}, cost);
+  return met_by_weights(a, b, std::array{Weights::Part{0, first}, Weights::Part{1, second}}, cost);
 }
 
 TEST(HalfSpaceWeights, OfPointsMakeAPointInside) {
@@ -34,10 +34,10 @@ TEST(HalfSpaceWeights, NegativeOnesAreNoProof) {
 TEST(HalfSpaceWeights, OfHalfSpacesPartThePoints) {
   Cost cost;
   Placed far(beyond, in_place), near(left, in_place), b(two_points, in_place);
-  const auto parted = parted_by_weights(far, b, std::array{Weighted{0, 1.0}}, cost);
+  const auto parted = parted_by_weights(far, b, std::array{Weights::Part{0, 1.0}}, cost);
   ASSERT_TRUE(parted.has_value());
   EXPECT_EQ(parted->verdict, Verdict::apart);
-  EXPECT_FALSE(parted_by_weights(near, b, std::array{Weighted{0, 1.0}}, cost).has_value());
+  EXPECT_FALSE(parted_by_weights(near, b, std::array{Weights::Part{0, 1.0}}, cost).has_value());
 }
 
 }  // namespace

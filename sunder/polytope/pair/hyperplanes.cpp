@@ -76,7 +76,7 @@ class Enclosure {
     for (const auto& [variable, weight] : program.weights()) {
       if (variable.kind != kind_) continue;
       result.multipliers.parts.push_back({names_[variable.index], weight * scale_});
-      for (std::size_t c = 0; c < d_; ++c) sum[c] = sum[c] + weight * placed_[variable.index][c];
+      add_multiple(sum, weight, placed_[variable.index]);
     }
     return result;
   }

@@ -28,6 +28,12 @@ ExactVector negated(ExactVector v);
 ExactVector pulled(const Pose& pose, std::span<const Dyadic> direction);
 ExactVector turned(const Pose& pose, std::span<const Dyadic> vector);
 
+// Adds weight v to the sum: as many numbers of it as that has.
+template <class Numbers>
+void add_multiple(ExactVector& sum, const Dyadic& weight, const Numbers& v) {
+  for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sum[c] + weight * v[c];
+}
+
 // The sum of weights times rows, each of at least `size` numbers; nothing where a weight is negative or names no row, or
 // their denominator is not positive.
 template <class Rows>
@@ -36,7 +42,7 @@ std::optional<ExactVector> weighted_sum(const Weights& weights, const Rows& row,
   ExactVector sum(size);
   for (const auto& [index, weight] : weights.parts) {
     if (index >= rows || weight.sign() == Sign::negative) return std::nullopt;
-    for (std::size_t c = 0; c < size; ++c) sum[c] = sum[c] + weight * Dyadic(row(index)[c]);
+    add_multiple(sum, weight, row(index));
   }
   return sum;
 }
@@ -88,11 +94,12 @@ class Placed {
   std::optional<ExactFurthest> most_broken(std::span<const Dyadic> p, const Dyadic& w, Cost& cost);
   bool breaks_any(std::span<const Dyadic> p, const Dyadic& w, Cost& cost);
   const Dyadic& scale();  // positive
-  // The point p / w in the frame of the body, over w scale().
-  ExactVector unplaced(std::span<const Dyadic> p, const Dyadic& w);
+  // The point p / w in the frame of the body.
+  ExactPointN in_frame(std::span<const Dyadic> p, const Dyadic& w) { return {unplaced(p, w), w * scale()}; }
 
  private:
   void invert();
+  ExactVector unplaced(std::span<const Dyadic> p, const Dyadic& w);  // over w scale()
   ExactFurthest furthest_row(std::span<const Dyadic> direction, Cost& cost);
 
   const Polytope& body_;

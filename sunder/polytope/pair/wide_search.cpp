@@ -50,7 +50,7 @@ class WideSearch {
         if (!broken) return met();
         add_half_space(*broken);
       } else {
-        std::vector<Weighted> weights;
+        std::vector<Weights::Part> weights;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
           const Dyadic& weight = game_.weights()[i];
           if (weight.sign() == Sign::positive) weights.push_back({rows_[i].index, weight});
@@ -100,7 +100,7 @@ class WideSearch {
   }
 
   // The point that is furthest in this combination of half-spaces, if it is a new one.
-  std::optional<std::uint32_t> point_against(const std::vector<Weighted>& weights) {
+  std::optional<std::uint32_t> point_against(const std::vector<Weights::Part>& weights) {
     ExactVector direction(d_);
     for (const auto& [index, weight] : weights) {
       const ExactVector row = half_spaces_.half_space(index);
@@ -113,7 +113,7 @@ class WideSearch {
 
   // The weights of those points that put their sum on the boundaries of the tight half-spaces, exactly.
   std::optional<ExactDecision> met() {
-    std::vector<Weighted> weights;
+    std::vector<Weights::Part> weights;
     std::vector<ExactVector> payoffs;
     for (std::size_t j = 0; j < columns_.size(); ++j) {
       if (game_.weights()[j].sign() != Sign::positive) continue;
@@ -125,7 +125,7 @@ class WideSearch {
     if (payoffs.size() > game_.tight().size() + 1) return std::nullopt;
     auto numbers = null_vector(payoffs);
     if (!numbers) return std::nullopt;
-    for (std::size_t k = 0; k < weights.size(); ++k) weights[k].weight = dyadic_of(std::move((*numbers)[k]), 0);
+    for (std::size_t k = 0; k < weights.size(); ++k) weights[k].numerator = dyadic_of(std::move((*numbers)[k]), 0);
     return met_by_weights(half_spaces_, points_, weights, cost_);
   }
 
