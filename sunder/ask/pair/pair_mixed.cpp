@@ -24,7 +24,7 @@ std::string MixedPair::signs_text(DecidedBy decided_by) {
 
 Told end_told(Told feature, Json point, const std::string& about_point, const ExactFraction& along_line, OwnEnd own,
               const char* whose) {
-  const std::string t = fraction_text(along_line.numerator, along_line.denominator);
+  const std::string t = along_line.text();
   Json json{{"point", std::move(point)}, {"along_line", t}};
   json.update(feature.json);
   if (own == OwnEnd::a) json["beginning"] = true;

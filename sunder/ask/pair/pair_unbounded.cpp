@@ -157,7 +157,7 @@ class UnboundedPair : public MixedPair {
     Told place{{{"inside", true}}, fmt::format("inside {}", letter())};
     if (at.place != Place::inside) place = body_.feature(letter(), at.feature, at.place == Place::edge);
     if (at.place == Place::edge) {
-      place.json["along_edge"] = fraction_text(e.along_edge.numerator, e.along_edge.denominator);
+      place.json["along_edge"] = e.along_edge.text();
     }
     return end_told(std::move(place), {p.x, p.y}, about(p), e.along_line, at.own, "the ray's");
   }

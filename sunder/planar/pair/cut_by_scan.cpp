@@ -58,9 +58,6 @@ PolygonCut::Evidence line_by_scan(const Sequence& p, const typename Sequence::Ve
   return BesideLine{p.number(best)};
 }
 
-// The sign of t - whole.
-Sign order(const ExactFraction& t, double whole) { return (t.numerator - Dyadic(whole) * t.denominator).sign(); }
-
 }  // namespace
 
 PolygonCut cut_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Point2& a, const Point2& b, OwnEnds ends) {
@@ -82,21 +79,21 @@ PolygonCut cut_by_scan(const ConvexPolygon& polygon, const Pose& pose, const Poi
   if (!cut.meet() || (!ends.a && !ends.b)) return cut;
   CutEnds<CutEnd> common = ends_of(cut.evidence).value();
   const ExactFraction first = exact_end(polygon, pose, a, b, common.first).along_line,
-                      last = exact_end(polygon, pose, a, b, common.last).along_line;
-  if (ends.a && order(last, 0) == Sign::negative) {
+                      last = exact_end(polygon, pose, a, b, common.last).along_line, at_a, at_b{Dyadic(1.0)};
+  if (ends.a && last < at_a) {
     cut.evidence = BeyondEnd{OwnEnd::a};
     return cut;
   }
-  if (ends.b && order(first, 1) == Sign::positive) {
+  if (ends.b && first > at_b) {
     cut.evidence = BeyondEnd{OwnEnd::b};
     return cut;
   }
-  if (ends.a && order(first, 0) != Sign::positive) common.first = own_end(OwnEnd::a).value();
-  if (ends.b && order(last, 1) != Sign::negative) common.last = own_end(OwnEnd::b).value();
+  if (ends.a && first <= at_a) common.first = own_end(OwnEnd::a).value();
+  if (ends.b && last >= at_b) common.last = own_end(OwnEnd::b).value();
   // One point: one of the ends, or a and b each where the line has no more.
-  if (ends.a && order(last, 0) == Sign::zero) {
+  if (ends.a && last == at_a) {
     cut.evidence = CutPoint{common.first};
-  } else if (kind_of(cut) == CutKind::point || (ends.b && order(first, 1) == Sign::zero)) {
+  } else if (kind_of(cut) == CutKind::point || (ends.b && first == at_b)) {
     cut.evidence = CutPoint{common.last};
   } else if (auto* along = std::get_if<CutAlong>(&cut.evidence)) {
     along->first = common.first;

@@ -42,12 +42,7 @@ inline bool is_at(const ExactPoint2& p, const Exact& v, const Exact& w, const Ex
   };
   return same(p.x, v.x, w.x) && same(p.y, v.y, w.y);
 }
-inline Sign minus(const ExactFraction& s, const ExactFraction& t) {
-  return (s.numerator * t.denominator - t.numerator * s.denominator).sign();
-}
-inline bool is_in_unit(const ExactFraction& t) {
-  return t.numerator.sign() != Sign::negative && (t.denominator - t.numerator).sign() != Sign::negative;
-}
+inline bool is_in_unit(const ExactFraction& t) { return t >= ExactFraction() && t <= ExactFraction{Dyadic(1.0)}; }
 
 }  // namespace cut_test
 
@@ -91,7 +86,7 @@ inline void expect_true(const ConvexPolygon& polygon, const Pose& pose, const Po
     }
     ends.push_back(e);
   }
-  const Sign order = minus(ends[1].along_line, ends[0].along_line);
+  const Sign order = compare(ends[1].along_line, ends[0].along_line);
   EXPECT_EQ(order, kind_of(cut) == CutKind::point ? Sign::zero : Sign::positive);
   if (kind_of(cut) == CutKind::point) return;
   const ExactPoint2 &p = ends[0].point, &q = ends[1].point;

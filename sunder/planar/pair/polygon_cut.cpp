@@ -10,11 +10,6 @@ namespace {
 
 using Exact = Vector2<Dyadic>;
 
-ExactFraction fraction(Dyadic numerator, Dyadic denominator) {
-  if (denominator.sign() == Sign::negative) return {-numerator, -denominator};
-  return {std::move(numerator), std::move(denominator)};
-}
-
 // t with p = from + t (to - from), for a point of that line; zero where it has one point only.
 ExactFraction along(const Exact& from, const Exact& to, const Exact& p) {
   const Exact u = to - from;
@@ -49,9 +44,10 @@ ExactEnd exact_end(const ConvexPolygon& polygon, const Pose& pose, const Point2&
   if (end.place != Place::edge) return {at(start), along(from, to, start), {}};
   // The line crosses the edge.
   const Exact u = to - from, e = stop - start;
-  const ExactFraction of_line = fraction(cross(start - from, e), cross(u, e));
+  const ExactFraction of_line = ExactFraction::quotient(cross(start - from, e), cross(u, e)),
+                      of_edge = ExactFraction::quotient(cross(from - start, u), cross(e, u));
   const auto& [n, m] = of_line;
-  return {{from.x * m + n * u.x, from.y * m + n * u.y, m}, of_line, fraction(cross(from - start, u), cross(e, u))};
+  return {{from.x * m + n * u.x, from.y * m + n * u.y, m}, of_line, of_edge};
 }
 
 }  // namespace sunder::planar

@@ -13,14 +13,9 @@ namespace {
 
 using Exact = Vector3<Dyadic>;
 
-ExactFraction fraction(Dyadic numerator, Dyadic denominator) {
-  if (denominator.sign() == Sign::negative) return {-numerator, -denominator};
-  return {std::move(numerator), std::move(denominator)};
-}
-
 // Of the plane through p with this normal, which is not perpendicular to the line.
 ExactFraction where_line_meets(const Exact& a, const Exact& way, const Exact& p, const Exact& normal) {
-  return fraction(dot(normal, p - a), dot(normal, way));
+  return ExactFraction::quotient(dot(normal, p - a), dot(normal, way));
 }
 
 }  // namespace

@@ -21,11 +21,6 @@ struct HalfSpace {
   Exact normal, on;
 };
 
-Sign order(const ExactFraction& s, const ExactFraction& t) {
-  return (s.numerator * t.denominator - t.numerator * s.denominator).sign();
-}
-bool equals(const ExactFraction& t, double x) { return order(t, {Dyadic(x)}) == Sign::zero; }
-
 class Scan {
  public:
   Scan(const ConvexPolyhedron& body, const Pose& pose, const Point3& a, const Point3& b)
@@ -59,35 +54,32 @@ class Scan {
           break;
         case Sign::positive: {
           ExactFraction t{std::move(reach), std::move(along)};
-          if (high && order(t, *high) != Sign::negative) break;
+          if (high && t >= *high) break;
           high = std::move(t);
           of_line.leaves = k;
           break;
         }
         case Sign::negative: {
           ExactFraction t{-reach, -along};
-          if (low && order(t, *low) != Sign::positive) break;
+          if (low && t <= *low) break;
           low = std::move(t);
           of_line.enters = k;
           break;
         }
       }
     }
-    const ExactFraction begin, end{Dyadic(is_point_ ? 0.0 : 1.0)};
-    if (ends.a && order(*low, begin) == Sign::negative) low = begin;
-    if (ends.b && order(*high, end) == Sign::positive) high = end;
-    const Sign length = order(*high, *low);
-    if (length == Sign::negative) return CutParting{};
+    const ExactFraction at_a, at_b{Dyadic(1.0)}, end = is_point_ ? at_a : at_b;
+    if (ends.a && *low < at_a) low = at_a;
+    if (ends.b && *high > end) high = end;
+    if (*high < *low) return CutParting{};
     const auto end_at = [&](const ExactFraction& t) {
-      const OwnEnd own = ends.a && equals(t, 0) ? OwnEnd::a : ends.b && equals(t, 1) ? OwnEnd::b : OwnEnd::none;
+      const OwnEnd own = ends.a && t == at_a ? OwnEnd::a : ends.b && t == at_b ? OwnEnd::b : OwnEnd::none;
       return CutEnd{feature_at(t), own};
     };
     // Of a body with an inside, each half-space is a facet's.
     const std::optional<LineFacets> facets = body_.dimension() == 3 ? std::optional(of_line) : std::nullopt;
-    if (length == Sign::zero) return CutPoint{end_at(*low), facets};
-    const ExactFraction middle{low->numerator * high->denominator + high->numerator * low->denominator,
-                               (low->denominator * high->denominator).scaled(1)};
-    const CutFeature between = feature_at(middle);
+    if (*low == *high) return CutPoint{end_at(*low), facets};
+    const CutFeature between = feature_at(middle(*low, *high));
     if (between.place == CutPlace::inside) return CutAcross{end_at(*low), end_at(*high), of_line};
     return CutAlong{end_at(*low), end_at(*high), between, facets};
   }

@@ -89,12 +89,10 @@ class Claims {
 
   // Requires that they overlap.
   CommonPoint overlapping_point() {
-    const ExactFraction s = exact_end(placed_, line_, ends().first).along_line,
-                        t = exact_end(placed_, line_, ends().last).along_line;
-    const ExactFraction middle{s.numerator * t.denominator + t.numerator * s.denominator,
-                               (s.denominator * t.denominator).scaled(1)};
-    const Exact p = a_ * middle.denominator + way_ * middle.numerator;
-    return common_point({p.x, p.y, p.z, middle.denominator}, middle, true);
+    const ExactFraction t =
+        middle(exact_end(placed_, line_, ends().first).along_line, exact_end(placed_, line_, ends().last).along_line);
+    const Exact p = a_ * t.denominator + way_ * t.numerator;
+    return common_point({p.x, p.y, p.z, t.denominator}, t, true);
   }
 
   // Requires that they touch. A plane through the common part parts them weakly: one of a facet or of an edge there

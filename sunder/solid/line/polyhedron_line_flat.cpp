@@ -25,9 +25,6 @@ CutEnd at_edge(std::uint32_t v, std::uint32_t w) {
 }
 CutEnd at_facet() { return {{CutPlace::facet, 0, 0}, OwnEnd::none}; }
 
-// The sign of t - whole.
-Sign order(const ExactFraction& t, double whole) { return (t.numerator - Dyadic(whole) * t.denominator).sign(); }
-
 }  // namespace
 
 void LineAnswer::decide_flat(OwnEnds ends, bool is_point) {
@@ -180,8 +177,8 @@ void LineAnswer::clip_flat(OwnEnds ends, bool is_point) {
   clip_by(
       ends, is_point,
       [&](bool at_last, OwnEnd own) {
-        const double at = own == OwnEnd::a ? 0 : 1;
-        return at_last ? -order(last, at) : order(first, at);
+        const ExactFraction at{Dyadic(own == OwnEnd::a ? 0.0 : 1.0)};
+        return at_last ? compare(at, last) : compare(first, at);
       },
       [&](bool at_last, OwnEnd own) {
         return parting_at(at_last ? last_ : first_, at_last ? Sign::positive : Sign::negative, own);
