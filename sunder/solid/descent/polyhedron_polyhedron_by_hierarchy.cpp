@@ -112,7 +112,7 @@ class LevelSupport : public GraphSupport<Real> {
 template <class Real>
 using Descent = Gjk<Real, LevelSupport<Real>>;
 
-template <class Real, class Holds>
+template <class Real>
 bool propose_by_descent(const Placed& a, const Placed& b, Descent<Real>& search, const Holds& holds, Cost& cost) {
   LevelSupport<Real>& support = search.support;
   support.turn_to(search.direction);
@@ -138,7 +138,6 @@ bool propose_by_descent(const Placed& a, const Placed& b, Descent<Real>& search,
 }
 
 // In doubles, then in twice the precision.
-template <class Holds>
 bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
   Descent<double> search(a, b, cost);
   search.begin({});
@@ -157,8 +156,8 @@ bool propose(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
 PairAnswer polyhedron_polyhedron_by_hierarchy(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                               const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) { return propose(p, q, of, cost); };
+  return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
+    const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) { return propose(p, q, of, cost); };
     return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });
 }

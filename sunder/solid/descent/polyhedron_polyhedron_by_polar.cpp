@@ -33,7 +33,7 @@ PolarOf polar_of(const Placed& a, const Placed& b) {
   return length(a) > length(b) ? PolarOf::a : PolarOf::b;
 }
 
-template <class Real, class Holds>
+template <class Real>
 bool propose_in(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
   using End = typename PolarWalk<Real>::End;
   const bool of_b = polar_of(a, b) == PolarOf::b;
@@ -80,8 +80,8 @@ PairAnswer polyhedron_polyhedron_by_polar(const ConvexPolyhedron& body_a, const 
     return polyhedron_polyhedron_by_hierarchy(body_a, pose_a, body_b, pose_b);
   }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
+  return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
+    const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) {
       return propose_in<double>(p, q, of, cost) || propose_in<DoubleDouble>(p, q, of, cost);
     };
     return propose_axis_scaled_where_wanted(a, b, holds, propose_of);

@@ -37,16 +37,14 @@ class PolygonByDrums {
     normal_ = scaled_to_one(cross_of<Real>(minus(way(thirds_[1]), point_), minus(way(thirds_[2]), point_)));
   }
 
-  template <class Holds>
   bool propose(const Holds& holds) const {
     const auto base = frame_.way_to_image<Real>(from_, search_.vertex(drums_.vertex_of(0)));
     const SectionAgainst<Real> against(search_, frame_, base, normal_, point_, cost_);
     const FlatSequence<Real> r(polygon_, frame_, from_, against.axes()[0], against.axes()[1], frame_.reflects(), cost_);
-    return against.run(r, Found<Holds>{*this, r, holds});
+    return against.run(r, Found{*this, r, holds});
   }
 
  private:
-  template <class Holds>
   struct Found {
     const PolygonByDrums& search;
     const FlatSequence<Real>& r;
@@ -110,7 +108,7 @@ PairAnswer polyhedron_polygon_by_drums(const ConvexPolyhedron& body, const Pose&
     return polyhedron_polyhedron(body, pose, polygon, pose_of_polygon);
   }
   const Placed a(body, pose), b(polygon, pose_of_polygon);
-  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
+  return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
     return PolygonByDrums<double>(a, b, cost).propose(holds) || PolygonByDrums<DoubleDouble>(a, b, cost).propose(holds);
   });
 }

@@ -71,7 +71,6 @@ class PolyhedraByDrums {
         base_p_(body_.at(drums().vertex_of(0))),
         proposals_(q) {}
 
-  template <class Holds>
   bool propose(const Holds& holds) {
     const End end = reduce(holds);
     return end == End::held || (end == End::parted && mix(holds));
@@ -115,7 +114,7 @@ class PolyhedraByDrums {
 
   // ---- One plane ----------------------------------------------------------------------------------------------------
 
-  template <class R, class Holds>
+  template <class R>
   struct Found {
     PolyhedraByDrums& search;
     const R& r;
@@ -166,15 +165,14 @@ class PolyhedraByDrums {
   };
 
   // Does R, in a plane with this normal and point, meet Q? If not: a plane that parts them.
-  template <class MakeSequence, class Holds>
+  template <class MakeSequence>
   End ask(const Vector& of_normal, const Vector& point, const MakeSequence& make, const Holds& holds,
           Support& support) {
     const Vector normal = scaled_to_one(of_normal);
     const SectionAgainst<Real> against(search_q_, frame_q_, base_q_, normal, point, cost_);
     const auto r = make(against.axes(), frame_q_.reflects());
-    return against.run(r, Found<std::remove_const_t<decltype(r)>, Holds>{*this, r, normal, holds, support});
+    return against.run(r, Found<std::remove_const_t<decltype(r)>>{*this, r, normal, holds, support});
   }
-  template <class Holds>
   End ask(const Vector& normal, const Vector& point, const CutPolygon<Real>& polygon, const Holds& holds,
           Support& support) {
     return ask(
@@ -222,7 +220,6 @@ class PolyhedraByDrums {
 
   // ---- The steps ----------------------------------------------------------------------------------------------------
 
-  template <class Holds>
   End reduce(const Holds& holds) {
     if (const End end = to_drum(holds); end != End::goes_on) return end;
     if (const End end = to_wedge(holds); end != End::goes_on) return end;
@@ -230,7 +227,6 @@ class PolyhedraByDrums {
   }
 
   // Does the plane, or what it was found by, part the bodies? v: P's vertex furthest beyond it.
-  template <class Holds>
   bool parts(const Support& support, std::uint32_t v, const Holds& holds) const {
     Proposal claim = support.claim;
     claim.near_b = v;
@@ -244,7 +240,6 @@ class PolyhedraByDrums {
   }
 
   // Step 1.
-  template <class Holds>
   End to_drum(const Holds& holds) {
     std::uint32_t low = 0, high = drums().drum_count();
     while (high - low > 1) {
@@ -257,7 +252,6 @@ class PolyhedraByDrums {
     return End::goes_on;
   }
 
-  template <class Holds>
   End ask_slice(std::uint32_t slice, const Holds& holds, bool& is_above) {
     const Point3& up = drums().up();
     const std::size_t k = std::fabs(up.x) >= std::max(std::fabs(up.y), std::fabs(up.z)) ? 0
@@ -382,7 +376,6 @@ class PolyhedraByDrums {
   }
 
   // Is what is left of P beyond T_Q right of the plane?
-  template <class Holds>
   End ask_fan(Fan& fan, const Holds& holds, bool& is_right) {
     Support support;
     const Vector normal = fan.normal;
@@ -402,7 +395,6 @@ class PolyhedraByDrums {
   }
 
   // Steps 2 and 3.
-  template <class Holds>
   End to_wedge(const Holds& holds) {
     const std::uint32_t n = drums().size(drum_);
     const std::array<std::uint32_t, 2> all{n - 1, n - 1};
@@ -436,7 +428,6 @@ class PolyhedraByDrums {
   }
 
   // Steps 4 and 5.
-  template <class Holds>
   End to_pyramid(const Holds& holds) {
     side_below_ = a_.first_left[0] - 1;
     const std::uint32_t side_above = a_.first_left[1] - 1;
@@ -453,7 +444,6 @@ class PolyhedraByDrums {
     return ask_rest(low, holds);
   }
 
-  template <class Holds>
   End ask_triangle(std::uint32_t s, const Holds& holds, bool& is_above) {
     const LateralEdge e = edge(wedge_edge(s));
     const Mean<Real> top = body_.corner(edge(0), drum_);
@@ -498,7 +488,6 @@ class PolyhedraByDrums {
 
   // What is left is under one facet, between edges s and s + 1 of the wedge. Its faces that have not been asked about:
   // on that facet, on slices and facets at the ends of the searches.
-  template <class Holds>
   End ask_rest(std::uint32_t s, const Holds& holds) {
     const std::uint32_t side = s == 0 ? side_below_ : ascends_ ? wedge_edge(s) : wedge_edge(s) - 1;
     const std::uint32_t f = edge(side).side;
@@ -549,7 +538,6 @@ class PolyhedraByDrums {
   }
 
   // Is a vertex of Q in what is left of P?
-  template <class Holds>
   bool inside(std::uint32_t s, std::uint32_t vertex, const Holds& holds) {
     const Vector point = at_q(vertex);
     const Mean<Real> x = body_.corner(edge(0), drum_), y = body_.corner(edge(0), drum_ + 1);
@@ -581,7 +569,6 @@ class PolyhedraByDrums {
   // ---- The certificate of what is apart -----------------------------------------------------------------------------
 
   // D2: the planes that were kept and vertices of P, as a game.
-  template <class Holds>
   bool mix(const Holds& holds) {
     std::array<const Support*, places> support{};
     std::size_t count = 0, newest = 0;
@@ -686,8 +673,8 @@ PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const 
   const double size_a = size_of(body_a, pose_a), size_b = size_of(body_b, pose_b);
   const bool is_a_less = body_a.vertices().size() < body_b.vertices().size();
   const bool cuts_a = size_a < size_b * 0x1p-30 || (is_a_less && !(size_b < size_a * 0x1p-30));
-  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
+  return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
+    const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) {
       const auto of_exchanged = [&](const Proposal& proposal) { return of(exchanged(proposal)); };
       if (cuts_a) {
         return PolyhedraByDrums<double>(q, p, cost).propose(of_exchanged) ||

@@ -194,4 +194,20 @@ void finish(const Placed& a, const Placed& b, std::uint32_t near_a, std::uint32_
   certificate = decide_by_exact_simplex(a, b, hint, cost, tally);
 }
 
+PairAnswer answer_by(const Placed& a, const Placed& b, FunctionRef<bool(const Holds&, Cost&)> propose) {
+  PairAnswer answer;
+  StageTally tally;
+  std::uint32_t near_a = 0, near_b = 0;
+  const auto holds = [&](const Proposal& proposal) {
+    ++answer.cost.proposals;
+    if (dispose(a, b, proposal, answer.evidence, answer.cost, tally)) return true;
+    near_a = proposal.near_a, near_b = proposal.near_b;
+    return false;
+  };
+  const bool held = propose(holds, answer.cost);
+  if (!held) finish(a, b, near_a, near_b, answer.evidence, answer.cost, tally);
+  conclude(answer, tally.exact, !held);
+  return answer;
+}
+
 }  // namespace sunder::solid

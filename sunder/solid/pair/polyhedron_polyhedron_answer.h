@@ -21,21 +21,6 @@ void finish(const Placed& a, const Placed& b, std::uint32_t near_a, std::uint32_
 
 // The answer of a method that proposes: propose(holds, cost) calls holds(proposal) until that is true, and tells
 // whether it was. A search that is told that a proposal does not hold goes on where it is, or gives up.
-template <class Propose>
-PairAnswer answer_by(const Placed& a, const Placed& b, const Propose& propose) {
-  PairAnswer answer;
-  StageTally tally;
-  std::uint32_t near_a = 0, near_b = 0;
-  const auto holds = [&](const Proposal& proposal) {
-    ++answer.cost.proposals;
-    if (dispose(a, b, proposal, answer.evidence, answer.cost, tally)) return true;
-    near_a = proposal.near_a, near_b = proposal.near_b;
-    return false;
-  };
-  const bool held = propose(holds, answer.cost);
-  if (!held) finish(a, b, near_a, near_b, answer.evidence, answer.cost, tally);
-  conclude(answer, tally.exact, !held);
-  return answer;
-}
+PairAnswer answer_by(const Placed& a, const Placed& b, FunctionRef<bool(const Holds&, Cost&)> propose);
 
 }  // namespace sunder::solid

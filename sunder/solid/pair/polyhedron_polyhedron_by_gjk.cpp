@@ -9,8 +9,8 @@ namespace sunder::solid {
 PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                         const ConvexPolyhedron& body_b, const Pose& pose_b) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
-  return answer_by(a, b, [&](const auto& holds, Cost& cost) {
-    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
+  return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
+    const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) {
       return propose_by_gjk(p, q, of, cost);
     };
     return propose_axis_scaled_where_wanted(a, b, holds, propose_of);

@@ -77,7 +77,6 @@ std::optional<Proposal> parted_again(const WarmStart::Parting& last, const Place
 }
 
 // Proposes what is kept; true where that holds, and then what held is the first to be looked at next time.
-template <class Holds>
 bool propose_again(WarmStart& last, const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
   if (last.kind == WarmStart::Kind::meet) {
     const std::optional<Proposal> again = meet_again(last, a, b);
@@ -126,10 +125,10 @@ PairAnswer polyhedron_polyhedron_warm(const ConvexPolyhedron& body_a, const Pose
                                       const ConvexPolyhedron& body_b, const Pose& pose_b, WarmStart& last) {
   const Placed a(body_a, pose_a), b(body_b, pose_b);
   bool is_kept = false;
-  PairAnswer answer = answer_by(a, b, [&](const auto& holds, Cost& cost) {
+  PairAnswer answer = answer_by(a, b, [&](const Holds& holds, Cost& cost) {
     is_kept = propose_again(last, a, b, holds, cost);
     if (is_kept) return true;
-    const auto propose_of = [&](const Placed& p, const Placed& q, const auto& of) {
+    const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) {
       return propose_by_gjk(p, q, of, cost);
     };
     return propose_axis_scaled_where_wanted(a, b, holds, propose_of);

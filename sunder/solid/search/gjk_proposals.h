@@ -1,5 +1,5 @@
 // The proposals of Gilbert, Johnson and Keerthi's search, wherever it begins. See docs/design/solid-pair.md.
-// holds(proposal): see answer_by in polyhedron_polyhedron_answer.h. Each is true where a proposal held.
+// Each is true where a proposal held.
 #pragma once
 
 #include <sunder/solid/search/graph_support.h>
@@ -12,7 +12,7 @@ namespace sunder::solid {
 
 // Where the search's direction seems to part the bodies, w being furthest along it: a direction in doubles; in
 // double-doubles, for gaps in the last bits, the perpendicular of the simplex.
-template <class Real, class Support, class Holds>
+template <class Real, class Support>
 bool propose_apart(const Gjk<Real, Support>& search, const DifferenceVertexOf<Real>& w, const Holds& holds) {
   if (!(search.gap_at(w) > Real(0))) return false;
   if constexpr (std::is_same_v<Real, double>) {
@@ -25,7 +25,7 @@ bool propose_apart(const Gjk<Real, Support>& search, const DifferenceVertexOf<Re
 }
 
 // From the search's direction on.
-template <class Real, class Holds>
+template <class Real>
 bool propose_by_search(const Placed& a, const Placed& b, GjkSearch<Real>& search, const Holds& holds, Cost& cost) {
   const auto parts = [&](const auto& w) { return propose_apart(search, w, holds); };
   if (search.run({}, cost, parts) == GjkEnd::stopped) return true;
@@ -33,8 +33,7 @@ bool propose_by_search(const Placed& a, const Placed& b, GjkSearch<Real>& search
 }
 
 // In doubles, then in double-doubles.
-template <class Holds>
-bool propose_by_gjk(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
+inline bool propose_by_gjk(const Placed& a, const Placed& b, const Holds& holds, Cost& cost) {
   GjkSearch<double> search(a, b);
   search.begin({});
   search.support.begin_at_the_top();

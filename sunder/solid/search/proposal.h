@@ -3,6 +3,7 @@
 // polyhedron_polyhedron_answer.h disposes of it.
 #pragma once
 
+#include <sunder/base/function_ref.h>
 #include <sunder/predicate/point.h>
 
 #include <array>
@@ -33,6 +34,9 @@ struct Proposal {
   Point3 direction{};  // finite; meaningless where not mentioned
   Point3 rest{};       // what is to be added to it
 };
+
+// Does a proposal hold? What a search asks of it: see answer_by in polyhedron_polyhedron_answer.h.
+using Holds = FunctionRef<bool(const Proposal&)>;
 
 inline Proposal apart_along(const Point3& direction, std::uint32_t near_a, std::uint32_t near_b) {
   return {Proposal::Claim::apart_along, 0, 0, {}, near_a, near_b, direction, {}};

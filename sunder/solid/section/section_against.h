@@ -44,30 +44,42 @@ std::array<Real, 3> weights_around(const RoundedPoint<Real>& p, const std::array
   return {Real(1) - of_1 - of_2, of_1, of_2};
 }
 
-// A common point of two such polygons as means of their bodies' vertices.
-template <class Real, class A, class B>
-void mix_common_point(const A& a, const B& b, const CommonVertices& found, Mixture<Real>& of_a, Mixture<Real>& of_b) {
-  std::array<RoundedPoint<Real>, 3> in_a{}, in_b{};
-  const std::size_t count_a = found.count_a, count_b = found.count_b;
-  for (std::size_t k = 0; k < count_a; ++k) in_a[k] = a[found.vertices[k]];
-  for (std::size_t k = 0; k < count_b; ++k) in_b[k] = b[found.vertices[count_a + k]];
-  RoundedPoint<Real> at = count_b == 1 ? in_b[0] : in_a[0];
-  if (count_a == 2 && count_b == 2) {
-    const auto &p = in_a[0], &q = in_a[1], &r = in_b[0], &s = in_b[1];
+// Some corners of a polygon, named by their indices, and what they weigh in a mean.
+template <class Real>
+struct WeighedCorners {
+  std::span<const std::uint32_t> index;
+  std::array<RoundedPoint<Real>, 3> at{};
+  std::array<Real, 3> weight{};
+
+  template <class Polygon>
+  WeighedCorners(const Polygon& polygon, std::span<const std::uint32_t> some) : index(some) {
+    for (std::size_t k = 0; k < index.size(); ++k) at[k] = polygon[index[k]];
+  }
+  // The mean, of the polygon's body's vertices.
+  template <class Polygon>
+  Mixture<Real> mixture(const Polygon& polygon) const {
+    Mixture<Real> result;
+    for (std::size_t k = 0; k < index.size(); ++k) {
+      polygon.add_parts(index[k], [&](std::uint32_t v, const Real& w) { result.add(v, weight[k] * w); });
+    }
+    return result;
+  }
+};
+
+// Weights whose means are one common point.
+template <class Real>
+void weigh_common_point(WeighedCorners<Real>& a, WeighedCorners<Real>& b) {
+  RoundedPoint<Real> at = b.index.size() == 1 ? b.at[0] : a.at[0];
+  if (a.index.size() == 2 && b.index.size() == 2) {
+    const auto &p = a.at[0], &q = a.at[1], &r = b.at[0], &s = b.at[1];
     const Real across = (q.x - p.x) * (s.y - r.y) - (q.y - p.y) * (s.x - r.x);
     const bool is_told = across > Real(0) || across < Real(0);
     const Real t = is_told ? ((r.x - p.x) * (s.y - r.y) - (r.y - p.y) * (s.x - r.x)) / across : Real(0);
     at = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   }
-  const auto add = [&](const auto& polygon, std::size_t begin, std::size_t count, const std::array<Real, 3>& weights,
-                       Mixture<Real>& mixture) {
-    for (std::size_t k = 0; k < count; ++k) {
-      polygon.add_parts(found.vertices[begin + k],
-                        [&](std::uint32_t v, const Real& w) { mixture.add(v, weights[k] * w); });
-    }
-  };
-  add(a, 0, count_a, weights_around(at, in_a, count_a), of_a);
-  add(b, count_a, count_b, weights_around(at, in_b, count_b), of_b);
+  for (WeighedCorners<Real>* corners : {&a, &b}) {
+    corners->weight = weights_around(at, corners->at, corners->index.size());
+  }
 }
 
 // Its vertex of the greatest weight.
@@ -80,12 +92,10 @@ Mixture<Real> heaviest_of(const Mixture<Real>& mixture) {
   return one;
 }
 
-// Proposes that a common point of two such polygons is one of a and b. True where it holds.
-template <class Real, class A, class B, class Holds>
-bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const CommonVertices& found,
-                          const Holds& holds) {
-  Mixture<Real> in_a, in_b;
-  mix_common_point(of_a, of_b, found, in_a, in_b);
+// Proposes that what these means have in common is a common point of a and b. True where it holds.
+template <class Real>
+bool propose_common_mean(const Placed& a, const Mixture<Real>& in_a, const Placed& b, const Mixture<Real>& in_b,
+                         const Holds& holds) {
   const auto try_these = [&](const Mixture<Real>& some_of_a, const Mixture<Real>& some_of_b, bool drop_negligible) {
     Proposal p;
     p.near_a = some_of_a.vertex[0], p.near_b = some_of_b.vertex[0];
@@ -95,6 +105,16 @@ bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const
   // Where one body is next to nothing beside the other, any of its vertices will do.
   return (in_b.count > 1 && try_these(in_a, heaviest_of(in_b), false)) ||
          (in_a.count > 1 && try_these(heaviest_of(in_a), in_b, false));
+}
+
+// Proposes that a common point of two such polygons is one of a and b. True where it holds.
+template <class Real, class A, class B>
+bool propose_common_point(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const CommonVertices& found,
+                          const Holds& holds) {
+  const std::span<const std::uint32_t> all(found.vertices);
+  WeighedCorners<Real> in_a(of_a, all.first(found.count_a)), in_b(of_b, all.subspan(found.count_a, found.count_b));
+  weigh_common_point(in_a, in_b);
+  return propose_common_mean(a, in_a.mixture(of_a), b, in_b.mixture(of_b), holds);
 }
 
 // Is a point on a segment, or next to it, as rounding sees it? Where it is next to one of the ends only, that one is
@@ -163,7 +183,7 @@ bool find_touch(const A& a, const B& b, const Separation& parted, double distanc
 }
 
 // Proposes what two such polygons may touch in, where the line that parts them is a matter of rounding.
-template <class Real, class A, class B, class Holds>
+template <class Real, class A, class B>
 bool propose_touch(const Placed& a, const A& of_a, const Placed& b, const B& of_b, const Separation& parted,
                    const Holds& holds) {
   constexpr double distance = std::is_same_v<Real, double> ? 0x1p-40 : 0x1p-90;  // bodies are about 1 long here
