@@ -5,7 +5,7 @@ function(sunder_exact_arithmetic target)
     $<$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>:-fno-fast-math;-ffp-contract=off>)
 endfunction()
 
-# For our own code only, never exported.
+# For our own code only, never exported. After the target, where a release gains nothing by -O3: what is enough.
 function(sunder_own_code target)
   if(NOT PROJECT_IS_TOP_LEVEL)
     return()
@@ -17,7 +17,7 @@ function(sunder_own_code target)
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     # In a batch it warns of anonymous namespaces as if sources were headers.
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<BOOL:${SUNDER_BATCHES}>>:-Wno-subobject-linkage>
-    $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror>)
+    $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror> $<$<CONFIG:Release>:${ARGN}>)
 endfunction()
 
 # Large headers of others that our own code sees, compiled once. What a source needs it includes all the same:
