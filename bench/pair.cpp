@@ -6,7 +6,7 @@
 //     of the machine's mood hits all. The time of a contestant is the median over the rounds of its mean per query, in
 //     processor time of its thread.
 //   - Each library may prepare all that it can outside of the loop: shapes, transforms, first guesses; margins are 0.
-//   - Peers are asked for a boolean only, by every way that they offer (see peers/peer.h); in each cell of the table
+//   - Peers are asked for a boolean only, by every way that they offer (see peers/body_peer.h); in each cell of the table
 //     the fastest way of the fastest library counts. Sunder's answer holds its certificate.
 //   - Queries rotate over many pairs of a pool of bodies, which no contestant holds in its second-level cache at 1,000
 //     vertices and more; there is no coherence between one query and the next, and none is told of any.

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that what the pages link to exists: relative links and pictures of every *.md, and their headings.
+"""Checks that what the pages link to exists: relative links and pictures of every *.md, and their headings; and that
+comments of C++ sources name files that exist, by the end of their path: `drum_search.h`, `search/drum_search.h`.
 
     tests/check_links.py [ROOT]
 
@@ -9,7 +10,9 @@ import os
 import re
 import sys
 
-SKIPPED = {".git", "build", "cases"}
+SKIPPED = {".git", "cases"}
+# Names of three letters at least, as `p.h` is code; `x_by_scan.cpp` is any method's.
+NAMED = re.compile(r"(?<![\w/.<*-])(?:\w+/)*(?!x_)[a-z]\w{2,}\.(?:h|cpp|md)\b(?!\()")
 
 
 def without_code(text):
@@ -25,14 +28,19 @@ def anchors_of(text):
 
 
 def check(root):
-    """(findings as text, number of links)"""
+    """(findings as text, number of links and of files named in comments)"""
     findings, links = [], 0
+    ends, comments = set(), []
     for here, folders, files in os.walk(root):
-        folders[:] = sorted(set(folders) - SKIPPED)
+        folders[:] = sorted(f for f in set(folders) - SKIPPED if not f.startswith("build"))
         for name in sorted(files):
+            page = os.path.join(here, name)
+            steps = os.path.relpath(page, root).split(os.sep)
+            ends.update("/".join(steps[k:]) for k in range(len(steps)))
+            if name.endswith((".h", ".cpp")):
+                comments.append(page)
             if not name.endswith(".md"):
                 continue
-            page = os.path.join(here, name)
             with open(page, encoding="utf-8") as stream:
                 text = stream.read()
             for match in re.finditer(r"\]\(\s*<?([^)\s>]+)>?[^)]*\)|<img[^>]*\ssrc=\"([^\"]+)\"", without_code(text)):
@@ -49,6 +57,13 @@ def check(root):
                     with open(path, encoding="utf-8") as stream:
                         if anchor not in anchors_of(stream.read()):
                             findings.append("%s: there is no heading %s" % (place, target))
+    for page in comments:
+        with open(page, encoding="utf-8") as stream:
+            for number, line in enumerate(stream, 1):
+                for named in NAMED.findall(line.partition("// ")[2]):
+                    links += 1
+                    if named not in ends:
+                        findings.append("%s:%d: there is no %s" % (os.path.relpath(page, root), number, named))
     return findings, links
 
 

@@ -47,15 +47,15 @@ inline Interval widened(double l, double h) {
 
 inline Interval operator-(const Interval& a) { return {-a.high, -a.low}; }
 
-inline Interval operator+(const Interval& a, const Interval& b) {
+[[gnu::always_inline]] inline Interval operator+(const Interval& a, const Interval& b) {
   if (interval_detail::is_zero(a)) return b;
   if (interval_detail::is_zero(b)) return a;
   return interval_detail::widened(a.low + b.low, a.high + b.high);
 }
 
-inline Interval operator-(const Interval& a, const Interval& b) { return a + (-b); }
+[[gnu::always_inline]] inline Interval operator-(const Interval& a, const Interval& b) { return a + (-b); }
 
-inline Interval operator*(const Interval& a, const Interval& b) {
+[[gnu::always_inline]] inline Interval operator*(const Interval& a, const Interval& b) {
   if (interval_detail::is_zero(a) || interval_detail::is_zero(b)) return {0.0};
   const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
   if (std::isnan(p + q) || std::isnan(r + s)) {  // 0 * infinity, or two infinities of opposite sign

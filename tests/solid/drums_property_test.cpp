@@ -278,7 +278,7 @@ TEST(DrumsProperty, Lemma9APolygonPartedFromTheCornersMeetsTheSectionInPocketsBe
   EXPECT_GT(by_corner, 100);
 }
 
-// What pair/drum_search.h rests on: one lateral edge has the extreme corners of both slices of its drum.
+// What search/drum_search.h rests on: one lateral edge has the extreme corners of both slices of its drum.
 TEST(DrumsProperty, OneLateralEdgeIsExtremeAllThroughADrum) {
   int drums_seen = 0;
   for (const auto& [body, n] : random_cases(chosen_seed(8), scaled_count(500))) {

@@ -8,7 +8,7 @@
 // Throws Error bad_call where there are groups, and not one for each disc. Else none throws, but for want of
 // memory, or what `progress` or a visitor throws.
 // Source: Shamos & Hoey 1976, section VI (the question). That the list is complete is proved by an order
-// (discs_any_json.h).
+// (discs_any_claims.h).
 #pragma once
 
 #include <sunder/base/cost.h>

@@ -8,7 +8,7 @@
 // Throws Error bad_call where there are groups, and not one for each disc. Else none throws, but for want of
 // memory, or what `progress` throws.
 // Source: Shamos & Hoey 1976, section IV, Theorem 8: N log N is enough, and needed.
-// What proves each answer is made by its writer, whatever the method (discs_any_json.h).
+// What proves each answer is made by its writer, whatever the method (discs_any_claims.h).
 //
 // Why it is enough that the sweep tests neighbours. A vertical line that cuts a disc cuts it in an interval around the
 // centre's ordinate, and the list is sorted by these ordinates; at one abscissa all first ends come before all last

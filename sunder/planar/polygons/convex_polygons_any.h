@@ -2,7 +2,7 @@
 //
 // The polygons are closed: touching is meeting, and one inside another meets it. The answer is exactly right for the
 // doubles given, whatever the position. It comes with its evidence: two polygons that meet in a way that counts, with
-// the certificate of this pair; convex_polygons_any_json.h writes proofs, also that there are none.
+// the certificate of this pair; convex_polygons_any_claims.h writes proofs, also that there are none.
 // Also called: intersection detection among convex polygons.
 //   P1. meet() is true iff some two polygons, not of one group, have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods. `evidence` passes the

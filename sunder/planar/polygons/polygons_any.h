@@ -6,7 +6,7 @@
 // cross nor overlap, themselves or one another; they may touch in points, and vertices may be repeated: all polygons
 // that are valid are such, also those with rings that touch themselves (polygon_valid.h). What does not keep to that
 // is answered somehow. The answer is exactly right for the doubles given, and comes with
-// evidence: two edges that meet, or a vertex of one polygon inside of the other; polygons_json.h writes proofs.
+// evidence: two edges that meet, or a vertex of one polygon inside of the other; polygons_claims.h writes proofs.
 //   P1. meet() is true iff some two polygons, not of one group, have a contact that counts.
 //   P2. The contact named counts; it need not be the leftmost, nor the same for all methods.
 //   P3. The answer does not depend on the compiler.

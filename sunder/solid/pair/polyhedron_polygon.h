@@ -22,8 +22,8 @@ inline PairAnswer polyhedron_polygon(const ConvexPolyhedron& body, const Pose& p
 // holds, as polyhedron_polyhedron. A body without an inside, or a polygon without, is left to polyhedron_polyhedron.
 // Cost: at most 130 log2 n log2 (n + m) probes for n of 1,000 and more (the constant tested), each the access to an
 // edge of a drum, or to a vertex of the polygon.
-// Source: CD87 section 3.4, Lemma 9, Theorem 10. Departures: pair/section_search.h; the planar search is the one over
-// the Minkowski difference (planar/pair/minkowski_difference_search.h), in place of IGG.
+// Source: CD87 section 3.4, Lemma 9, Theorem 10. Departures: section/section_search.h; the planar search is the one
+// over the Minkowski difference (planar/pair/minkowski_difference_search.h), in place of IGG.
 PairAnswer polyhedron_polygon_by_drums(const ConvexPolyhedron& body, const Pose& pose,  //
                                        const ConvexPolyhedron& polygon, const Pose& pose_of_polygon);
 

@@ -82,7 +82,7 @@ bool propose_apart_along_features(const DifferenceSimplex& given, const Point3& 
 
 template bool propose_meet(const Placed&, const Placed&, const DifferenceSimplexOf<double>&, const Holds&);
 template bool propose_meet(const Placed&, const Placed&, const DifferenceSimplexOf<DoubleDouble>&, const Holds&);
-template bool propose_apart_along_perpendicular(const DifferenceSimplexOf<DoubleDouble>&, std::uint32_t,
-                                                std::uint32_t, const Holds&);
+template bool propose_apart_along_perpendicular(const DifferenceSimplexOf<DoubleDouble>&, std::uint32_t, std::uint32_t,
+                                                const Holds&);
 
 }  // namespace sunder::solid
