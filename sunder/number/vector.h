@@ -18,7 +18,7 @@ auto operator+(const Vector2<T>& a, const Vector2<U>& b) {
   return Vector2<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y};
 }
 template <class T, class U>
-auto operator-(const Vector2<T>& a, const Vector2<U>& b) {
+[[gnu::always_inline]] inline auto operator-(const Vector2<T>& a, const Vector2<U>& b) {
   return Vector2<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y};
 }
 template <class T>
