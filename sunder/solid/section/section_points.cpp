@@ -46,6 +46,18 @@ Estimated estimate(const Point3& vertex, const Affine3& pose, bool is_at_home, c
   return seen;
 }
 
+// Most of what a section's corners cost: all that it calls is inlined.
+[[gnu::flatten]] std::array<Estimate, 3> estimated(const ConvexPolyhedron& body, const SectionCorner& corner,
+                                                   const Affine3& pose, bool is_at_home, const Plane& plane) {
+  const Estimated a = estimate(body.vertices()[corner.above], pose, is_at_home, plane);
+  std::array<Estimate, 3> at = a.at;
+  if (corner.is_vertex()) return at;
+  const Estimated b = estimate(body.vertices()[corner.below], pose, is_at_home, plane);
+  const Estimate part = ratio(a.height, a.height - b.height);
+  for (std::size_t k = 0; k < 3; ++k) at[k] = a.at[k] + part * (b.at[k] - a.at[k]);
+  return at;
+}
+
 Point3 nearest_doubles(const ExactPoint3& p) {
   return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator), nearest_ratio(p.z, p.denominator)};
 }
@@ -81,13 +93,7 @@ ExactPoint3 SectionPoints::exact(const SectionCorner& corner) const {
 
 Point3 SectionPoints::nearest(const SectionCorner& corner) const {
   if (corner.is_vertex() && is_at_home_) return body_.vertices()[corner.above];
-  const Estimated a = estimate(body_.vertices()[corner.above], pose_, is_at_home_, plane_);
-  std::array<Estimate, 3> at = a.at;
-  if (!corner.is_vertex()) {
-    const Estimated b = estimate(body_.vertices()[corner.below], pose_, is_at_home_, plane_);
-    const Estimate part = ratio(a.height, a.height - b.height);
-    for (std::size_t k = 0; k < 3; ++k) at[k] = a.at[k] + part * (b.at[k] - a.at[k]);
-  }
+  const std::array<Estimate, 3> at = estimated(body_, corner, pose_, is_at_home_, plane_);
   Point3 p;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::optional<double> known =
