@@ -1,5 +1,5 @@
 // bench_lines: where does a line go into a convex body, and where does it go out? What is the section of the body by a
-// plane? On which side of a plane is it? Against CGAL (AABB tree, Polygon_mesh_slicer), Embree (single precision), and
+// plane? On which side of a plane is it? Does a flat polygon meet it? Against CGAL (AABB tree, Polygon_mesh_slicer), Embree (single precision), and
 // a loop over all vertices.
 //
 // Fairness:
@@ -40,7 +40,7 @@ namespace bench {
 namespace {
 
 const std::vector<std::size_t> kSizes{1000, 10000, 100000};
-constexpr std::size_t kLines = 2000, kSections = 64, kPlanes = 500;
+constexpr std::size_t kLines = 2000, kSections = 64, kPlanes = 500, kPolygons = 200;
 
 // What `--check` demands of hits, of sections, and of planes near the body against the loop.
 const Steps kLinesByCgal{{1000, 1}, {100000, 3}};
@@ -59,7 +59,8 @@ Contest contest_of_lines(const Body& body, LineFamily family, std::uint64_t seed
   const std::pair<const char*, LineBy> subjects[] = {
       {"front door", LineBy::front_door}, {"with coordinates of ends", LineBy::ends}, {"drums", LineBy::drums}};
   for (const auto& [name, by] : subjects) {
-    made.subjects.push_back({"sunder", name, [body, scenario, by = by] { return prepare_sunder(*scenario, by); }});
+    made.subjects.push_back(
+        {"sunder", name, [body, scenario, method = by] { return prepare_sunder(*scenario, method); }});
   }
   std::vector<std::vector<LineWay>> libraries{cgal_line_ways()};
 #ifdef SUNDER_BENCH_EMBREE
@@ -98,9 +99,24 @@ Contest contest_of_planes(const Body& body, std::uint64_t seed) {
   const std::pair<const char*, SideBy> subjects[] = {
       {"front door", SideBy::front_door}, {"drums", SideBy::drums}, {"scan, exact", SideBy::scan}};
   for (const auto& [name, by] : subjects) {
-    made.subjects.push_back({"sunder", name, [body, scenario, by = by] { return prepare_sunder(*scenario, by); }});
+    made.subjects.push_back(
+        {"sunder", name, [body, scenario, method = by] { return prepare_sunder(*scenario, method); }});
   }
   made.peers.push_back({"loop", "all vertices, doubles", [=] { return Ready{scan_in_doubles(*scenario)}; }});
+  return made;
+}
+
+// Theorem 10 of Chazelle and Dobkin 1987, beside what else answers it.
+Contest contest_of_polygons(const Body& body, std::uint64_t seed) {
+  const auto scenario = std::make_shared<const PolygonScenario>(make_polygon_scenario(*body, kPolygons, seed));
+  Contest made;
+  for (const PolygonQuery& query : scenario->queries) made.truths.push_back(query.meet ? 1 : 0);
+  const std::pair<const char*, PolygonBy> subjects[] = {
+      {"front door", PolygonBy::front_door}, {"drums", PolygonBy::drums}, {"scan", PolygonBy::scan}};
+  for (const auto& [name, by] : subjects) {
+    made.subjects.push_back(
+        {"sunder", name, [body, scenario, method = by] { return prepare_sunder(*scenario, method); }});
+  }
   return made;
 }
 
@@ -126,6 +142,9 @@ std::vector<Plan> plans(const Options&) {
   }
   list.push_back({"near", "plane", Demand{"loop", kPlanesByScan}, kSizes,
                   [=](std::size_t n, std::uint64_t seed) { return contest_of_planes(body(n, seed), seed); }});
+  list.push_back({"near", "polygon", {}, kSizes, [=](std::size_t n, std::uint64_t seed) {
+                    return contest_of_polygons(body(n, seed), seed);
+                  }});
   return list;
 }
 
@@ -157,9 +176,9 @@ void conclude(const std::vector<Row>& rows, std::vector<std::string>&) {
 int main(int argc, char** argv) {
   bench::Program program;
   program.name = "bench_lines";
-  program.note = "N: vertices of the body. Wrong: of 2,000 lines, 64 sections or 500 planes.";
+  program.note = "N: vertices of the body. Wrong: of 2,000 lines, 64 sections, 500 planes or 200 polygons.";
   program.libraries = {"cgal", "embree", "loop"};
-  program.questions = {"line", "section", "plane"};
+  program.questions = {"line", "section", "plane", "polygon"};
   program.plans = bench::plans;
   program.tells_subjects = true;
   program.conclude = bench::conclude;

@@ -50,6 +50,11 @@ constexpr HardShape kHardShapes[] = {{"bipyramid", 200}, {"prism", 100}, {"stack
 constexpr std::size_t kHardSize = 100000, kFewSize = 30;
 constexpr double kHardSeconds = 10e-6, kHardTimes = 20;
 
+// What the papers' methods take, beside the front door and the scan: Theorem 13 of Chazelle and Dobkin 1987 by drums,
+// section 4 of Barba and Langerman 2015 by hierarchy, section 5 by polar.
+const std::string kMethods = "near, by method";
+const std::vector<std::size_t> kMethodSizes{100, 1000, 10000};
+
 const std::vector<std::size_t> kSizes{8, 12, 20, 30, 100, 1000, 10000};
 constexpr Regime kGeneric[] = {Regime::far, Regime::near, Regime::deep};
 constexpr Regime kCliffs[] = {Regime::touching, Regime::last_bit};
@@ -107,6 +112,20 @@ Contest contest(std::size_t n, Regime regime, std::uint64_t seed) {
   return contest_of(std::make_shared<const Scenario>(make_scenario(n, regime, bodies, queries, seed)));
 }
 
+Contest contest_of_methods(std::size_t n, std::uint64_t seed) {
+  const auto scenario = std::make_shared<const Scenario>(make_scenario(n, Regime::near, 8, 64, seed));
+  Contest made;
+  for (const Query& query : scenario->queries) made.truths.push_back(query.expected == Expected::meet ? 1 : 0);
+  made.subjects.push_back({"sunder", "front door", [=] { return prepare_sunder(*scenario); }});
+  for (const auto& [name, by] : {std::pair("hierarchy", PairBy::hierarchy),
+                                 {"polar", PairBy::polar},
+                                 {"drums", PairBy::drums},
+                                 {"scan", PairBy::scan}}) {
+    made.subjects.push_back({"sunder", name, [scenario, method = by] { return prepare_sunder_by(*scenario, method); }});
+  }
+  return made;
+}
+
 // Bodies that are hard for a walk over vertices, near contact.
 Contest contest_of_shape(const std::string& name, std::size_t n, std::uint64_t seed) {
   const auto shapes = sunder::tests::all_solid_shapes();
@@ -128,6 +147,7 @@ std::vector<Plan> plans(const Options&) {
   };
   for (const Regime regime : kGeneric) add(regime, kSizes);
   for (const Regime regime : kCliffs) add(regime, {kCliffSize});
+  list.push_back({kMethods, "meet", {}, kMethodSizes, contest_of_methods});
   for (const HardShape& shape : kHardShapes) {
     list.push_back({"near, " + std::string(shape.name),
                     "meet",

@@ -1,4 +1,4 @@
-// bench_segments: do any two of N segments meet? Which do? Is a polygon simple? Against CGAL, GEOS, Boost.Geometry, and
+// bench_segments: do any two of N segments meet? Which do? Is a polygon simple, or a drawing plane? Against CGAL, GEOS, Boost.Geometry, and
 // against sorting.
 //
 // The yardstick is std::sort of the 2 N endpoints by (x, y): what no sweep does without. Only ratios mean anything.
@@ -50,10 +50,11 @@ struct Asking {
   std::vector<Question> questions;
 };
 const std::vector<Asking> kAsked{
-    {{Family::mesh, Family::loose_mesh}, {Question::make, Question::any, Question::transcript}},
-    {{Family::star}, {Question::make, Question::any, Question::transcript, Question::simple}},
+    {{Family::mesh}, {Question::make, Question::any, Question::transcript, Question::drawing}},
+    {{Family::loose_mesh}, {Question::make, Question::any, Question::transcript}},
+    {{Family::star}, {Question::make, Question::any, Question::transcript, Question::drawing, Question::simple}},
     {{Family::loose_star, Family::map, Family::wires}, {Question::make, Question::any, Question::transcript}},
-    {{Family::hidden_end, Family::hidden_random}, {Question::any}},
+    {{Family::hidden_end, Family::hidden_random}, {Question::any, Question::drawing}},
     {{Family::meander}, {Question::simple}},
     {{Family::crossed_mesh, Family::random, Family::tangled_star}, {Question::all, Question::count}},
 };

@@ -92,7 +92,7 @@ STEP_KEYS = CALL_KEYS | {"run", "shell", "let", "for", "files", "make", "edit", 
                          "accepted", "refused", "check"}
 TEXT_KEYS = {"has", "has_not", "is", "starts", "ends", "lines", "matches", "same_as", "json", "json_lines"}
 TIMES = re.compile(rb' +[0-9.]+ (?:us|ms|s)\b|"seconds": [0-9.e+-]+')  # what no two calls tell alike
-REPORT_KEYS = ("sunder", "verb", "answer", "method", "decided_by", "cost", "objects", "notes")
+REPORT_KEYS = ("sunder", "verb", "answer", "method", "function", "decided_by", "cost", "objects", "notes")
 
 
 def as_text(value):

@@ -5,14 +5,20 @@
 
 T1  docs/papers has a page besides its README, and each page a table with the columns of COLUMNS.
 T2  Such a table has rows.
-T3  Every cell of these columns says something: a name, a file, '-' (not meant to be) or 'not yet'.
+T3  Every cell of these columns says something: a name, a file, or '-: ' (not meant to be) and why, in a sentence.
 T4  A file that is named exists.
 T5  A word in backticks that is no file, in the columns file, test and benchmark, occurs in a file named in that cell.
 T6  A row with a file has a test.
-T7  A command is `sunder ...`. It answers, if PROGRAM is given: exit code 0 or 1, and nothing on standard error.
+T7  A command, in any table with that column, is `sunder ...`. It answers, if PROGRAM is given: exit code 0 or 1, and
+    nothing on standard error.
+T8  'not yet' stands nowhere, in any table, but in the rows of WAITING; and each of these has one.
+T9  'wished', in any table, is 'wished: ' and why, in a sentence.
+T10 The function that the command's report names, if PROGRAM is given, is a word in backticks of the row: of its column
+    file, where there is one.
 
 Exit code 0: all rows hold. 1: not, one line for each finding.
 """
+import json
 import os
 import re
 import shlex
@@ -20,7 +26,20 @@ import subprocess
 import sys
 
 COLUMNS = ["item", "file", "test", "benchmark", "certificate", "command"]
-NOTHING = {"-", "not yet"}
+NOT_YET = "not yet"
+WAITING = {  # page: items that are being built; each leaves this list with its last 'not yet'
+    "barba-langerman-2015.md": ["Lemma 4.1", "Lemma 3.", "Theorem 3.7"],
+}
+
+
+def is_nothing(cell):
+    return cell == NOT_YET or re.match(r"-(?!\w)", cell) is not None
+
+
+def has_reason(cell, word):
+    """Is it the word, a colon, and a sentence, four words or more?"""
+    reason = re.fullmatch(r"%s: (\S.*)" % re.escape(word), cell)
+    return reason is not None and len(reason.group(1).split()) >= 4
 
 
 def cells_of(line):
@@ -59,19 +78,23 @@ def named_in(cell):
     return files, words
 
 
-def check_row(root, page, columns, cells, program):
+def check_row(root, page, columns, cells):
     if len(cells) < len(columns):
         yield "T3: %d cells under %d columns" % (len(cells), len(columns))
         return
     for name in COLUMNS:
         cell = cells[columns.index(name)]
         if not cell:
-            yield "T3: %s is empty; say '-' or 'not yet'" % name
+            yield "T3: %s is empty; say '-: ' and why" % name
             continue
-        if name == "item" and cell in NOTHING:
+        if name == "item" and is_nothing(cell):
             yield "T3: the item has no name"
+        elif is_nothing(cell):
+            if cell != NOT_YET and not has_reason(cell, "-"):
+                yield "T3: %s is '-' without a reason; say '-: ' and why, in a sentence" % name
+            continue
         files, words = named_in(cell)
-        if name in ("file", "test", "benchmark") and cell not in NOTHING and not files:
+        if name in ("file", "test", "benchmark") and not files:
             yield "T4: %s names no file" % name
         texts = []
         for kind, file in files:
@@ -90,16 +113,51 @@ def check_row(root, page, columns, cells, program):
             for word in words:
                 if not any(word in text for text in texts) and not occurs_as_test(word, texts):
                     yield "T5: %s: no file of this cell has %s" % (name, word)
-    command = cells[columns.index("command")]
-    if command not in NOTHING and not re.fullmatch(r"`sunder [^`]+`", command):
-        yield "T7: the command is not one `sunder ...`"
-    elif command not in NOTHING and program:
-        done = subprocess.run([program, *shlex.split(command.strip("`"))[1:]], cwd=root, capture_output=True, text=True, check=False)
-        if done.returncode not in (0, 1) or done.stderr or not done.stdout:
-            yield "T7: %s gives %d: %s" % (command, done.returncode, done.stderr.strip()[:200])
     file, test = (cells[columns.index(name)] for name in ("file", "test"))
-    if file and file not in NOTHING and test in NOTHING:
+    if file and not is_nothing(file) and is_nothing(test):
         yield "T6: a file without a test"
+
+
+def check_command(root, columns, cells, program):
+    if len(cells) < len(columns):
+        return
+    command = cells[columns.index("command")]
+    if is_nothing(command) or not command:
+        return
+    if not re.fullmatch(r"`sunder [^`]+`", command):
+        yield "T7: the command is not one `sunder ...`"
+        return
+    if not program:
+        return
+
+    def run(*more):
+        return subprocess.run([program, *shlex.split(command.strip("`"))[1:], *more], cwd=root, capture_output=True,
+                              text=True, check=False)
+    done = run()
+    if done.returncode not in (0, 1) or done.stderr or not done.stdout:
+        yield "T7: %s gives %d: %s" % (command, done.returncode, done.stderr.strip()[:200])
+        return
+    function = json.loads(run("--json").stdout).get("function") or ""
+    where = cells[columns.index("file")] if "file" in columns else " ".join(cells)
+    if function.split("::")[-1] not in named_in(where)[1]:
+        yield "T10: %s calls %s, which the row does not name" % (command, function or "no function that it names")
+
+
+def check_words(page, cells, waiting):
+    is_waiting = any(cells[0].startswith(item) for item in waiting.get(os.path.basename(page), []))
+    for cell in cells:
+        if re.search(r"\b%s\b" % NOT_YET, cell) and not is_waiting:
+            yield "T8: '%s'; build it, or say '-: ' and why" % NOT_YET
+        if re.search(r"\bwished\b", cell) and not has_reason(cell, "wished"):
+            yield "T9: 'wished' without a reason; say 'wished: ' and why, in a sentence"
+
+
+def check_waiting(folder, tables_of_page, waiting):
+    for page, items in waiting.items():
+        for item in items:
+            rows = [cells for table in tables_of_page.get(page, []) for _, cells in table[1:]]
+            if not any(cells[0].startswith(item) and NOT_YET in cells for cells in rows):
+                yield "%s/%s: T8: %s waits no longer; take it out of WAITING" % (folder, page, item)
 
 
 def occurs_as_test(word, texts):
@@ -109,22 +167,30 @@ def occurs_as_test(word, texts):
                              for text in texts)
 
 
-def check(root, program=None):
+def check(root, program=None, waiting=None):
     """(findings as text, number of rows)"""
+    waiting = WAITING if waiting is None else waiting
     folder = os.path.join(root, "docs", "papers")
     names = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
     pages = [os.path.join(folder, name) for name in names if name.endswith(".md") and name != "README.md"]
-    findings, rows = [], 0
+    findings, rows, all_tables = [], 0, {}
     if not pages:
         findings.append("docs/papers: T1: there is no page")
     for page in pages:
         short = os.path.relpath(page, root).replace(os.sep, "/")
         with open(page, encoding="utf-8") as stream:
             tables = tables_of(stream.read())
+        all_tables[os.path.basename(page)] = tables
         found = False
         for table in tables:
             number, header = table[0]
             columns = [cell.lower() for cell in header]
+            for number, cells in table[1:]:
+                texts = list(check_words(page, cells, waiting))
+                if "command" in columns:
+                    texts += check_command(root, columns, cells, program)
+                findings += ["%s:%d: %s" % (short, number, text) for text in texts]
+            number = table[0][0]
             if not set(COLUMNS) <= set(columns):
                 continue
             found = True
@@ -132,9 +198,10 @@ def check(root, program=None):
                 findings.append("%s:%d: T2: the table is empty" % (short, number))
             for number, cells in table[1:]:
                 rows += 1
-                findings += ["%s:%d: %s" % (short, number, text) for text in check_row(root, page, columns, cells, program)]
+                findings += ["%s:%d: %s" % (short, number, text) for text in check_row(root, page, columns, cells)]
         if not found:
             findings.append("%s:1: T1: no table with the columns %s" % (short, ", ".join(COLUMNS)))
+    findings += check_waiting("docs/papers", all_tables, waiting)
     return findings, rows
 
 

@@ -5,6 +5,7 @@
 #include <sunder/base/random.h>
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 
 namespace bench {
@@ -225,6 +226,30 @@ SectionScenario make_section_scenario(const SphereBody& body, PlaneFamily family
   if (family == PlaneFamily::level) {
     std::sort(made.queries.begin(), made.queries.end(),
               [](const SectionQuery& p, const SectionQuery& q) { return p.plane.offset < q.plane.offset; });
+  }
+  return made;
+}
+
+PolygonScenario make_polygon_scenario(const SphereBody& body, std::size_t queries, std::uint64_t seed) {
+  Random random(seed);
+  PolygonScenario made{&body, {}};
+  while (made.queries.size() < queries) {
+    const Point3 v = some_vertex(body, random);
+    if (std::fabs(v.z) > kInside) continue;
+    const bool meet = made.queries.size() % 2 == 0;
+    const double gap = random.log_uniform(kNearGap, kFarGap);
+    // The body lies within the cylinder about the axis through v, at the height of v.
+    const double distance = std::hypot(v.x, v.y), from = (meet ? -gap : gap) / distance, radius = 1;
+    const Point3 near{v.x * (1 + from), v.y * (1 + from), v.z};
+    const Point3 center{near.x + radius * v.x / distance, near.y + radius * v.y / distance, v.z};
+    const double begin = std::atan2(near.y - center.y, near.x - center.x);
+    std::vector<Point3> points{near};
+    for (std::size_t k = 1; k < kPolygonVertices; ++k) {
+      const double angle =
+          begin + 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(kPolygonVertices);
+      points.push_back({center.x + radius * std::cos(angle), center.y + radius * std::sin(angle), v.z});
+    }
+    made.queries.push_back({sunder::solid::ConvexPolyhedron(points), meet});
   }
   return made;
 }

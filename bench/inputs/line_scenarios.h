@@ -98,6 +98,21 @@ struct SideScenario {
   std::vector<SideQuery> queries;
 };
 
+// Level polygons of kPolygonVertices vertices beside a vertex that is not near a pole. Half of them meet the body; gap
+// or depth of the vertex that is nearest to the axis log-uniform in 1e-6 to 1e-3.
+inline constexpr std::size_t kPolygonVertices = 100;
+struct PolygonQuery {
+  sunder::solid::ConvexPolyhedron polygon;  // of dimension 2
+  bool meet = false;
+};
+
+struct PolygonScenario {
+  const SphereBody* body = nullptr;
+  std::vector<PolygonQuery> queries;
+};
+
+PolygonScenario make_polygon_scenario(const SphereBody& body, std::size_t queries, std::uint64_t seed);
+
 SideScenario make_side_scenario(const SphereBody& body, std::size_t queries, std::uint64_t seed);
 
 }  // namespace bench

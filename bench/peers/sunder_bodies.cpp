@@ -40,6 +40,14 @@ struct Bodies {
     return sunder::intersect(*q.a, q.pose_a, *q.b, q.pose_b);
   }
 
+  sunder::PairAnswer answer_by(std::size_t k, PairBy by) const {
+    constexpr std::array methods{
+        sunder::solid::polyhedron_polyhedron_by_hierarchy, sunder::solid::polyhedron_polyhedron_by_polar,
+        sunder::solid::polyhedron_polyhedron_by_drums, sunder::solid::polyhedron_polyhedron_by_scan};
+    const Pair& q = pairs[k];
+    return methods.at(static_cast<std::size_t>(by))(*q.a, q.pose_a, *q.b, q.pose_b);
+  }
+
   sunder::solid::PolyhedronDistance distance(std::size_t k) const {
     const Pair& q = pairs[k];
     return polyhedron_polyhedron_distance(*q.a, q.pose_a, *q.b, q.pose_b);
@@ -59,6 +67,15 @@ Ready prepare_sunder(const Scenario& scenario) {
             return sum;
           }};
 }  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): a std::function frees what it holds
+
+Ready prepare_sunder_by(const Scenario& scenario, PairBy by) {
+  const auto given = std::make_shared<const Bodies>(scenario);
+  return {run_pairs([given, by](std::size_t k) { return given->answer_by(k, by); }), [given, by] {
+            Tally sum;
+            for (std::size_t k = 0; k < given->pairs.size(); ++k) sum += tally_of(given->answer_by(k, by), false);
+            return sum;
+          }};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
 
 Ready prepare_sunder_distance(const Scenario& scenario, DistanceAs as) {
   const auto given = std::make_shared<const Bodies>(scenario);

@@ -2,6 +2,8 @@
 #include <bench/peers/sunder_lines.h>
 
 #include <sunder/solid/line/polyhedron_line.h>
+#include <sunder/solid/pair/polyhedron_polygon.h>
+#include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_section.h>
 
@@ -173,6 +175,27 @@ Ready prepare_sunder(const SideScenario& scenario, SideBy by) {
   };
   const auto tally = [&body, by](const SideQuery& query) {
     const PolyhedronPlane answer = side_by(body, query, by);
+    return tally_of(answer, answer.meet() == query.meet);
+  };
+  return {each(ask), tally_over(scenario, tally)};
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): likewise
+
+Ready prepare_sunder(const PolygonScenario& scenario, PolygonBy by) {
+  const ConvexPolyhedron& body = scenario.body->hull;
+  const auto answer_of = [&body, by](const PolygonQuery& query) {
+    switch (by) {
+      case PolygonBy::drums: return polyhedron_polygon_by_drums(body, Pose(), query.polygon, Pose());
+      case PolygonBy::scan: return polyhedron_polygon_by_scan(body, Pose(), query.polygon, Pose());
+      default: return polyhedron_polyhedron(body, Pose(), query.polygon, Pose());
+    }
+  };
+  const auto ask = [&scenario, answer_of](std::size_t k) -> std::uint64_t {
+    const sunder::solid::PairAnswer answer = answer_of(scenario.queries[k]);
+    consume(answer);
+    return answer.meet() ? 1 : 0;
+  };
+  const auto tally = [answer_of](const PolygonQuery& query) {
+    const sunder::solid::PairAnswer answer = answer_of(query);
     return tally_of(answer, answer.meet() == query.meet);
   };
   return {each(ask), tally_over(scenario, tally)};

@@ -26,4 +26,8 @@ Ready prepare_sunder(const SectionScenario&, SectionBy);
 enum class SideBy : std::uint8_t { front_door, drums, scan };
 Ready prepare_sunder(const SideScenario&, SideBy);
 
+// Does a flat polygon meet the body: polyhedron_polyhedron, polyhedron_polygon_by_drums, _by_scan.
+enum class PolygonBy : std::uint8_t { front_door, drums, scan };
+Ready prepare_sunder(const PolygonScenario&, PolygonBy);
+
 }  // namespace bench

@@ -3,9 +3,11 @@
 #include <sunder/planar/object/polygon.h>
 #include <sunder/planar/object/segments.h>
 #include <sunder/planar/polygons/polygon_simple.h>
+#include <sunder/planar/segments/drawing_plane.h>
 #include <sunder/planar/segments/segments_all.h>
 #include <sunder/planar/segments/segments_any.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -24,6 +26,25 @@ std::uint64_t any(const Segments& segments, Allowed allowed, bool transcript) {
   return answer.meet() ? 1 : 0;
 }
 
+struct Drawing {
+  std::vector<sunder::Point2> vertices;
+  std::vector<sunder::planar::DrawingEdge> edges;
+};
+
+Drawing drawing_of(const Segments& segments) {
+  Drawing made;
+  for (const sunder::planar::Segment& s : segments.all()) made.vertices.insert(made.vertices.end(), {s.a, s.b});
+  const auto less = sunder::planar::lexicographically_less;
+  std::sort(made.vertices.begin(), made.vertices.end(), less);
+  made.vertices.erase(std::unique(made.vertices.begin(), made.vertices.end()), made.vertices.end());
+  const auto number_of = [&](const sunder::Point2& p) {
+    const auto at = std::lower_bound(made.vertices.begin(), made.vertices.end(), p, less);
+    return static_cast<std::uint32_t>(at - made.vertices.begin());
+  };
+  for (const sunder::planar::Segment& s : segments.all()) made.edges.push_back({number_of(s.a), number_of(s.b)});
+  return made;
+}
+
 std::uint64_t all(const Segments& segments, Allowed allowed) {
   return sunder::planar::segments_all(segments, {allowed}).found.size();
 }
@@ -34,7 +55,8 @@ std::uint64_t count(const Segments& segments, Allowed allowed) {
 }  // namespace
 
 std::string_view name_of(Question question) {
-  constexpr std::array<std::string_view, 6> names{"any, make", "any", "any, transcript", "simple", "all", "all, count"};
+  constexpr std::array<std::string_view, 7> names{"any, make", "any", "any, transcript", "any, drawing",
+                                                  "simple",    "all", "all, count"};
   return names.at(static_cast<std::size_t>(question));
 }
 
@@ -51,6 +73,12 @@ Asked ask_sunder(const SegmentInput& input, Question question) {
   const auto segments = std::make_shared<Segments>(*given);
   const Allowed allowed = input.shared_ends ? Allowed::shared_endpoint : Allowed::nothing;
   switch (question) {
+    case Question::drawing: {
+      const auto drawing = std::make_shared<const Drawing>(drawing_of(*segments));
+      return [drawing]() -> std::uint64_t {
+        return sunder::planar::drawing_plane(drawing->vertices, drawing->edges).meet() ? 1 : 0;
+      };
+    }
     case Question::all: return [segments, allowed] { return all(*segments, allowed); };
     case Question::count: return [segments, allowed] { return count(*segments, allowed); };
     default: break;

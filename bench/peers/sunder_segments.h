@@ -9,8 +9,9 @@
 
 namespace bench {
 
-// make: the Segments themselves. transcript: any, with its evidence. The others are those of SegmentQuestion.
-enum class Question : std::uint8_t { make, any, transcript, simple, all, count };
+// make: the Segments themselves. transcript: any, with its evidence. drawing: drawing_plane, of segments that share
+// ends, whose vertices are prepared. The others are those of SegmentQuestion.
+enum class Question : std::uint8_t { make, any, transcript, drawing, simple, all, count };
 
 std::string_view name_of(Question);
 

@@ -121,7 +121,8 @@ Report run_half_space_hull(const HullCall& call, Talk& talk, const polytope::Pol
   }
   Report report{.verb = "hull",
                 .answer = is_bounded ? name_of_hull(extent->dimension) : name_of(answer.region.verdict()),
-                .code = is_bounded ? exit_code::no : exit_code::yes};
+                .code = is_bounded ? exit_code::no : exit_code::yes,
+                .function = "polytope::region_vertices"};
   report.notes = talk.notes();
   report.objects.push_back(object_of(call, half_spaces));
   report.tell(fmt::format("{}: {} of dimension {}: ", file, count_of(half_spaces.size(), "half-space"),

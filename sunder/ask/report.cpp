@@ -18,12 +18,11 @@ namespace sunder::ask {
 
 namespace {
 
-constexpr std::array<Named<std::remove_pointer_t<PairMethod>>, 5> pair_methods{
-    {{"automatic", solid::polyhedron_polyhedron},
-     {"gjk", solid::polyhedron_polyhedron_by_gjk},
-     {"hierarchy", solid::polyhedron_polyhedron_by_hierarchy},
-     {"polar", solid::polyhedron_polyhedron_by_polar},
-     {"scan", solid::polyhedron_polyhedron_by_scan}}};
+constexpr std::array<PairMethod, 5> pair_methods{{SUNDER_METHOD("automatic", solid::polyhedron_polyhedron),
+                                                  SUNDER_METHOD("gjk", solid::polyhedron_polyhedron_by_gjk),
+                                                  SUNDER_METHOD("hierarchy", solid::polyhedron_polyhedron_by_hierarchy),
+                                                  SUNDER_METHOD("polar", solid::polyhedron_polyhedron_by_polar),
+                                                  SUNDER_METHOD("scan", solid::polyhedron_polyhedron_by_scan)}};
 
 constexpr std::size_t text_width = 120;
 
@@ -85,6 +84,7 @@ Json json_of(const Report& report) {
             {"verb", report.verb},
             {"answer", report.answer},
             {"method", report.method},
+            {"function", report.function},
             {"decided_by", report.decided_by},
             {"cost", report.cost ? to_json(*report.cost) : Json(nullptr)},
             {"objects", report.objects},

@@ -45,12 +45,18 @@ constexpr int internal = 3;  // a fault of the program itself
 // There is no such method: throws Error bad_call that lists the `known`.
 [[noreturn]] void refuse_method(std::string_view method, std::string_view known);
 
-// Methods by name, as --method has them.
+// Methods by name, as --method has them, each with the library's function that it calls, as reports name it. May be
+// called as the method.
 template <class Method>
 struct Named {
   std::string_view name;
-  Method* method;
+  Method* method = nullptr;
+  std::string_view function{};  // "planar::segments_any_by_sweep"
+  operator Method*() const { return method; }
 };
+
+// So that the name of a function is that of the function which is called.
+#define SUNDER_METHOD(name, function) {name, function, #function}
 
 // "automatic, gjk, scan": for help texts and errors.
 template <class Methods>
@@ -62,9 +68,9 @@ std::string method_names(const Methods& methods) {
 
 // Throws Error bad_call that lists all names, and what they are for.
 template <class Methods>
-auto* method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
+auto method_by(std::string_view name, const Methods& methods, std::string_view what_for = "") {
   for (const auto& m : methods) {
-    if (m.name == name) return m.method;
+    if (m.name == name) return m;
   }
   refuse_method(name, method_names(methods).append(what_for));
 }
@@ -75,8 +81,8 @@ inline constexpr std::array all_allowed{Allowed::nothing, Allowed::shared_endpoi
 Allowed allowed_by(std::string_view name, std::span<const Allowed> those = all_allowed);
 
 // A method for two bodies by its name. Throws Error bad_call that names all, and `more`.
-using PairMethod = solid::PairAnswer (*)(const solid::ConvexPolyhedron&, const solid::Pose&,  //
-                                         const solid::ConvexPolyhedron&, const solid::Pose&);
+using PairMethod = Named<solid::PairAnswer(const solid::ConvexPolyhedron&, const solid::Pose&,  //
+                                           const solid::ConvexPolyhedron&, const solid::Pose&)>;
 PairMethod pair_method(const std::string& name, std::string_view more = "");
 std::string pair_method_names();
 
@@ -91,7 +97,7 @@ struct Fact {
 struct Report {
   Json verb = nullptr, answer = nullptr;
   int code = exit_code::no;
-  Json method = nullptr, decided_by = nullptr;
+  Json method = nullptr, function = nullptr, decided_by = nullptr;
   std::optional<Cost> cost{};
   std::string cost_text{};  // to people; empty: nothing is said of it
   Json objects = Json::array();

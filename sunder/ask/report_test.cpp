@@ -34,8 +34,8 @@ TEST(Report, IsRenderedAsTextAndAsJson) {
   Report report = some_report();
   EXPECT_EQ(text_of(report), "a and b: meet\n  evidence    a common point\n");
   EXPECT_EQ(json_of(report).on_one_line(),
-            R"({"sunder": 1, "verb": "pair", "answer": "meet", "method": null, "decided_by": null, "cost": null, )"
-            R"("objects": [], "notes": ["a note"], "evidence": {"point": [1, 2]}, "count": 3})");
+            R"({"sunder": 1, "verb": "pair", "answer": "meet", "method": null, "function": null, "decided_by": null, )"
+            R"("cost": null, "objects": [], "notes": ["a note"], "evidence": {"point": [1, 2]}, "count": 3})");
   report.is_proved = true;
   report.proof = "p.json";
   report.cost_text = "1 probe";

@@ -53,7 +53,8 @@ void sections_by_scan(const solid::ConvexPolyhedron& body, const solid::Pose& po
 using SectionMethod = void(const solid::ConvexPolyhedron&, const solid::Pose&, const Plane&, std::span<const double>,
                            const solid::SectionVisitor&);
 constexpr std::array<Named<SectionMethod>, 2> section_methods{
-    {{"automatic", solid::polyhedron_plane_sections}, {"scan", sections_by_scan}}};
+    {SUNDER_METHOD("automatic", solid::polyhedron_plane_sections),
+     {"scan", sections_by_scan, "solid::polyhedron_plane_section_by_scan"}}};
 
 struct Planes {
   io::PlaneStack stack;
@@ -180,6 +181,7 @@ class SectionQuestion {
 
   Report report() const {
     Report report{.answer = met() > 0 ? "some" : "none", .code = met() > 0 ? exit_code::yes : exit_code::no};
+    report.function = method_.function;
     report.cost = cost_;
     report.cost_text = fmt::format("{}, {}", count_of(cost_.probes, "probe"), count_of(cost_.exact, "exact sign"));
     report.objects.push_back(to_json(*body_));
@@ -288,7 +290,7 @@ class SectionQuestion {
     return io::to_text(format_, texts);
   }
 
-  SectionMethod* method_;
+  Named<SectionMethod> method_;
   io::SectionFormat format_ = io::SectionFormat::obj;
   std::vector<Planes> stacks_;
   solid::Pose pose_;

@@ -40,7 +40,7 @@ PlacedRoundBody rounded(const PlacedBody& body) {
 
 class BodyPair final : public BoundedPair {
  public:
-  // The method is for polyhedra; null where one of the two is none.
+  // The method is for polyhedra; it is null where one of the two is none.
   BodyPair(const PairCall& asked, PairMethod method, const PlacedRoundBody& a, const PlacedRoundBody& b,
            const PairFiles& files)
       : BoundedPair(asked, a.object_of(), b.object_of(), a.is_hull() || b.is_hull(), files, Space::solid),
@@ -57,12 +57,14 @@ class BodyPair final : public BoundedPair {
   }
 
  private:
+  bool is_of_polyhedra() const { return method_.method != nullptr; }
   const ConvexPolyhedron& core_a() const { return of_a_.body.core(); }
   const ConvexPolyhedron& core_b() const { return of_b_.body.core(); }
 
   void decide() override {
-    answer_ = method_ != nullptr ? solid::round_answer(method_(core_a(), of_a_.pose, core_b(), of_b_.pose))
-                                 : round_round(placed_a_, placed_b_);
+    function_ = method_.function;
+    answer_ = is_of_polyhedra() ? solid::round_answer(method_(core_a(), of_a_.pose, core_b(), of_b_.pose))
+                                : round_round(placed_a_, placed_b_);
     take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-76 of their size"
                                       : decided_text(answer_.decided_by));
     if (call.classify && meet_) contact_ = round_round_relation(placed_a_, placed_b_, answer_.evidence);
@@ -75,7 +77,7 @@ class BodyPair final : public BoundedPair {
       if (call.classify) contact = round_round_contact(placed_a_, placed_b_, answer_.evidence);
       add_claims(pairs, a, placed_a_, b, placed_b_, answer_.evidence, contact);
     });
-    if (method_ != nullptr && of_a_.core && of_b_.core) cut(*of_a_.core, *of_b_.core);
+    if (is_of_polyhedra() && of_a_.core && of_b_.core) cut(*of_a_.core, *of_b_.core);
   }
 
   Fact evidence() const {
@@ -133,7 +135,7 @@ class BodyPair final : public BoundedPair {
       found.direction = depth.direction;
       state([depth](auto& pairs, auto a, auto b) { add_depth(pairs.file(), a, b, depth); });
     };
-    if (method_ == nullptr) {
+    if (!is_of_polyhedra()) {
       take_depth(*depth_of(round_depth(placed_a_, placed_b_)));
       return found;
     }
@@ -148,7 +150,7 @@ class BodyPair final : public BoundedPair {
   }
 
   Verdict clearance_of(double least) override {
-    clearance_ = method_ != nullptr ? clearance_of_polyhedra(least) : round_clearance(placed_a_, placed_b_, least);
+    clearance_ = is_of_polyhedra() ? clearance_of_polyhedra(least) : round_clearance(placed_a_, placed_b_, least);
     state([this, least](auto& pairs, auto a, auto b) { solid::add_claims(pairs, a, b, least, clearance_); });
     return clearance_.verdict();
   }
@@ -175,23 +177,24 @@ class BodyPair final : public BoundedPair {
   solid::RoundClearance clearance_;
 };
 
+// Instead of polyhedron_polygon_by_drums where the polygon is A.
 solid::PairAnswer polygon_polyhedron_by_drums(const ConvexPolyhedron& polygon, const solid::Pose& pose,
                                               const ConvexPolyhedron& body, const solid::Pose& pose_of_body) {
   return exchanged(solid::polyhedron_polygon_by_drums(body, pose_of_body, polygon, pose));
 }
 
-// Null where one of them is no polyhedron.
+// Its method is null where one of them is no polyhedron.
 PairMethod body_method(const std::string& name, const RoundBody& a, const RoundBody& b) {
   if (!a.is_polyhedron() || !b.is_polyhedron()) {
-    if (name == "automatic") return nullptr;
+    if (name == "automatic") return {"automatic", nullptr, "solid::round_round"};
     throw Error(ErrorCode::bad_call, "bodies with a radius have one method; leave it out, or give automatic",
                 "--method");
   }
   if (name != "drums") return pair_method(name, ", drums");
   const int of_a = a.core().dimension(), of_b = b.core().dimension();
-  if (of_a == 3 && of_b == 3) return solid::polyhedron_polyhedron_by_drums;
-  if (of_a == 3 && of_b == 2) return solid::polyhedron_polygon_by_drums;
-  if (of_a == 2 && of_b == 3) return polygon_polyhedron_by_drums;
+  if (of_a == 3 && of_b == 3) return SUNDER_METHOD("drums", solid::polyhedron_polyhedron_by_drums);
+  if (of_a == 3 && of_b == 2) return SUNDER_METHOD("drums", solid::polyhedron_polygon_by_drums);
+  if (of_a == 2 && of_b == 3) return {"drums", polygon_polyhedron_by_drums, "solid::polyhedron_polygon_by_drums"};
   throw Error(ErrorCode::bad_call,
               "drums is for a body and a body, a plane, a line, a ray or a flat polygon; give these", "--method");
 }

@@ -14,7 +14,7 @@ namespace sunder::ask {
 namespace {
 
 using FlatMethod = solid::FlatCommon(const solid::Flat&, const solid::Flat&);
-constexpr std::array<Named<FlatMethod>, 1> flat_methods{{{"automatic", solid::flat_flat}}};
+constexpr std::array<Named<FlatMethod>, 1> flat_methods{{SUNDER_METHOD("automatic", solid::flat_flat)}};
 
 // Two of lines, rays and planes.
 class FlatPair : public PairQuestion {
@@ -26,6 +26,7 @@ class FlatPair : public PairQuestion {
         of_b_(b) {}
 
   void ask() {
+    function_ = method_.function;
     common_ = method_(of_a_.flat, of_b_.flat);
     take(common_, common_.decided_by == DecidedBy::filter ? "signs, by floating-point filters alone"
                                                           : "signs, with the help of exact arithmetic");
@@ -53,7 +54,7 @@ class FlatPair : public PairQuestion {
     return fmt::format("a {} through about {}", name_of(common_.evidence.kind), about(point()));
   }
 
-  FlatMethod* method_;
+  Named<FlatMethod> method_;
   const PlacedFlat &of_a_, &of_b_;
   solid::FlatCommon common_;
   std::optional<solid::FlatPart> part_;

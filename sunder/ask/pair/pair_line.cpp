@@ -10,6 +10,7 @@
 
 #include <array>
 #include <string>
+#include <variant>
 
 namespace sunder::ask {
 
@@ -60,18 +61,19 @@ Told cut_told(const PolyhedronCut& cut, const PlacedBody& body, const char* lett
 
 using LineMethod = PolyhedronCut(const ConvexPolyhedron&, const Pose&, const LineLike&);
 
-PolyhedronCut by_scan(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
-  if (const auto* ray = std::get_if<solid::Ray>(&other)) return solid::polyhedron_ray_by_scan(body, pose, *ray);
-  return solid::polyhedron_line_by_scan(body, pose, std::get<solid::Line>(other));
-}
-
-PolyhedronCut by_drums(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
-  if (const auto* ray = std::get_if<solid::Ray>(&other)) return solid::polyhedron_ray_by_drums(body, pose, *ray);
-  return solid::polyhedron_line_by_drums(body, pose, std::get<solid::Line>(other));
+template <class Like, PolyhedronCut (*method)(const ConvexPolyhedron&, const Pose&, const Like&)>
+PolyhedronCut of(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
+  return method(body, pose, std::get<Like>(other));
 }
 
 constexpr std::array<Named<LineMethod>, 3> line_methods{
-    {{"automatic", solid::polyhedron_line_like}, {"drums", by_drums}, {"scan", by_scan}}};
+    {{"automatic", of<solid::Line, solid::polyhedron_line>, "solid::polyhedron_line"},
+     {"drums", of<solid::Line, solid::polyhedron_line_by_drums>, "solid::polyhedron_line_by_drums"},
+     {"scan", of<solid::Line, solid::polyhedron_line_by_scan>, "solid::polyhedron_line_by_scan"}}};
+constexpr std::array<Named<LineMethod>, 3> ray_methods{
+    {{"automatic", of<solid::Ray, solid::polyhedron_ray>, "solid::polyhedron_ray"},
+     {"drums", of<solid::Ray, solid::polyhedron_ray_by_drums>, "solid::polyhedron_ray_by_drums"},
+     {"scan", of<solid::Ray, solid::polyhedron_ray_by_scan>, "solid::polyhedron_ray_by_scan"}}};
 
 LineLike line_like(const solid::Flat& flat) {
   if (const auto* ray = std::get_if<solid::Ray>(&flat)) return *ray;
@@ -83,12 +85,14 @@ class LinePair : public MixedPair {
   LinePair(const PairCall& asked, const PlacedBody& body, const PlacedFlat& line, bool body_is_a,
            const PairFiles& files)
       : MixedPair(asked, object_of(body), line.object_of(asked), body_is_a, files),
-        method_(method_by(asked.method, line_methods, " (with a line or a ray)")),
         body_(body),
         line_(line),
-        other_(line_like(line.flat)) {}
+        other_(line_like(line.flat)),
+        method_(method_by(asked.method, std::holds_alternative<solid::Ray>(other_) ? ray_methods : line_methods,
+                          " (with a line or a ray)")) {}
 
   void ask() {
+    function_ = method_.function;
     cut_ = method_(body_.mesh.hull, body_.pose, other_);
     const bool is_by_signs = cut_.decided_by != DecidedBy::scan && cut_.decided_by != DecidedBy::finishing;
     take(cut_, is_by_signs ? signs_text(cut_.decided_by) : decided_text(cut_.decided_by));
@@ -104,10 +108,10 @@ class LinePair : public MixedPair {
   }
 
  private:
-  LineMethod* method_;
   const PlacedBody& body_;
   const PlacedFlat& line_;
   LineLike other_;
+  Named<LineMethod> method_;
   PolyhedronCut cut_;
 };
 

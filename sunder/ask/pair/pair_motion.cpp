@@ -58,6 +58,7 @@ class MotionPair : public PairQuestion {
   }
 
   void ask() {
+    function_ = "solid::round_round_sweep";
     answer_ = round_round_sweep(round_a_.body, of_a_, round_b_.body, of_b_);
     take(answer_, answer_.undecided()
                       ? "nothing: the least gap on the way, or the depth, is below some 2^-40 of their size"

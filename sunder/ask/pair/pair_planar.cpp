@@ -24,16 +24,16 @@ namespace {
 using planar::ConvexPolygon;
 
 using PolygonMethod = PairAnswer(const ConvexPolygon&, const planar::Pose&, const ConvexPolygon&, const planar::Pose&);
-constexpr std::array<Named<PolygonMethod>, 6> polygon_methods{{{"automatic", planar::polygon_polygon},
-                                                               {"difference", planar::polygon_polygon_by_difference},
-                                                               {"halving", planar::polygon_polygon_by_halving},
-                                                               {"triangles", planar::polygon_polygon_by_triangles},
-                                                               {"gjk", planar::polygon_polygon_by_gjk},
-                                                               {"scan", planar::polygon_polygon_by_scan}}};
+constexpr std::array<Named<PolygonMethod>, 6> polygon_methods{
+    {SUNDER_METHOD("automatic", planar::polygon_polygon),
+     SUNDER_METHOD("difference", planar::polygon_polygon_by_difference),
+     SUNDER_METHOD("halving", planar::polygon_polygon_by_halving),
+     SUNDER_METHOD("triangles", planar::polygon_polygon_by_triangles),
+     SUNDER_METHOD("gjk", planar::polygon_polygon_by_gjk), SUNDER_METHOD("scan", planar::polygon_polygon_by_scan)}};
 
 class PolygonPair final : public BoundedPair {
  public:
-  PolygonPair(const PairCall& asked, PolygonMethod* method, const PlanarBody& a, const PlanarBody& b,
+  PolygonPair(const PairCall& asked, const Named<PolygonMethod>& method, const PlanarBody& a, const PlanarBody& b,
               const PairFiles& files)
       : BoundedPair(asked, a.object, b.object, false, files, Space::planar), method_(method), of_a_(a), of_b_(b) {
     for (const PlanarBody* body : {&a, &b}) {
@@ -55,6 +55,7 @@ class PolygonPair final : public BoundedPair {
 
  private:
   void decide() override {
+    function_ = method_.function;
     answer_ = method_(of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify) contact_ = polygon_polygon_contact(of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose);
@@ -95,7 +96,7 @@ class PolygonPair final : public BoundedPair {
     return {a, b, of_a_.polygon, of_a_.pose, of_b_.polygon, of_b_.pose};
   }
 
-  PolygonMethod* method_;
+  Named<PolygonMethod> method_;
   const PlanarBody &of_a_, &of_b_;
   PairAnswer answer_;
   planar::PolygonDistance distance_;  // where it is asked for
@@ -119,7 +120,7 @@ Report run_planar_pair(const PairCall& call, Talk& talk) {
                       std::array{io::SystemOfFile{object.system, fmt::format("feature {}", io::quote(object.name))}});
   }
   if (read_a.object.unbounded() || read_b.object.unbounded()) return run_unbounded_pair(call, read_a, read_b, files);
-  PolygonMethod* const method = method_by(call.method, polygon_methods, " (for planar objects)");
+  const Named<PolygonMethod> method = method_by(call.method, polygon_methods, " (for planar objects)");
   const PlanarBody a = planar_body(read_a, call), b = planar_body(read_b, call);
   PolygonPair question(call, method, a, b, files);
   files.talk.note_all(files.systems.remarks());

@@ -22,9 +22,9 @@ using solid::PolyhedronPlane;
 using solid::Pose;
 
 using PlaneMethod = PolyhedronPlane(const ConvexPolyhedron&, const Pose&, const Plane&);
-constexpr std::array<Named<PlaneMethod>, 3> plane_methods{{{"automatic", solid::polyhedron_plane},
-                                                           {"drums", solid::polyhedron_plane_by_drums},
-                                                           {"scan", solid::polyhedron_plane_by_scan}}};
+constexpr std::array<Named<PlaneMethod>, 3> plane_methods{{SUNDER_METHOD("automatic", solid::polyhedron_plane),
+                                                           SUNDER_METHOD("drums", solid::polyhedron_plane_by_drums),
+                                                           SUNDER_METHOD("scan", solid::polyhedron_plane_by_scan)}};
 
 class PlanePair : public MixedPair {
  public:
@@ -38,6 +38,7 @@ class PlanePair : public MixedPair {
 
   void ask() {
     const ConvexPolyhedron& body = body_.mesh.hull;
+    function_ = method_.function;
     answer_ = method_(body, body_.pose, plane_);
     take(answer_, decided_text(answer_.decided_by));
     if (call.classify && meet_) contact_ = solid::polyhedron_plane_contact(body, body_.pose, plane_);
@@ -75,7 +76,7 @@ class PlanePair : public MixedPair {
                                               below, letter(), other_letter(), above))};
   }
 
-  PlaneMethod* method_;
+  Named<PlaneMethod> method_;
   const PlacedBody& body_;
   const Plane& plane_;
   const std::optional<solid::FlatBody>& in_file_;

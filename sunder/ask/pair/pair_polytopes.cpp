@@ -29,8 +29,8 @@ using polytope::HyperplaneEvidence;
 using polytope::Polytope;
 using polytope::PolytopeAnswer;
 
-using PolytopeMethod = PolytopeAnswer (*)(const Polytope&, const polytope::Pose&, const Polytope&,
-                                          const polytope::Pose&);
+using PolytopeMethod =
+    Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>;
 
 // Trees are for many questions about the same bodies; here they are made for one.
 PolytopeAnswer by_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
@@ -38,12 +38,10 @@ PolytopeAnswer by_trees_made_now(const Polytope& a, const polytope::Pose& pose_a
   return polytope_polytope_by_tree(polytope::HierarchicalTree(a), pose_a, polytope::HierarchicalTree(b), pose_b);
 }
 
-constexpr std::array<
-    Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>, 4>
-    methods{{{"automatic", polytope::polytope_polytope},
-             {"gjk", polytope::polytope_polytope_by_gjk},
-             {"scan", polytope::polytope_polytope_by_scan},
-             {"tree", by_trees_made_now}}};
+constexpr std::array<PolytopeMethod, 4> methods{{SUNDER_METHOD("automatic", polytope::polytope_polytope),
+                                                 SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
+                                                 SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
+                                                 {"tree", by_trees_made_now, "polytope::polytope_polytope_by_tree"}}};
 
 // d numbers, a translation; or d + 1 a row of the linear part and the translation.
 polytope::Pose parse_polytope_pose(const PairSide& side, std::size_t d) {
@@ -145,6 +143,7 @@ class PolytopePair : public PairQuestion {
       : PairQuestion(asked, a.object, b.object, files), method_(method), of_a_(a), of_b_(b) {}
 
   void ask() {
+    function_ = method_.function;
     if (call.hyperplanes) {
       const polytope::HierarchicalTree a(of_a_.polytope), b(of_b_.polytope);
       answer_ = polytope_polytope_by_tree(a, of_a_.pose, b, of_b_.pose);

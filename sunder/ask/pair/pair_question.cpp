@@ -41,6 +41,7 @@ std::string about(const Point2& p) { return fmt::format("({}, {})", about(p.x), 
 
 Report PairQuestion::report() const {
   Report report{.answer = word_, .code = is_yes_ ? exit_code::yes : exit_code::no, .decided_by = name_of(decided_by_)};
+  report.function = function_;
   report.cost = cost_;
   report.cost_text = fmt::format("{}, {}, {} of exact arithmetic", count_of(cost_.probes, "probe"),
                                  count_of(cost_.iterations, "iteration"), count_of(cost_.exact, "use"));

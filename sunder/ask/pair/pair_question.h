@@ -13,6 +13,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::ask {
@@ -128,7 +129,8 @@ class PairQuestion {
   Relation contact_ = Relation::none;
   DecidedBy decided_by_ = DecidedBy::filter;
   Cost cost_;
-  std::vector<Fact> facts_;  // their texts stand under their keys
+  std::string_view function_;  // of the library, that decided whether they meet
+  std::vector<Fact> facts_;    // their texts stand under their keys
   std::vector<std::string> not_proved_;
   Space space_;
   bool is_b_first_ = false;  // in the proof

@@ -27,15 +27,24 @@ using PlanarKind = io::PlanarObject::Kind;
 using UnboundedMethod = planar::PolygonCommon(const planar::ConvexPolygon&, const planar::Pose&,
                                               const planar::Unbounded&);
 
-// The last one is for lines alone.
-constexpr std::array<Named<UnboundedMethod>, 3> unbounded_methods{
-    {{"automatic", planar::polygon_unbounded},
-     {"scan", planar::polygon_unbounded_by_scan},
-     {"fibonacci", planar::polygon_unbounded_by_fibonacci}}};
+// The functions that planar::polygon_unbounded asks, of each kind.
+constexpr std::array<Named<UnboundedMethod>, 3> planar_line_methods{
+    {{"automatic", planar::polygon_unbounded, "planar::polygon_line"},
+     {"scan", planar::polygon_unbounded_by_scan, "planar::polygon_line_by_scan"},
+     {"fibonacci", planar::polygon_unbounded_by_fibonacci, "planar::polygon_line_by_fibonacci"}}};
+constexpr std::array<Named<UnboundedMethod>, 2> planar_ray_methods{
+    {{"automatic", planar::polygon_unbounded, "planar::polygon_ray"},
+     {"scan", planar::polygon_unbounded_by_scan, "planar::polygon_ray_by_scan"}}};
+constexpr std::array<Named<UnboundedMethod>, 2> half_plane_methods{
+    {{"automatic", planar::polygon_unbounded, "planar::polygon_half_plane"},
+     {"scan", planar::polygon_unbounded_by_scan, "planar::polygon_half_plane_by_scan"}}};
 
-UnboundedMethod* method_of(const std::string& name, PlanarKind kind) {
-  const std::span<const Named<UnboundedMethod>> all = unbounded_methods;
-  return method_by(name, kind == PlanarKind::line ? all : all.first(2), fmt::format(", with a {}", io::name_of(kind)));
+Named<UnboundedMethod> method_of(const std::string& name, PlanarKind kind) {
+  const std::span<const Named<UnboundedMethod>> all =
+      kind == PlanarKind::line  ? std::span<const Named<UnboundedMethod>>(planar_line_methods)
+      : kind == PlanarKind::ray ? std::span<const Named<UnboundedMethod>>(planar_ray_methods)
+                                : std::span<const Named<UnboundedMethod>>(half_plane_methods);
+  return method_by(name, all, fmt::format(", with a {}", io::name_of(kind)));
 }
 
 // In the world, exactly.
@@ -98,7 +107,7 @@ struct Mixed {
 
   bool body_is_a;
   const PlanarInput& other;
-  UnboundedMethod* method;
+  Named<UnboundedMethod> method;
   PlanarBody body;
   planar::Line line;
   planar::Unbounded unbounded;
@@ -116,6 +125,7 @@ class UnboundedPair : public MixedPair {
   std::uint64_t drawn() const { return std::uint64_t{body_.given} + 2; }
 
   void ask() {
+    function_ = mixed_.method.function;
     common_ = mixed_.method(body_.polygon, body_.pose, mixed_.unbounded);
     take(common_, signs_text(common_.decided_by));
     contact_ = contact_of(body_.polygon, mixed_.unbounded, common_);
@@ -227,6 +237,6 @@ Report run_unbounded_pair(const PairCall& call, const PlanarInput& a, const Plan
   return answer(UnboundedPair(call, mixed, files), files.talk);
 }
 
-std::string planar_line_method_names() { return method_names(unbounded_methods); }
+std::string planar_line_method_names() { return method_names(planar_line_methods); }
 
 }  // namespace sunder::ask

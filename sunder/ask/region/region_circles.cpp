@@ -27,9 +27,10 @@ using planar::DiscIntersectionKind;
 using planar::Discs;
 
 using CirclesMethod = DiscIntersection(const Discs&);
-constexpr std::array<Named<CirclesMethod>, 3> circles_methods{{{"automatic", planar::disc_intersection},
-                                                               {"division", planar::disc_intersection_by_division},
-                                                               {"scan", planar::disc_intersection_by_scan}}};
+constexpr std::array<Named<CirclesMethod>, 3> circles_methods{
+    {SUNDER_METHOD("automatic", planar::disc_intersection),
+     SUNDER_METHOD("division", planar::disc_intersection_by_division),
+     SUNDER_METHOD("scan", planar::disc_intersection_by_scan)}};
 
 // The middle of what holds it.
 Point2 rounded(const DiscCrossing& crossing) {
@@ -51,6 +52,7 @@ class CirclesQuestion final : public RegionQuestion {
 
   std::uint64_t drawn() const { return circles_.size(); }
   void ask() {
+    function_ = method_.function;
     part_ = method_(circles_);
     deepest_ = nearest(deepest_point(planar::discs_of(circles_.all(), part_.deepest.basis())));
     is_empty_ = part_.kind == DiscIntersectionKind::empty;
@@ -167,7 +169,7 @@ class CirclesQuestion final : public RegionQuestion {
     return points;
   }
 
-  CirclesMethod* method_;
+  Named<CirclesMethod> method_;
   Origin origin_;
   io::SystemOfFile system_;
   io::CoordinateSystems systems_;

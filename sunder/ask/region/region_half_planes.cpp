@@ -30,10 +30,11 @@ using planar::RegionKind;
 
 using HalfPlanesMethod = Region(const Constraints&, const planar::RegionOptions&);
 constexpr std::array<Named<HalfPlanesMethod>, 4> half_planes_methods{
-    {{"automatic", planar::half_plane_intersection<Constraints>},
-     {"sort", planar::half_plane_intersection_by_sort<Constraints>},
-     {"division", planar::half_plane_intersection_by_division<Constraints>},
-     {"scan", planar::half_plane_intersection_by_scan<Constraints>}}};
+    {{"automatic", planar::half_plane_intersection<Constraints>, "planar::half_plane_intersection"},
+     {"sort", planar::half_plane_intersection_by_sort<Constraints>, "planar::half_plane_intersection_by_sort"},
+     {"division", planar::half_plane_intersection_by_division<Constraints>,
+      "planar::half_plane_intersection_by_division"},
+     {"scan", planar::half_plane_intersection_by_scan<Constraints>, "planar::half_plane_intersection_by_scan"}}};
 
 io::TripleFile read_half_planes(const RegionCall& call, const Talk& talk, Origin& origin) {
   return io::read_triples(call.file, io::half_plane_rows,
@@ -97,6 +98,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
 
   std::uint64_t drawn() const { return constraints_.size(); }
   void ask() {
+    function_ = objective_ ? "planar::linear_program_by_region" : method_.function;
     region_ = method_(constraints_, {call.proves()});
     if (objective_) best_ = linear_program_by_region(constraints_, region_, *objective_);
     const std::vector<std::uint32_t>& sides = region_.sides;
@@ -217,7 +219,7 @@ class HalfPlanesQuestion final : public RegionQuestion {
     return text;
   }
 
-  HalfPlanesMethod* method_;
+  Named<HalfPlanesMethod> method_;
   std::optional<Objective> objective_;
   Origin origin_;
   io::TripleFile file_;

@@ -30,9 +30,9 @@ using polytope::LinearProgramAnswer;
 using polytope::Polytope;
 
 using ProgramMethod = LinearProgramAnswer(const Polytope&, std::span<const double>);
-constexpr std::array<Named<ProgramMethod>, 3> program_methods{{{"automatic", polytope::linear_program},
-                                                               {"seidel", polytope::linear_program_by_seidel},
-                                                               {"scan", polytope::linear_program_by_scan}}};
+constexpr std::array<Named<ProgramMethod>, 3> program_methods{
+    {SUNDER_METHOD("automatic", polytope::linear_program), SUNDER_METHOD("seidel", polytope::linear_program_by_seidel),
+     SUNDER_METHOD("scan", polytope::linear_program_by_scan)}};
 
 Polytope read_half_spaces(const RegionCall& call, Origin& origin) {
   Polytope polytope = io::read_polytope(call.file, call.proves() ? &origin.inputs : nullptr);
@@ -107,7 +107,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
         half_spaces_(read_half_spaces(asked, origin_)),
         d_(half_spaces_.dimension()),
         objective_(objective_of(asked.maximize, d_)) {
-    if (objective_.empty() && method_ != polytope::linear_program) {
+    if (objective_.empty() && method_.method != polytope::linear_program) {
       throw Error(ErrorCode::bad_call, "methods of half-spaces are for --maximize; leave it out", "--method");
     }
     counted_ = "half-space";
@@ -117,6 +117,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
   static std::string picture() { return ""; }
 
   void ask() {
+    function_ = objective_.empty() ? "polytope::half_space_region" : method_.function;
     if (objective_.empty()) {
       region_ = polytope::half_space_region(half_spaces_);
       const auto* empty = std::get_if<polytope::EmptyRegion>(&region_.evidence);
@@ -252,7 +253,7 @@ class HalfSpacesQuestion final : public FeasibilityQuestion {
            rows_text("held by ");
   }
 
-  ProgramMethod* method_;
+  Named<ProgramMethod> method_;
   Origin origin_;
   Polytope half_spaces_;
   std::size_t d_;

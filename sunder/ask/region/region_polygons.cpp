@@ -29,10 +29,11 @@ using planar::PolygonsPart;
 using planar::PolygonsPartKind;
 
 using PartMethod = PolygonsPart(std::span<const ConvexPolygon>);
-constexpr std::array<Named<PartMethod>, 4> part_methods{{{"automatic", planar::convex_polygon_intersection},
-                                                         {"division", planar::convex_polygon_intersection_by_division},
-                                                         {"edges", planar::convex_polygon_intersection_by_edges},
-                                                         {"scan", planar::convex_polygon_intersection_by_scan}}};
+constexpr std::array<Named<PartMethod>, 4> part_methods{
+    {SUNDER_METHOD("automatic", planar::convex_polygon_intersection),
+     SUNDER_METHOD("division", planar::convex_polygon_intersection_by_division),
+     SUNDER_METHOD("edges", planar::convex_polygon_intersection_by_edges),
+     SUNDER_METHOD("scan", planar::convex_polygon_intersection_by_scan)}};
 
 planar::EitherWay convex(const planar::Polygon& polygon, bool mend) {
   if (polygon.ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
@@ -111,6 +112,7 @@ class PolygonsQuestion final : public RegionQuestion {
 
   std::uint64_t drawn() const { return input_.edges(); }
   void ask() {
+    function_ = method_.function;
     talk.note_all(input_.systems.remarks());
     part_ = method_(polygons_);
     for (const PolygonsCorner& c : part_.corners) corners_.push_back(nearest(exact_point(corner_point(polygons_, c))));
@@ -200,7 +202,7 @@ class PolygonsQuestion final : public RegionQuestion {
     return {{"edges", {{a.polygon, a.number}, {b.polygon, b.number}}}};
   }
 
-  PartMethod* method_;
+  Named<PartMethod> method_;
   PolygonsInput input_;
   std::uint64_t changed_ = 0;  // polygons that --mend changed
   std::vector<ConvexPolygon> polygons_;

@@ -16,6 +16,7 @@ PolygonsRequest RegionCall::request() const {
 
 Report FeasibilityQuestion::report() const {
   Report report{.answer = is_empty_ ? "infeasible" : "feasible", .code = is_empty_ ? exit_code::yes : exit_code::no};
+  report.function = function_;
   report.cost = cost_;
   report.cost_text = count_of(cost_.probes, counted_);
   report.not_proved = not_proved_;

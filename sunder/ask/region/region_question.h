@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunder::ask {
@@ -38,6 +39,7 @@ class FeasibilityQuestion {
   bool is_empty_ = false;
   Cost cost_;
   const char* counted_ = "sign";
+  std::string_view function_;  // of the library, that answers
   std::vector<std::string> not_proved_;
 };
 

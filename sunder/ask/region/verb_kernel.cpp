@@ -29,10 +29,10 @@ using planar::Region;
 using planar::RegionKind;
 
 using KernelMethod = Region(const PolygonSides&, const planar::RegionOptions&);
-constexpr std::array<Named<KernelMethod>, 4> methods{{{"automatic", planar::kernel},
-                                                      {"half-planes", planar::kernel_by_half_plane_intersection},
-                                                      {"lee-preparata", planar::kernel_by_lee_preparata},
-                                                      {"scan", planar::kernel_by_scan}}};
+constexpr std::array<Named<KernelMethod>, 4> methods{
+    {SUNDER_METHOD("automatic", planar::kernel),
+     SUNDER_METHOD("half-planes", planar::kernel_by_half_plane_intersection),
+     SUNDER_METHOD("lee-preparata", planar::kernel_by_lee_preparata), SUNDER_METHOD("scan", planar::kernel_by_scan)}};
 
 struct KernelResult {
   std::uint32_t polygon = 0;
@@ -75,6 +75,7 @@ class KernelQuestion : public FeasibilityQuestion {
                            [this](std::uint64_t sum, const KernelResult& r) { return sum + polygon(r).size(); });
   }
   void ask() {
+    function_ = method_.function;
     talk.note_all(input_.systems.remarks());
     for (KernelResult& result : results_) {
       const PolygonSides sides(polygon(result));
@@ -187,7 +188,7 @@ class KernelQuestion : public FeasibilityQuestion {
            });
   }
 
-  KernelMethod* method_;
+  Named<KernelMethod> method_;
   PolygonsInput input_;
   std::vector<KernelResult> results_;
 };

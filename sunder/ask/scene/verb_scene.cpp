@@ -243,6 +243,7 @@ Report run(const SceneCall& call, Talk& talk) {
   note_hulls(talk, meshes_of(cell));
   Report result = report_of(report);
   result.method = report.method;
+  result.function = method.function;
   result.notes = talk.notes();
   if (call.proves()) {
     const std::vector<std::string> unproved = not_proved(report);

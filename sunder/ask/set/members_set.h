@@ -64,12 +64,14 @@ class MembersSet {
   std::uint64_t drawn() const { return members_.size(); }
 
   void ask(Result& result) const {
+    result.function = method_by(call_.method, methods()).function;
     const auto with_progress = [this](const auto& ask_it) {
       SetOptions options = options_;
       options.progress = talk_.progress("comparing");
       return ask_it(options);
     };
     if (!call_.counts()) {
+      if constexpr (requires { Of::any_methods; }) result.function = method_by(call_.method, Of::any_methods).function;
       const AnyAnswer<Contact> answer = with_progress([this](const SetOptions& options) { return any(options); });
       result.cost = answer.cost;
       return result.found(answer.found);
@@ -147,8 +149,8 @@ class MembersSet {
       return Of::all_methods;
     } else {
       using Method = Cost(const Members&, const SetOptions&, const ContactVisitor<Members>&);
-      return std::array<Named<Method>, 2>{
-          {{"automatic", contacts_visit<Members>}, {"scan", contacts_visit_by_scan<Members>}}};
+      return std::array<Named<Method>, 2>{{{"automatic", contacts_visit<Members>, "contacts_visit"},
+                                           {"scan", contacts_visit_by_scan<Members>, "contacts_visit_by_scan"}}};
     }
   }
 

@@ -96,6 +96,7 @@ struct SetResult {
   std::array<std::uint64_t, Set::kinds.size()> count{};               // of contacts, by kind
   std::vector<std::string> proofs;                                    // files written
   Cost cost;
+  std::string_view function{};  // of the library, that answered
 
   // The position in Set::kinds.
   static std::size_t kind_of(const Contact& contact) {
@@ -201,6 +202,7 @@ template <class Set>
 Json report(const Talk& talk, const SetCall& call, const Set& set, const SetFacts& facts,
             const SetResult<Set>& result) {
   Json json = envelope(talk, Set::verb, result.some() ? "some" : "none", call.method);
+  json["function"] = result.function;
   json["cost"] = to_json(result.cost);
   json.update(facts.first);
   json["allowed"] = call.allow;

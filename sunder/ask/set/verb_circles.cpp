@@ -19,14 +19,12 @@ struct Circles {
   static constexpr const char* about_verb = "Do any two discs (circles with their interiors) in a file meet?";
   static constexpr const char* file_help =
       "circles: CSV, one in each row: x,y,r (center and radius), and optionally a name";
-  static constexpr std::array<Named<DiscsAnyMethod>, 4> any_methods{{{"automatic", planar::discs_any},
-                                                                     {"grid", planar::discs_any_by_grid},
-                                                                     {"sweep", planar::discs_any_by_sweep},
-                                                                     {"scan", planar::discs_any_by_scan}}};
-  static constexpr std::array<Named<planar::DiscsMethod>, 4> all_methods{{{"automatic", planar::discs_visit},
-                                                                          {"grid", planar::discs_all_by_grid},
-                                                                          {"sweep", planar::discs_all_by_sweep},
-                                                                          {"scan", planar::discs_all_by_scan}}};
+  static constexpr std::array<Named<DiscsAnyMethod>, 4> any_methods{
+      {SUNDER_METHOD("automatic", planar::discs_any), SUNDER_METHOD("grid", planar::discs_any_by_grid),
+       SUNDER_METHOD("sweep", planar::discs_any_by_sweep), SUNDER_METHOD("scan", planar::discs_any_by_scan)}};
+  static constexpr std::array<Named<planar::DiscsMethod>, 4> all_methods{
+      {SUNDER_METHOD("automatic", planar::discs_visit), SUNDER_METHOD("grid", planar::discs_all_by_grid),
+       SUNDER_METHOD("sweep", planar::discs_all_by_sweep), SUNDER_METHOD("scan", planar::discs_all_by_scan)}};
 
   static MembersFile<Discs> read(const SetCall& call, const Talk& talk, InputFiles* inputs) {
     auto [file, circles] = io::read_circles(call.files[0], {.group = call.group,

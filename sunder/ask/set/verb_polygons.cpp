@@ -4,6 +4,8 @@
 
 #include <sunder/base/error.h>
 #include <sunder/io/text/text.h>
+#include <sunder/planar/object/convex_either_way.h>
+#include <sunder/planar/polygons/convex_polygons_any.h>
 #include <sunder/planar/polygons/polygon_contacts_in_order.h>
 #include <sunder/planar/polygons/polygons_all.h>
 #include <sunder/planar/polygons/polygons_claims.h>
@@ -22,17 +24,41 @@ struct PolygonsCall : SetCall {
   bool skip_invalid = false, mend = false, self_touch = false;
 };
 
+// Convex polygons as units; of two that meet the contact is told as of others.
+planar::PolygonsAnswer of_convex(std::span<const Polygon> polygons, const SetOptions& options) {
+  std::vector<planar::ConvexPolygon> convex;
+  convex.reserve(polygons.size());
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    try {
+      if (polygons[i].ring_count() > 1) throw Error(ErrorCode::bad_shape, "has holes; give convex polygons");
+      convex.push_back(planar::convex_either_way(polygons[i].vertices()).polygon);
+    } catch (const Error& error) {
+      throw Error(error.code(), fmt::format("polygon {}: {}; or give another method", i, error.what()),
+                  "--method convex");
+    }
+  }
+  const planar::ConvexPolygonsAnswer answer = planar::convex_polygons_any_by_sweep(convex, options);
+  if (!answer.found) return {std::nullopt, answer.cost};
+  const auto& [i, j, kind] = static_cast<const ContactOfTwo<Relation>&>(*answer.found);
+  planar::PolygonsAnswer told = planar::polygons_contact(polygons[i], polygons[j]);
+  told.found->i = i;
+  told.found->j = j;
+  told.cost = answer.cost;
+  return told;
+}
+
 using PolygonsAnyMethod = planar::PolygonsAnswer(std::span<const Polygon>, const SetOptions&);
-constexpr std::array<Named<PolygonsAnyMethod>, 5> polygons_any_methods{{{"automatic", planar::polygons_any},
-                                                                        {"boxes", planar::polygons_any_by_boxes},
-                                                                        {"grid", planar::polygons_any_by_grid},
-                                                                        {"sweep", planar::polygons_any_by_sweep},
-                                                                        {"scan", planar::polygons_any_by_scan}}};
-constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{{{"automatic", planar::find_contacts_by_boxes},
-                                                                {"boxes", planar::find_contacts_by_boxes},
-                                                                {"grid", planar::find_contacts_by_grid},
-                                                                {"sweep", planar::find_contacts_by_sweep},
-                                                                {"scan", planar::find_contacts_by_scan}}};
+constexpr std::array<Named<PolygonsAnyMethod>, 6> polygons_any_methods{
+    {SUNDER_METHOD("automatic", planar::polygons_any),
+     SUNDER_METHOD("boxes", planar::polygons_any_by_boxes),
+     SUNDER_METHOD("grid", planar::polygons_any_by_grid),
+     SUNDER_METHOD("sweep", planar::polygons_any_by_sweep),
+     SUNDER_METHOD("scan", planar::polygons_any_by_scan),
+     {"convex", of_convex, "planar::convex_polygons_any_by_sweep"}}};
+constexpr std::array<Named<planar::PolygonsFinder>, 5> finders{
+    {SUNDER_METHOD("automatic", planar::find_contacts_by_boxes), SUNDER_METHOD("boxes", planar::find_contacts_by_boxes),
+     SUNDER_METHOD("grid", planar::find_contacts_by_grid), SUNDER_METHOD("sweep", planar::find_contacts_by_sweep),
+     SUNDER_METHOD("scan", planar::find_contacts_by_scan)}};
 
 constexpr std::uint64_t most_numbers = 100'000'000;  // of a sweep: at most some 0.8 GB
 
@@ -108,7 +134,11 @@ class PolygonsSet {
   static constexpr std::array kinds{sunder::Relation::overlapping, sunder::Relation::touching};
 
   static void check(const PolygonsCall& call) {
-    method_by(call.method, polygons_any_methods);
+    if (call.counts()) {
+      method_by(call.method, finders, " (for lists and counts)");
+    } else {
+      method_by(call.method, polygons_any_methods);
+    }
     allowed_by(call.allow);
     if (call.files.size() > 2) {
       throw Error(ErrorCode::bad_call, "three files or more; give one, or two to ask for pairs across them", "FILE");
@@ -129,18 +159,22 @@ class PolygonsSet {
     SetOptions options = options_;
     options.progress = talk_.progress("comparing");
     if (!call_.counts()) {
-      const planar::PolygonsAnswer answer = method_by(call_.method, polygons_any_methods)(input_.polygons, options);
+      const Named<PolygonsAnyMethod> method = method_by(call_.method, polygons_any_methods);
+      const planar::PolygonsAnswer answer = method(input_.polygons, options);
+      result.function = method.function;
       result.cost = answer.cost;
       return result.found(answer.found);
     }
     if (!call_.lists() && call_.method == "automatic") {
+      result.function = "planar::polygons_count";
       const planar::PolygonsCountAnswer answer = planar::polygons_count(input_.polygons, options);
       result.count = {answer.count.overlapping, answer.count.touching};
       result.cost = answer.cost;
       return;
     }
-    const auto contacts =
-        std::make_shared<planar::PolygonContactsInOrder>(input_.polygons, options, method_by(call_.method, finders));
+    const Named<planar::PolygonsFinder> finder = method_by(call_.method, finders);
+    result.function = finder.function;
+    const auto contacts = std::make_shared<planar::PolygonContactsInOrder>(input_.polygons, options, finder.method);
     result.count = {contacts->overlapping(), contacts->touching()};
     result.cost = contacts->cost();
     if (call_.lists()) result.visit = [contacts](const Result::Visitor& visitor) { contacts->visit(visitor); };
@@ -286,7 +320,9 @@ Verb polygons_verb() {
              "are compared",
              "polygons", "nothing, shared-endpoint, or touch",
              "features with the same value of FIELD, a property of the GeoJSON, may meet", name_help,
-             method_names(polygons_any_methods), 0});
+             fmt::format("for --any: {}; for --all and --count: {}", method_names(polygons_any_methods),
+                         method_names(finders)),
+             0});
   add_file_options(verb, *call);
   verb.options.push_back({"--skip-invalid", &call->skip_invalid, skip_invalid_help});
   verb.options.push_back({"--self-touch", &call->self_touch, "accept rings that touch themselves in points"});

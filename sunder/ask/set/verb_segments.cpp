@@ -9,6 +9,8 @@
 #include <sunder/io/text/text.h>
 #include <sunder/picture/segments.h>
 #include <sunder/planar/pair/segment_segment.h>
+#include <sunder/planar/segments/drawing_plane.h>
+#include <sunder/planar/segments/intervals_any.h>
 #include <sunder/planar/segments/segments_all.h>
 #include <sunder/planar/segments/segments_claims.h>
 #include <sunder/planar/sweep/sweep_events.h>
@@ -40,20 +42,69 @@ struct Sheet {
   std::string layer;  // where it is one of several sheets, its name as it stands in those of files
 };
 
+// Segments of one horizontal line, as intervals.
+SegmentsAnswer of_intervals(const Segments& segments, const SetOptions& options) {
+  if (!options.groups.empty()) {
+    throw Error(ErrorCode::bad_call, "intervals knows no groups; give another method, or leave out --group",
+                "--method");
+  }
+  std::vector<planar::LineInterval> intervals;
+  for (const Segment& s : segments.all()) {
+    if (s.a.y != segments[0].a.y || s.b.y != segments[0].a.y) {
+      throw Error(
+          ErrorCode::bad_call,
+          "intervals is for segments of one horizontal line, as CSV has them under low,high; give another method",
+          "--method");
+    }
+    intervals.push_back({s.a.x, s.b.x});
+  }
+  return planar::intervals_any(intervals, options.allowed);
+}
+
+// Segments as the edges of a drawing, with vertices where they end.
+SegmentsAnswer of_drawing(const Segments& segments, const SetOptions& options) {
+  if (options.allowed != Allowed::shared_endpoint || !options.groups.empty()) {
+    throw Error(ErrorCode::bad_call,
+                "drawing asks whether a drawing is plane, whose edges may share ends; give --allow shared-endpoint and "
+                "no --group, or another method",
+                "--method");
+  }
+  std::vector<Point2> vertices;
+  for (const Segment& s : segments.all()) vertices.insert(vertices.end(), {s.a, s.b});
+  std::sort(vertices.begin(), vertices.end(), planar::lexicographically_less);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto number_of = [&](const Point2& p) {
+    const auto at = std::lower_bound(vertices.begin(), vertices.end(), p, planar::lexicographically_less);
+    return static_cast<std::uint32_t>(at - vertices.begin());
+  };
+  std::vector<planar::DrawingEdge> edges;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) {
+    if (segments[i].a == segments[i].b) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("segment {} has length zero, and is no edge of a drawing; give another method", i),
+                  "--method");
+    }
+    edges.push_back({number_of(segments[i].a), number_of(segments[i].b)});
+  }
+  const planar::DrawingAnswer answer = planar::drawing_plane(vertices, edges);
+  if (!answer.found) return {std::nullopt, answer.cost};
+  return {SegmentsContact{answer.found->i, answer.found->j, answer.found->kind}, answer.cost};
+}
+
 using SegmentsAnyMethod = SegmentsAnswer(const Segments&, const SetOptions&);
-constexpr std::array<Named<SegmentsAnyMethod>, 5> segments_any_methods{
-    {{"automatic", planar::segments_any},
-     {"grid", planar::segments_any_by_grid},
-     {"sweep", planar::segments_any_by_sweep},
-     {"bentley-ottmann", planar::segments_any_by_bentley_ottmann},
-     {"scan", planar::segments_any_by_scan}}};
+constexpr std::array<Named<SegmentsAnyMethod>, 7> segments_any_methods{
+    {SUNDER_METHOD("automatic", planar::segments_any),
+     SUNDER_METHOD("grid", planar::segments_any_by_grid),
+     SUNDER_METHOD("sweep", planar::segments_any_by_sweep),
+     SUNDER_METHOD("bentley-ottmann", planar::segments_any_by_bentley_ottmann),
+     SUNDER_METHOD("scan", planar::segments_any_by_scan),
+     {"intervals", of_intervals, "planar::intervals_any"},
+     {"drawing", of_drawing, "planar::drawing_plane"}}};
 constexpr std::array<Named<planar::SegmentsMethod>, 5> segments_all_methods{
-    {{"automatic", planar::segments_visit},
-     {"grid", planar::segments_all_by_grid},
-     {"bentley-ottmann", planar::segments_all_by_bentley_ottmann},
-     {"balaban", planar::segments_all_by_balaban},
-     {"scan", planar::segments_all_by_scan}}};
-planar::SegmentsMethod* contact_method(const std::string& name) {
+    {SUNDER_METHOD("automatic", planar::segments_visit), SUNDER_METHOD("grid", planar::segments_all_by_grid),
+     SUNDER_METHOD("bentley-ottmann", planar::segments_all_by_bentley_ottmann),
+     SUNDER_METHOD("balaban", planar::segments_all_by_balaban), SUNDER_METHOD("scan", planar::segments_all_by_scan)}};
+Named<planar::SegmentsMethod> contact_method(const std::string& name) {
   return method_by(name, segments_all_methods, " (for lists and counts)");
 }
 
@@ -269,6 +320,7 @@ class SegmentsSet {
     } else if (call_.proves()) {
       count_and_prove(result);
     } else {
+      result.function = contact_method(call_.method).function;
       const auto ask_block = [this](const Block& block, const auto& take) { return visit(block, take); };
       result.count_and_list(static_cast<std::uint32_t>(file_.segments.size()), call_.lists(), ask_block);
     }
@@ -426,11 +478,13 @@ class SegmentsSet {
 
   // Does any pair meet? Sheet by sheet, until one does.
   void find_any(Result& result) {
+    const Named<SegmentsAnyMethod> method = method_by(call_.method, segments_any_methods);
+    result.function = call_.proves() ? "planar::segments_any_with_transcript" : method.function;
     for (const Sheet& sheet : sheets_) {
       planar::SweepEvents events;
       const SegmentsAnswer answer = of_sheet(sheet, [&](const SetOptions& options) {
         return call_.proves() ? planar::segments_any_with_transcript(sheet.segments, options, events)
-                              : method_by(call_.method, segments_any_methods)(sheet.segments, options);
+                              : method(sheet.segments, options);
       });
       result.cost.probes += answer.cost.probes;
       const bool some = answer.meet();
@@ -442,11 +496,13 @@ class SegmentsSet {
 
   // With --count and a proof: contacts are counted, and not kept.
   void count_and_prove(Result& result) {
+    const Named<planar::SegmentsMethod> method = contact_method(call_.method);
+    result.function = method.function;
     std::uint64_t before = 0;
     for (const Sheet& sheet : sheets_) {
       planar::SweepEvents events = events_of(sheet);
       const Cost cost = of_sheet(sheet, [&](const SetOptions& options) {
-        return contact_method(call_.method)(sheet.segments, options, [&](const SegmentsContact& c) {
+        return method(sheet.segments, options, [&](const SegmentsContact& c) {
           result.add(c);
           return true;
         });
@@ -459,6 +515,7 @@ class SegmentsSet {
 
   // With --all and a proof.
   void list_and_prove(Result& result) {
+    result.function = "planar::segments_visit_with_transcript";
     std::vector<SegmentsContact> all;
     for (const Sheet& sheet : sheets_) {
       planar::SweepEvents events;

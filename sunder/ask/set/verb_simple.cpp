@@ -328,6 +328,9 @@ class ValidQuestion {
   // Prints the report, each feature and each defect as it comes.
   void print_report() const {
     Report report{.verb = "simple", .answer = call_.answer(valid_ == asked_), .method = call_.method, .cost = cost_};
+    report.function = call_.method == "scan" ? "planar::polygon_defects_by_scan"
+                      : call_.lists()        ? "planar::visit_polygon_defects"
+                                             : "planar::polygon_defects";
     report.notes = talk_.notes();
     report.add("rule", call_.strict ? "simple" : call_.self_touch ? "self-touch" : "valid");
     report.add(facts_of(input_));
