@@ -29,13 +29,12 @@ BEGIN = "## What all have"  # here the tables of the page begin
 
 # What no call can show, and why.
 NEVER_SEEN = {
-    "#/$defs/error/properties/kind": {"bad-value": "readers refuse such values first, as bad-file",
-                                      "internal": "a fault of the program"},
+    "#/$defs/error/properties/kind": {"internal": "a fault of the program"},
 }
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "attached hull left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
+    "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
@@ -253,6 +252,11 @@ section cases/panda/meshes/collision/link3.stl --plane z=0
 section cases/mesh/two_parts.obj --plane z=0 --leave-out
 section cases/mesh/cube.obj --plane z=1:0:1
 section cases/mesh/cube.obj --plane z=1 --out OUT.frob
+polar cases/mesh/cube.obj --check --out OUT.off
+polar cases/mesh/two_parts.obj --origin 0.1,0.1,0.1 --leave-out
+polar cases/mesh/points.off
+polar cases/mesh/cube.obj --origin 1,0,0
+polar cases/panda/meshes/collision/link3.stl --check
 info --formats
 info shapes.csv
 info empty.wkt cases/mesh/cube.obj
@@ -328,6 +332,7 @@ kernel FILE
 kernel FILE --leave-out --drop-z --mend --skip-invalid
 hull FILE
 hull FILE --leave-out
+polar FILE
 info FILE
 """
 
@@ -466,6 +471,7 @@ class Reports(unittest.TestCase):
             "boxes": set_verb, "polygons": set_verb,
             "simple": {"valid", "not valid", "simple", "not simple", "error"}, "region": some,
             "kernel": some, "hull": {"point", "segment", "polygon", "body", "polytope", "empty", "unbounded", "error"}, "section": set_verb,
+            "polar": {"body", "error"},
             "info": {"read", "error"},
             "verify": {"accepted", "refused", "error"}, None: {"error"}})
         self.assertGreater(sum(self.count.values()), 4000)

@@ -70,7 +70,7 @@ Option certificate_option(std::string& file, std::string help) {
 
 std::vector<Verb> verbs() {
   return {pair_verb(),   scene_verb(),  segments_verb(), simple_verb(),  circles_verb(), boxes_verb(), polygons_verb(),
-          region_verb(), kernel_verb(), hull_verb(),     section_verb(), info_verb(),    verify_verb()};
+          region_verb(), kernel_verb(), hull_verb(),     section_verb(), polar_verb(),   info_verb(),  verify_verb()};
 }
 
 }  // namespace sunder::ask

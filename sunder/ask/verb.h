@@ -91,6 +91,7 @@ Verb region_verb();
 Verb kernel_verb();
 Verb hull_verb();
 Verb section_verb();
+Verb polar_verb();
 Verb info_verb();
 Verb verify_verb();
 
