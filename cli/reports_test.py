@@ -34,7 +34,7 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut planes group layer across_layers count counts "
+    "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut support planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
@@ -52,6 +52,7 @@ OPTIONAL = {
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
     "cut": "first last",
+    "support": "at",
     "cut.first": "beginning",
     "cut.last": "end",
     "pairs[]": "contact contact_unknown",
@@ -72,6 +73,7 @@ METHODS = {
     "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",
     "pair cases/polytopes/cross.csv cases/polytopes/box.csv": "automatic gjk scan tree",
     "pair cases/mesh/cube.obj cases/space/line.json": "automatic drums scan",
+    "pair cases/mesh/cube.obj cases/space/line.json --support": "automatic drums hierarchy scan",
     "pair cases/mesh/cube.obj cases/space/kite.wkt": "automatic drums gjk scan",
     "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",
     "segments cases/segments/wires.csv": "automatic grid sweep bentley-ottmann scan",
@@ -119,6 +121,11 @@ pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b river
 pair cases/planar-pair/plate.wkt cases/planar-pair/paths.csv --feature-b hill
 pair cases/planar-pair/paths.csv cases/planar-pair/plate.wkt --feature-a east
 pair cases/mesh/cube.obj cases/space/plane.json --classify --certificate OUT
+pair cases/mesh/cube.obj cases/space/line.json --support --pose-a 3,0,0 --certificate OUT
+pair cases/mesh/cube.obj cases/space/line.json --support --pose-a 0.5,0.5,0.5
+pair cases/mesh/cube.obj cases/space/line.json --support --pose-a 0.5,0.25,0
+pair cases/mesh/cube.obj cases/space/edge.json --support
+pair cases/mesh/tetrahedron.obj cases/space/edge.json --pose-b -0.5,-0.5,-0.5 --support --method drums
 pair cases/space/above.json cases/mesh/cube.obj
 pair cases/mesh/cube.obj cases/space/ball.json --classify --certificate OUT
 pair cases/mesh/cube.obj cases/space/cylinder.json --classify --certificate OUT

@@ -1,6 +1,7 @@
 // Planes, lines, rays and segments of space, against polyhedra and against each other.
 #include <sunder/solid/line/flat_flat.h>
 #include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/section/polyhedron_plane.h>
 #include <sunder/solid/section/polyhedron_plane_claims.h>
 
@@ -94,6 +95,24 @@ PythonCut polyhedron_line(const Shared& body, const Pose& pose, const LineLike& 
   const auto [p, q] = std::visit([](const auto& line) { return std::pair(line.a, line.b); }, other);
   answer.ends = {exact_end(*body, pose, p, q, ends->first), exact_end(*body, pose, p, q, ends->last)};
   return answer;
+}
+
+struct PythonLineSupport : YesNo {
+  Shared body;
+  solid::LineSupport support;
+};
+
+PythonLineSupport polyhedron_line_support(const Shared& body, const Pose& pose, const Line& line) {
+  if (body->dimension() < 3) {
+    throw Error(ErrorCode::bad_shape, "the body has no inside; give one that has", "body");
+  }
+  const solid::LineSupport support = solid::polyhedron_line_support(*body, pose, line);
+  const auto text = [=] {
+    return proof_of(*body, pose, body_in_file(line), [&](PairClaims& pairs, std::uint32_t a, std::uint32_t b) {
+      add_support(pairs, a, b, *body, pose, line, support);
+    });
+  };
+  return {{{support.cost, text}, support.meet()}, body, support};
 }
 
 struct PythonFlatAnswer : YesNo {
@@ -190,6 +209,24 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
             return fractions;
           },
           "Of these points t, as fractions.Fraction: a + t (b - a), exactly.");
+  nb::class_<PythonLineSupport, YesNo>(
+      solid, "LineSupport", "The planes through a line that touch a body and do not cut it. True where the two meet.")
+      .def_prop_ro(
+          "kind", [](const PythonLineSupport& a) { return name_of(a.support.evidence); },
+          "\"two planes\", \"a range of planes\", \"one plane\" or \"none\".")
+      .def_prop_ro("decided_by", [](const PythonLineSupport& a) { return name_of(a.support.decided_by); })
+      .def_prop_ro(
+          "touches",
+          [](const PythonLineSupport& a) {
+            nb::list planes;
+            for (const solid::SupportPlane& plane : planes_of(a.support.evidence)) {
+              nb::list vertices;
+              for (const std::uint32_t v : vertices_of(*a.body, plane.touches)) vertices.append(v);
+              planes.append(vertices);
+            }
+            return planes;
+          },
+          "Of each plane, the first and the last of a range, the vertices of the body that are on it.");
   nb::class_<PythonFlatAnswer, YesNo>(solid, "FlatCommon", "What two flat things have in common. True where they meet.")
       .def_prop_ro(
           "kind", [](const PythonFlatAnswer& a) { return name_of(a.common.evidence.kind); },
@@ -206,6 +243,8 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
   const nb::arg body("body"), pose("pose"), plane("plane"), line("line"), a("a"), b("b");
   solid.def("polyhedron_plane", &polyhedron_plane, body, pose, plane, "On which side of the plane is the body?");
   solid.def("polyhedron_line", &polyhedron_line, body, pose, line, "Of a line, a ray or a segment.");
+  solid.def("polyhedron_line_support", &polyhedron_line_support, body, pose, line,
+            "Which planes through the line support the body, which has an inside?");
   solid.def("flat_flat", &flat_flat, a, b, "Of segments, rays, lines and planes.");
   module.def("intersect", &polyhedron_plane, body, pose, plane);
   module.def(

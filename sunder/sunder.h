@@ -87,6 +87,7 @@
 #include <sunder/solid/line/plane_plane.h>
 #include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
 #include <sunder/solid/mesh/mesh_claims.h>

@@ -47,6 +47,16 @@ def test_lines():
     refused("bad-shape", "line", solid.Line.through, [1, 2, 3], [1, 2, 3])
 
 
+def test_supports():
+    beside = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([3, 0, 0], [3, 0, 1]))
+    assert not beside and beside.kind == "two planes" and list(map(len, beside.touches)) == [2, 2]
+    assert beside.decided_by and proved(beside.certificate())
+    through = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([0.5, 0.5, 0.5], [3, 1, 1]))
+    assert through and through.kind == "none" and through.touches == [] and proved(through.certificate())
+    flat = solid.ConvexPolyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    refused("bad-shape", "body", solid.polyhedron_line_support, flat, HERE, solid.Line.through([0, 0, 0], [1, 2, 3]))
+
+
 def test_flats():
     floor, wall = solid.Plane.at([0, 0, 1], 0), solid.Plane.at([1, 0, 0], 2)
     edge = solid.flat_flat(floor, wall)

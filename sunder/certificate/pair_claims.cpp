@@ -139,6 +139,42 @@ void PairClaims::add_nearest(std::uint32_t a, std::uint32_t b, std::uint32_t ver
   file_.end_statement();
 }
 
+void PairClaims::add_two_supports(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> on_first,
+                                  std::span<const std::uint32_t> on_last, const std::array<Dyadic, 3>& before,
+                                  const std::array<Dyadic, 3>& after) {
+  begin_statement("support", a, b, "two");
+  file_.indices("on_first", on_first);
+  file_.indices("on_last", on_last);
+  file_.begin_claims();
+  file_.begin_claim("wedge");
+  file_.numbers("before", before);
+  file_.numbers("after", after);
+  file_.end_claim();
+  file_.end_statement();
+}
+
+void PairClaims::add_one_support(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> on_plane,
+                                 const std::array<Dyadic, 3>& direction) {
+  begin_statement("support", a, b, "one");
+  file_.indices("on_plane", on_plane);
+  file_.begin_claims();
+  add_parting("rests", direction);
+  file_.end_statement();
+}
+
+void PairClaims::add_no_support(std::uint32_t a, std::uint32_t b, const CommonPoint& point,
+                                const std::array<std::uint32_t, 4>& spanning) {
+  begin_statement("support", a, b, "none");
+  file_.fractions("point", point.at, dimension());
+  file_.begin_claims();
+  add_combination("inside", point.of_a);
+  add_combination("holds", point.of_b);
+  file_.begin_claim("full");
+  for (std::size_t k = 0; k < 4; ++k) file_.index(std::string_view("ijkl").substr(k, 1), spanning[k]);
+  file_.end_claim();
+  file_.end_statement();
+}
+
 void PairClaims::add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b) {
   begin_statement("distance", a, b, "closest");
   add_points("slab", from_a, to_b);

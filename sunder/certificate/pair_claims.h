@@ -82,6 +82,17 @@ class PairClaims {
   // along the direction, which is perpendicular to B, out of a half-space, A begins there.
   void add_nearest(std::uint32_t a, std::uint32_t b, std::uint32_t vertex, const std::array<Dyadic, 3>& direction);
 
+  // Of the planes through B, which is on a line: that two have all of A on one side and points of it beside the line,
+  // along these directions out of A, and which points; that one has all of A on one side; that none has, as the point
+  // is inside of A, of which four points are not in one plane. Requires Space::solid, and A without ways and radius.
+  void add_two_supports(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> on_first,
+                        std::span<const std::uint32_t> on_last, const std::array<Dyadic, 3>& before,
+                        const std::array<Dyadic, 3>& after);
+  void add_one_support(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> on_plane,
+                       const std::array<Dyadic, 3>& direction);
+  void add_no_support(std::uint32_t a, std::uint32_t b, const CommonPoint& point,
+                      const std::array<std::uint32_t, 4>& spanning);
+
   // That the points are as near to each other as any two of A and B. Requires different ones, and no body with a
   // radius.
   void add_distance(std::uint32_t a, std::uint32_t b, const PointOf& from_a, const PointOf& to_b);

@@ -218,21 +218,27 @@ void check_leaves(const Numbers& given, const HullBody& a, const HullBody& b, co
           "along the direction they overlap by more than the stated depth");
 }
 
-// B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way.
-void check_no_further(const Numbers& before, const Numbers& after_last, const HullBody& a, const HullBody& b,
-                      const Numbers& first, const Numbers& last) {
-  const std::vector<Integers>& rows = b.rows();
-  take_steps(4 * b.dimension() * rows.size(), 2 * b.given->bits, 2 * b.given->bits);
-  Elimination span(b.dimension());
-  Integers along(b.dimension());
+// Requires by that rule that a body is more than a point, and on one line: along this, as it is not placed.
+Integers line_of(const char* rule, const HullBody& body) {
+  const std::vector<Integers>& rows = body.rows();
+  take_steps(4 * body.dimension() * rows.size(), 2 * body.given->bits, 2 * body.given->bits);
+  Elimination span(body.dimension());
+  Integers along(body.dimension());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    Integers way = way_to(b, k);
+    Integers way = way_to(body, k);
     if (span.rank() == 0 && span.take(way))
       along = std::move(way);
     else
-      require(all_zero(span.rest(way)), "no_further", b.quoted + " is not on one line");
+      require(all_zero(span.rest(way)), rule, body.quoted + " is not on one line");
   }
-  require(span.rank() == 1, "no_further", b.quoted + " is a point");
+  require(span.rank() == 1, rule, body.quoted + " is a point");
+  return along;
+}
+
+// B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way.
+void check_no_further(const Numbers& before, const Numbers& after_last, const HullBody& a, const HullBody& b,
+                      const Numbers& first, const Numbers& last) {
+  const Integers along = line_of("no_further", b);
   int sides = 1;
   for (const auto& [given, point] : {std::pair(&before, &first), std::pair(&after_last, &last)}) {
     const Integers direction = common(*given).integers, place = projective(*point);
@@ -296,6 +302,59 @@ void check_inside(const WeightList& weights, const Numbers& from, const HullBody
     require(all_zero(span.rest(way_to(body, k, origin))), "inside",
             "the points with a positive weight do not span " + body.quoted);
   }
+}
+
+// Requires by that rule that all of B is across a direction, and A nowhere further along it: these points of A just as
+// far, and no others. On which side of B is each of them, seen along the direction?
+std::vector<int> sides_of_touched(const char* rule, const Numbers& given, const HullBody& a, const HullBody& b,
+                                  const Integers& along, const Indices& named) {
+  const Integers direction = common(given).integers;
+  const auto [of_a, e] = products(a, direction);
+  const auto [of_b, f] = products(b, direction);
+  bool is_across = !all_zero(direction);
+  for (std::size_t k = 0; k < of_b.size(); ++k) is_across = is_across && of_b[k] == (b.is_way(k) ? 0 : of_b[0]);
+  require(is_across, rule, b.quoted + " is not across the direction");
+  Indices touched;
+  for (std::size_t k = 0; k < of_a.size(); ++k) {
+    const int order = compare(of_a[k], e, of_b[0], f);
+    require(order <= 0, rule, a.quoted + " is further along the direction than " + b.quoted);
+    if (order == 0) touched.push_back(k);
+  }
+  require(touched == named, rule, "the points of " + a.quoted + " that are as far as " + b.quoted + " are others");
+  const Integers beside = cross(direction, turned(b, along));
+  const auto [to_a, g] = products(a, beside);
+  const auto [to_b, h] = products(b, beside);
+  std::vector<int> sides;
+  for (const std::size_t k : touched) sides.push_back(compare(to_a[k], g, to_b[0], h));
+  return sides;
+}
+
+bool has_side(const std::vector<int>& sides, int side) {
+  return std::find(sides.begin(), sides.end(), side) != sides.end();
+}
+
+void check_wedge(const Numbers& before, const Numbers& after_last, const HullBody& a, const HullBody& b,
+                 const Indices& on_first, const Indices& on_last) {
+  const Integers along = line_of("wedge", b);
+  for (const auto& [given, named] : {std::pair(&before, &on_first), std::pair(&after_last, &on_last)}) {
+    const std::vector<int> sides = sides_of_touched("wedge", *given, a, b, along, *named);
+    require(has_side(sides, 1) || has_side(sides, -1), "wedge",
+            "no point of " + a.quoted + " that is as far as " + b.quoted + " is beside its line");
+  }
+  require(!all_zero(cross(common(before).integers, common(after_last).integers)), "wedge",
+          "the directions are parallel");
+}
+
+void check_rests(const Numbers& given, const HullBody& a, const HullBody& b, const Indices& on_plane) {
+  const std::vector<int> sides = sides_of_touched("rests", given, a, b, line_of("rests", b), on_plane);
+  require(has_side(sides, 1) && has_side(sides, -1), "rests",
+          "the points of " + a.quoted + " that are as far as " + b.quoted + " are not on both sides of its line");
+}
+
+void check_full(std::size_t i, std::size_t j, std::size_t k, std::size_t l, const HullBody& body) {
+  take_steps(16, body.size(), body.size());
+  const auto way = [&](std::size_t to) { return turned(body, way_to(body, to, i)); };
+  require(dot(cross(way(j), way(k)), way(l)) != 0, "full", "the four points of " + body.quoted + " are in one plane");
 }
 
 // A point, less how far the body has come by then.
@@ -441,6 +500,9 @@ const ClaimRows claims_of_bodies{
     {"first_along", "direction: point", rule<check_first_along>},
     {"no_further", "before, after: point", rule<check_no_further>},
     {"inside", "weights: weights of subject; from: point", rule<check_inside>},
+    {"wedge", "before, after: point", rule<check_wedge>},
+    {"rests", "direction: point", rule<check_rests>},
+    {"full", "i, j, k, l: index of subject", rule<check_full>},
     {"parted_all_along", "direction: point", rule<check_parted_all_along>},
     {"holds_at", "weights: weights of subject; from: point", rule<check_holds_at>},
     {"not_before", "direction: point", rule<check_not_before>},

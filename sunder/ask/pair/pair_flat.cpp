@@ -60,10 +60,24 @@ class FlatPair : public PairQuestion {
   std::optional<solid::FlatPart> part_;
 };
 
+// Of --support.
+void require_line_and_body(const SpaceInput& a, const SpaceInput& b) {
+  const auto refuse = [](const std::string& why) { throw Error(ErrorCode::bad_call, why, "--support"); };
+  const auto quoted = [](const SpaceInput& input) { return io::quote(io::one_line(input.flat->file)); };
+  if (a.flat && b.flat) {
+    refuse(fmt::format("neither {} nor {} is a body; give a body with an inside, and a line", quoted(a), quoted(b)));
+  }
+  const SpaceInput& flat = a.flat ? a : b;
+  if (std::holds_alternative<solid::Plane>(flat.flat->flat)) {
+    refuse(fmt::format("{} is a plane; give a line, by two of its points", quoted(flat)));
+  }
+}
+
 }  // namespace
 
 Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_pair_fit(call, {pair_kind::flats});
+  if (call.support) require_line_and_body(a, b);
   if (a.flat && b.flat) {
     return answer(FlatPair(call, *a.flat, *b.flat, files), files.talk);
   }

@@ -1,8 +1,10 @@
 #include <sunder/ask/pair/pair_mixed.h>
 #include <sunder/ask/pair/pair_space.h>
 
+#include <sunder/base/error.h>
 #include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/line/polyhedron_line_claims.h>
+#include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
 
@@ -75,6 +77,14 @@ constexpr std::array<Named<LineMethod>, 3> ray_methods{
      {"drums", of<solid::Ray, solid::polyhedron_ray_by_drums>, "solid::polyhedron_ray_by_drums"},
      {"scan", of<solid::Ray, solid::polyhedron_ray_by_scan>, "solid::polyhedron_ray_by_scan"}}};
 
+// Of --support.
+using SupportMethod = solid::LineSupport(const ConvexPolyhedron&, const Pose&, const solid::Line&);
+constexpr std::array<Named<SupportMethod>, 4> support_methods{
+    {SUNDER_METHOD("automatic", solid::polyhedron_line_support),
+     SUNDER_METHOD("drums", solid::polyhedron_line_support_by_drums),
+     SUNDER_METHOD("hierarchy", solid::polyhedron_line_support_by_hierarchy),
+     SUNDER_METHOD("scan", solid::polyhedron_line_support_by_scan)}};
+
 LineLike line_like(const solid::Flat& flat) {
   if (const auto* ray = std::get_if<solid::Ray>(&flat)) return *ray;
   return std::get<solid::Line>(flat);
@@ -88,8 +98,14 @@ class LinePair : public MixedPair {
         body_(body),
         line_(line),
         other_(line_like(line.flat)),
-        method_(method_by(asked.method, std::holds_alternative<solid::Ray>(other_) ? ray_methods : line_methods,
-                          " (with a line or a ray)")) {}
+        method_(asked.support
+                    ? line_methods[0]
+                    : method_by(asked.method, std::holds_alternative<solid::Ray>(other_) ? ray_methods : line_methods,
+                                " (with a line or a ray)")) {
+    if (!asked.support) return;
+    support_method_ = method_by(asked.method, support_methods, " (with --support)");
+    require_support();
+  }
 
   void ask() {
     function_ = method_.function;
@@ -105,14 +121,61 @@ class LinePair : public MixedPair {
       const PolyhedronCut proved = is_own ? polyhedron_line_like(body_.mesh.hull, body_.pose, other_) : cut_;
       add_claims(pairs, body, line, body_.mesh.hull, body_.pose, other_, proved, call.classify);
     });
+    if (call.support) ask_support();
   }
 
  private:
+  void require_support() const {
+    if (!std::holds_alternative<solid::Line>(other_)) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("{} is a ray; give a line, by two of its points", io::quote(io::one_line(line_.file))),
+                  "--support");
+    }
+    const int dimension = body_.mesh.hull.dimension();
+    if (dimension == 3) return;
+    constexpr std::array kinds{"a point", "a segment", "a flat polygon"};
+    throw Error(ErrorCode::bad_shape,
+                fmt::format("{} is {}, without an inside; give a body with an inside",
+                            io::quote(io::one_line(body_.mesh.file)), kinds[static_cast<std::size_t>(dimension)]),
+                "--support");
+  }
+
+  void ask_support() {
+    const solid::Line& line = std::get<solid::Line>(other_);
+    function_ = support_method_.function;
+    support_ = support_method_(body_.mesh.hull, body_.pose, line);
+    const solid::LineSupport::Evidence& evidence = support_.evidence;
+    Told told{{{"kind", name_of(evidence)}, {"planes", Json::array()}}, std::string(name_of(evidence))};
+    if (const auto* range = std::get_if<solid::SupportRange>(&evidence)) {
+      const Told at = feature_told(range->at, body_.mesh.hull, letter());
+      told.json["at"] = at.json;
+      told.text += ", around " + at.text;
+    }
+    for (const solid::SupportPlane& plane : planes_of(evidence)) {
+      const Told touched = feature_told(plane.touches, body_.mesh.hull, letter());
+      told.json["planes"].push_back(touched.json);
+      told.json["planes"].back()["through"] = plane.through;
+      told.text += fmt::format("\n{} {}", "touching", touched.text);
+    }
+    told.json["decided_by"] = name_of(support_.decided_by);
+    facts_.push_back(fact_of("support", std::move(told)));
+    cost_.probes += support_.cost.probes;
+    cost_.iterations += support_.cost.iterations;
+    cost_.exact += support_.cost.exact;
+    state([this, &line](auto& pairs, auto body, auto of_line) {
+      const bool is_scan = support_.decided_by == DecidedBy::scan;  // which names no cut
+      const solid::LineSupport proved = is_scan ? polyhedron_line_support(body_.mesh.hull, body_.pose, line) : support_;
+      add_support(pairs, body, of_line, body_.mesh.hull, body_.pose, line, proved);
+    });
+  }
+
   const PlacedBody& body_;
   const PlacedFlat& line_;
   LineLike other_;
   Named<LineMethod> method_;
+  Named<SupportMethod> support_method_{};
   PolyhedronCut cut_;
+  solid::LineSupport support_;
 };
 
 }  // namespace
@@ -133,5 +196,6 @@ Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedF
 }
 
 std::string line_method_names() { return method_names(line_methods); }
+std::string support_method_names() { return method_names(support_methods); }
 
 }  // namespace sunder::ask

@@ -37,6 +37,7 @@ struct PairCall : QuestionCall {
   bool classify = false;
   bool distance = false;
   bool depth = false;               // of bounded objects
+  bool support = false;             // of a body and a line: the planes through it that support the body
   std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
   bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
   bool drop_z = false, mixed_crs = false;

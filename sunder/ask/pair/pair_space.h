@@ -101,6 +101,7 @@ Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedF
 // Their methods, for help texts.
 std::string plane_method_names();
 std::string line_method_names();
+std::string support_method_names();  // of --support
 
 // Few vertices of a body, which is called so, that span a part of its surface: a vertex, an edge, a part of a facet.
 Told surface_part(const solid::ConvexPolyhedron& body, std::span<const std::uint32_t> vertices, const char* letter);

@@ -52,6 +52,7 @@ Report run(const PairCall& call, Talk& talk) {
   note_hulls(talk, bodies);
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
   const bool is_flat = a.flat || b.flat;
+  if (call.support && !is_flat) require_pair_fit(call, {pair_kind::bodies});
   if (is_motion && !is_flat) return run_motion_pair(call, a, b, files);
   if (is_flat && !a.round && !b.round) return run_flat_pair(call, a, b, files);
   return run_body_pair(call, a, b, files);
@@ -102,6 +103,10 @@ std::vector<Option> pair_options(PairCall& call) {
       {"--depth", &call.depth,
        "if bounded objects of the plane or space meet: also compute how far A must move, and in which direction, "
        "until they no longer overlap; they may then still touch"},
+      {"--support", &call.support,
+       "of a body with an inside and a line in space: also find the planes through the line that touch the body and do "
+       "not cut it, and what they touch; --method: " +
+           support_method_names()},
       {"--clearance", &call.clearance,
        "if both are bounded: are they at least this far apart? Exit code 0 if they are, 1 if not", "NUMBER"},
       {"--feature-a", &call.a.feature, "planar: use this object of file A, given by its name or its number in the file",
@@ -133,7 +138,8 @@ std::vector<Option> pair_options(PairCall& call) {
   using Kinds = std::vector<std::string>;
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
-      resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes};
+      resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
+      flats{kind::flats};
   Kinds any_at_rest = resting;
   any_at_rest.push_back(kind::polytopes);
   const std::map<std::string_view, const Kinds&> of{{"--to-a", solid},
@@ -144,6 +150,7 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--require-convex", space},
                                                     {"--distance", bounded},
                                                     {"--depth", bounded},
+                                                    {"--support", flats},
                                                     {"--clearance", bounded},
                                                     {"--feature-a", plane},
                                                     {"--feature-b", plane},

@@ -273,7 +273,22 @@ class LineSearch {
   Cost& cost_;
 };
 
-// holds(proposal): see polyhedron_line_answer.h. True where one held.
+// holds(proposal): see polyhedron_line_answer.h. True where one held; so below. In doubles, and then in twice the
+// precision.
+template <class Holds>
+bool propose_by_hierarchy(const Placed& body, const Line& line, const Holds& holds, Cost& cost) {
+  const FacetGraph& graph = represent::of<FacetGraph>(body.body);
+  const auto propose = [&]<class Real>(const LineInFrame<Real>& frame) {
+    if (!frame.is_finite) return false;
+    FacetsByHierarchy<Real> facets(body.body, graph, cost);
+    const auto from = minus(frame.nearest, facets.shift());
+    const auto nearest = along_by(from, frame.way, -dot(from, frame.way) / dot(frame.way, frame.way));
+    const auto found = LineSearch(facets, nearest, frame.way, cost).run();
+    return found && holds(*found);
+  };
+  return propose(LineInFrame<double>(body, graph, line)) || propose(LineInFrame<DoubleDouble>(body, graph, line));
+}
+
 template <class Holds>
 bool propose_by_facets(const Placed& body, const Line& line, const Holds& holds, Cost& cost) {
   const FacetGraph& graph = represent::of<FacetGraph>(body.body);
@@ -283,15 +298,7 @@ bool propose_by_facets(const Placed& body, const Line& line, const Holds& holds,
     const auto found = LineSearch(by_graph, in_frame.nearest, in_frame.way, cost).run();
     if (found && holds(*found)) return true;
   }
-  const auto by_hierarchy = [&]<class Real>(const LineInFrame<Real>& frame) {
-    if (!frame.is_finite) return false;
-    FacetsByHierarchy<Real> facets(body.body, graph, cost);
-    const auto from = minus(frame.nearest, facets.shift());
-    const auto nearest = along_by(from, frame.way, -dot(from, frame.way) / dot(frame.way, frame.way));
-    const auto found = LineSearch(facets, nearest, frame.way, cost).run();
-    return found && holds(*found);
-  };
-  return by_hierarchy(in_frame) || by_hierarchy(LineInFrame<DoubleDouble>(body, graph, line));
+  return propose_by_hierarchy(body, line, holds, cost);
 }
 
 }  // namespace sunder::solid

@@ -405,4 +405,29 @@ void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const 
   Claims(body, pose, other, cut).add_common_part(pairs, a, b);
 }
 
+void add_support(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
+                 const Line& line, const LineSupport& support) {
+  if (const auto* none = std::get_if<SupportNone>(&support.evidence)) {
+    const PolyhedronCut cut{none->cut, support.decided_by, {}};
+    const auto& nodes = represent::of<Hierarchy>(body).nodes;
+    pairs.add_no_support(a, b, Claims(body, pose, line, cut).overlapping_point(),
+                         {nodes[0].vertex, nodes[1].vertex, nodes[2].vertex, nodes[3].vertex});
+    return;
+  }
+  const Placed placed(body, pose);
+  const Exact from = coordinates<Dyadic>(line.a), way = coordinates<Dyadic>(line.b) - from;
+  const auto out_of = [&](const SupportPlane& plane) -> std::array<Dyadic, 3> {
+    const Exact normal = cross(way, coordinates<Dyadic>(placed[plane.through]) - from);
+    const Exact out = plane.side == Sign::positive ? -normal : normal;
+    return {out.x, out.y, out.z};
+  };
+  const std::vector<SupportPlane> planes = planes_of(support.evidence);
+  if (planes.size() == 1) {
+    pairs.add_one_support(a, b, vertices_of(body, planes[0].touches), out_of(planes[0]));
+  } else {
+    pairs.add_two_supports(a, b, vertices_of(body, planes[0].touches), vertices_of(body, planes[1].touches),
+                           out_of(planes[0]), out_of(planes[1]));
+  }
+}
+
 }  // namespace sunder::solid

@@ -7,6 +7,7 @@
 
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/line/polyhedron_cut.h>
+#include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/object/line.h>
 
 #include <cstdint>
@@ -43,5 +44,10 @@ void add_claims(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const Conve
 // they meet, and their answer. Cost: likewise.
 void add_common_part(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body,
                      const Pose& pose, const LineLike& other, const PolyhedronCut& cut);
+
+// States which planes through body b, the line, support body a, the polyhedron. Requires the answer of a method but the
+// scan's. Cost: exact arithmetic on a few vertices, and the vertices that are named.
+void add_support(PairClaims& pairs, std::uint32_t a, std::uint32_t b, const ConvexPolyhedron& body, const Pose& pose,
+                 const Line& line, const LineSupport& support);
 
 }  // namespace sunder::solid

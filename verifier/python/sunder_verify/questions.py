@@ -44,7 +44,8 @@ def entry(table):
 
 def body_asked(value, where, read):
     body = entry(read["about"])(value, where, read)
-    form(read["question"] not in ("distance", "common_part", "nearest") or not body.kind, where + " has a radius")
+    form(read["question"] != "support" or "a" in read or is_of_points(body), where + " is not of points in space")
+    form(read["question"] not in ("distance", "common_part", "nearest", "support") or not body.kind, where + " has a radius")
     form(read["question"] != "nearest" or "a" in read or body.count == len(body), where + " is not bounded")
     form(read["question"] != "depth" or (body.dimension <= 3 and body.count == len(body)),
          where + " is not bounded, in the plane or in space")
@@ -353,7 +354,8 @@ GIVEN = {  # what questions say
     "mesh_faces": list_of(FACE, lambda those, read: those, " is empty"),
 }
 SAID = {  # what verdicts and claims say
-    "i": subject_index, "j": subject_index, "kind": kind, "point": vector, "from_a": vector, "to_b": vector,
+    "i": subject_index, "j": subject_index, "k": subject_index, "l": subject_index, "kind": kind,
+    "on_first": list_of(index_of("a")), "on_last": list_of(index_of("a")), "on_plane": list_of(index_of("a")), "point": vector, "from_a": vector, "to_b": vector,
     "contacts": contacts, "nearer": some_contacts, "number": whole(0), "sides": list_of(subject_index), "arcs": ARCS,
     "ring": index_of("parts.rings"), "other": index_of("parts.rings"), "edge": index_of("parts.edges"), "face": index_of("mesh_faces"),
     "rings": members_of("parts.rings", lambda those: len(those) > 1, " is not of two rings or more, each once"),
@@ -409,6 +411,9 @@ CLAIMS = {
     "clear": (rules.clear, "direction"),
     "leaves": (partial(rules.clear, rule="leaves", way=1, words="overlap by more than the stated depth"), "direction"),
     "first_along": (rules.first_along, "direction"),
+    "wedge": (rules.wedge, "before", "after"),
+    "rests": (rules.rests, "direction"),
+    "full": (rules.full, "i", "j", "k", "l"),
     "no_further": (rules.no_further, "before", "after"),
     "surrounds": (depths.surrounds, "differences", "triangles"),
     "parted_weakly": (partial(rules.parted, is_weak=True), "direction"),
@@ -456,6 +461,9 @@ QUESTIONS = {
     "common_part": ("bodies", "a b", {
         "between": "holds a first, holds b first, holds a last, holds b last, no_further a b first last"}),
     "nearest": ("bodies", "a b", {"point": "first_along a b i"}),
+    "support": ("bodies", "a b", {
+        "two": "wedge a b on_first on_last", "one": "rests a b on_plane",
+        "none": "inside a point, holds b point, full a"}),
     "clearance": ("bodies", "a b least", {
         "kept": "clear a b least",
         "broken": "holds a from_a, holds b to_b, nearer from_a to_b least",

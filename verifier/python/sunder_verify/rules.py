@@ -93,14 +93,20 @@ def clear(steps, direction, a, b, far, rule="clear", way=-1, words="are less far
     require(any(d) and further >= 0, rule, "along the direction they " + words)
 
 
-def no_further(steps, before, after, a, b, first, last):
-    """B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way."""
-    steps.take(4 * b.dimension * len(b), 2 * b.bits, 2 * b.bits)
-    ways = [[x - y * (k < b.count) for x, y in zip(row, b.rows[0])] for k, row in enumerate(b.rows)]
-    way, sides = max(ways, key=any), []
+def line_of(steps, rule, body):
+    """A body is more than a point, and on one line: along this, as it is not placed."""
+    steps.take(4 * body.dimension * len(body), 2 * body.bits, 2 * body.bits)
+    ways = [[x - y * (k < body.count) for x, y in zip(row, body.rows[0])] for k, row in enumerate(body.rows)]
+    way = max(ways, key=any)
     axis = next((c for c, x in enumerate(way) if x), 0)
     is_line = any(way) and all(way[axis] * x == other[axis] * y for other in ways for x, y in zip(other, way))
-    require(is_line, "no_further", "%s is " % b.name + ("not on one line" if any(way) else "a point"))
+    require(is_line, rule, "%s is " % body.name + ("not on one line" if any(way) else "a point"))
+    return way
+
+
+def no_further(steps, before, after, a, b, first, last):
+    """B is on a line; along it, one of A and B ends at the first point one way, and at the last point the other way."""
+    way, sides = line_of(steps, "no_further", b), []
     for direction, point in (before, first), (after, last):
         d, place = common(direction)[0], projective(point)
         is_end = is_behind(steps, a, d, place) or is_behind(steps, b, d, place)
@@ -123,6 +129,46 @@ def first_along(steps, direction, a, b, i):
     last, first = aligned(max(ends), f, min(points), e)
     require(min(ways, default=0) < 0 or last <= first, "first_along", "%s does not begin beyond %s" % (a.name, b.name))
     require(points[i] == min(points), "first_along", "%s begins before its point %d" % (a.name, i))
+
+
+def sides_of_touched(steps, rule, direction, a, b, way, named):
+    """All of B is across a direction, and A nowhere further along it: these points of A just as far, and no others. On
+    which side of B is each of them, seen along the direction?"""
+    d = common(direction)[0]
+    (points, _, e), (level, ways, f) = a.forms(steps, d), b.forms(steps, d)
+    require(any(d) and not any(ways) and min(level) == max(level), rule, "%s is not across the direction" % b.name)
+    orders = [sign(n - m) for n, m in (aligned(n, e, level[0], f) for n in points)]
+    require(max(orders) <= 0, rule, "%s is further along the direction than %s" % (a.name, b.name))
+    touched = [k for k, order in enumerate(orders) if order == 0]
+    require(touched == named, rule, "the points of %s that are as far as %s are others" % (a.name, b.name))
+    (x, y, z), (u, v, w) = d, b.turn(way)
+    beside = [y * w - z * v, z * u - x * w, x * v - y * u]
+    (points, _, e), (level, _, f) = a.forms(steps, beside), b.forms(steps, beside)
+    return [sign(n - m) for n, m in (aligned(points[k], e, level[0], f) for k in touched)]
+
+
+def wedge(steps, before, after, a, b, on_first, on_last):
+    """Two planes through B, which is on a line, have all of A on one side, and a point of it beside the line."""
+    way = line_of(steps, "wedge", b)
+    for direction, named in (before, on_first), (after, on_last):
+        require(any(sides_of_touched(steps, "wedge", direction, a, b, way, named)), "wedge",
+                "no point of %s that is as far as %s is beside its line" % (a.name, b.name))
+    (x, y, z), (u, v, w) = common(before)[0], common(after)[0]
+    require((y * w, z * u, x * v) != (z * v, x * w, y * u), "wedge", "the directions are parallel")
+
+
+def rests(steps, direction, a, b, on_plane):
+    """A plane through B, which is on a line, has all of A on one side, and points of it on both sides of the line."""
+    sides = sides_of_touched(steps, "rests", direction, a, b, line_of(steps, "rests", b), on_plane)
+    require({-1, 1} <= set(sides), "rests",
+            "the points of %s that are as far as %s are not on both sides of its line" % (a.name, b.name))
+
+
+def full(steps, i, j, k, l, body):
+    """Four points of a body in space are not in one plane."""
+    steps.take(16, body.size, body.size)
+    ways = [body.turn([x - y for x, y in zip(body.rows[to], body.rows[i])]) for to in (j, k, l)]
+    require(len(Basis(3, ways).rows) == 3, "full", "the four points of %s are in one plane" % body.name)
 
 
 def nearer(steps, from_a, to_b, least):

@@ -10,6 +10,10 @@ SENTENCES = {  # of the members that a statement has
     "distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
     "common_part": {"between": "{a} and {b} have in common what is between {first} and {last}"},
     "nearest": {"point": "no point of {a} is nearer to {b}, or further within it, than its point {i}"},
+    "support": {"two": "of the planes through {b}, two have all of {a} on one side and a point of it beside the line; "
+                       "they touch it at its points {on_first}, and {on_last}",
+                "one": "of the planes through {b}, one has all of {a} on one side; it touches it at its points {on_plane}",
+                "none": "no plane through {b} has all of {a} on one side, as {point} is inside"},
     "clearance": {"kept": "{a} and {b} are {least} apart, or more",
                   "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
     "depth": {"at_most": "{a} moved by {most}, in a direction, does not overlap {b}",
