@@ -54,7 +54,7 @@ class CompareAlong {
     return form({node.middle.x, node.middle.y, node.middle.z});
   }
   // Beside a vector that is scaled.
-  Vector form(const Vector& d) const {
+  [[gnu::always_inline]] Vector form(const Vector& d) const {
     const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};
     const Point3 size = rounded(f);
     const Real by(scale_to_one(std::max({std::fabs(size.x), std::fabs(size.y), std::fabs(size.z)})));
