@@ -1,8 +1,12 @@
+#include <sunder/solid/line/line_support_search.h>
+#include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/line/polyhedron_line_support.h>
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -142,6 +146,37 @@ TEST(LineSupport, WhatIsKnownMayBeMore) {
   EXPECT_TRUE(all_at(points_of(std::get<SupportOnly>(known(in_top, at)).plane.touches), 2, 1));
   EXPECT_TRUE(all_at(points_of(std::get<SupportOnly>(known(in_top, edge)).plane.touches), 2, 1));
   EXPECT_EQ(std::get<SupportOnly>(known(across, edge)).plane.touches, edge);
+}
+
+// Two pyramids on a polygon of 48 corners: at their tops there are more edges than are looked at one by one.
+TEST(LineSupport, HoldsOfExtremeVerticesAlone) {
+  std::vector<Point3> points{{0, 0, 1}, {0, 0, -1}};
+  for (int k = 0; k < 48; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 48;
+    points.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  const ConvexPolyhedron body(points);
+  int held = 0, refused = 0;
+  for (const double z : {1.0, -1.0}) {  // as it is, and mirrored
+    const Pose pose = Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, z}, {0, 0, 0});
+    const Placed placed(body, pose);
+    for (int k = 0; k < 24; ++k) {
+      const double angle = std::numbers::pi * k / 12;
+      const Line line = Line::through({2 * std::cos(angle), 0.1, 2 * std::sin(angle)}, {0.3, 3, 1.5});
+      if (polyhedron_line(body, pose, line).meet()) continue;
+      LineSupportSearch search(placed, line);
+      for (const Sign side : {Sign::positive, Sign::negative}) {
+        for (std::uint32_t v = 0; v < points.size(); ++v) {
+          bool is_extreme = true;
+          for (std::uint32_t w = 0; w < points.size(); ++w) is_extreme &= search.past(v, w) != -side;
+          ASSERT_EQ(search.holds(side, v), is_extreme) << k << ' ' << v;
+          if (body.neighbours(v).size() == 48) ++(is_extreme ? held : refused);
+        }
+      }
+    }
+  }
+  EXPECT_GT(held, 10);
+  EXPECT_GT(refused, 10);
 }
 
 }  // namespace
