@@ -48,8 +48,10 @@ def test_lines():
 
 
 def test_supports():
-    beside = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([3, 0, 0], [3, 0, 1]))
+    beside = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([3, 0.5, 0], [3, 0.5, 1]))
     assert not beside and beside.kind == "two planes" and list(map(len, beside.touches)) == [2, 2]
+    in_side = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([3, 0, 0], [3, 0, 1]))  # in the plane y = 0
+    assert list(map(len, in_side.touches)) == [2, 4] and proved(in_side.certificate())
     assert beside.decided_by and proved(beside.certificate())
     through = solid.polyhedron_line_support(CUBE, HERE, solid.Line.through([0.5, 0.5, 0.5], [3, 1, 1]))
     assert through and through.kind == "none" and through.touches == [] and proved(through.certificate())
