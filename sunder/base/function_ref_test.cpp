@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <type_traits>
-#include <utility>
 
 namespace sunder {
 namespace {
@@ -19,12 +18,11 @@ TEST(FunctionRef, CallsWhatItRefersTo) {
 }
 
 TEST(FunctionRef, PassesReferencesAsTheyAre) {
-  const auto forward = [](int& x, int&& y) -> int& { return x += std::exchange(y, 0); };
-  const FunctionRef<int&(int&, int&&)> f(forward);
-  int x = 1, y = 2;
-  EXPECT_EQ(&f(x, std::move(y)), &x);
+  const auto add = [](int& x, int&& y) -> int& { return x += y; };
+  const FunctionRef<int&(int&, int&&)> f(add);
+  int x = 1;
+  EXPECT_EQ(&f(x, 2), &x);
   EXPECT_EQ(x, 3);
-  EXPECT_EQ(y, 0);
 }
 
 TEST(FunctionRef, OfAnotherRefersToTheSameFunction) {
