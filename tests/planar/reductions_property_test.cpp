@@ -107,7 +107,7 @@ void tell_apart(std::uint64_t own_seed, const Ask& ask) {
 TEST(Reductions, ElementUniquenessByIntervals) {
   tell_apart(51, [](const std::vector<double>& numbers, bool has_equal) {
     std::vector<LineInterval> points;
-    for (const double x : numbers) points.push_back({x, x});
+    for (const double x : std::vector<double>(numbers.begin(), numbers.end())) points.push_back({x, x});
     expect_equal_numbers(numbers, intervals_any(points).found, has_equal);
   });
 }
@@ -115,7 +115,7 @@ TEST(Reductions, ElementUniquenessByIntervals) {
 TEST(Reductions, ElementUniquenessBySegments) {
   tell_apart(52, [](const std::vector<double>& numbers, bool has_equal) {
     std::vector<Segment> points, upright;
-    for (const double x : numbers) {
+    for (const double x : std::vector<double>(numbers.begin(), numbers.end())) {
       points.push_back({{x, 0}, {x, 0}});
       upright.push_back({{x, 0}, {x, 1}});
     }
@@ -129,7 +129,7 @@ TEST(Reductions, ElementUniquenessBySegments) {
 TEST(Reductions, ElementUniquenessByCircles) {
   tell_apart(53, [](const std::vector<double>& numbers, bool has_equal) {
     std::vector<Disc> points;
-    for (const double x : numbers) points.push_back({{x, 0}, 0});
+    for (const double x : std::vector<double>(numbers.begin(), numbers.end())) points.push_back({{x, 0}, 0});
     for (const auto method : {discs_any, discs_any_by_sweep, discs_any_by_grid}) {
       ASSERT_NO_FATAL_FAILURE(expect_equal_numbers(numbers, method(Discs(points), {}).found, has_equal));
     }
@@ -159,7 +159,7 @@ std::vector<float> in_order(std::vector<float> numbers) {
 TEST(Reductions, SortingByHalfPlanes) {
   sort_by(54, 3000, [](const std::vector<float>& numbers) {
     std::vector<Constraint> above;  // y >= 2 x0 x - x0^2
-    for (const double x : numbers) above.push_back({2 * x, -1, x * x});
+    for (const double x : std::vector<double>(numbers.begin(), numbers.end())) above.push_back({2 * x, -1, x * x});
     for (const auto method : {half_plane_intersection<Constraints>, half_plane_intersection_by_sort<Constraints>,
                               half_plane_intersection_by_division<Constraints>}) {
       const Region region = method(Constraints(above), {.evidence = true});
@@ -183,10 +183,11 @@ TEST(Reductions, SortingByCircles) {
   sort_by(55, 1000, [](const std::vector<float>& numbers) {
     // All times a power of two, so that the greatest is at most 1/4: still exact, and so are the squares.
     double greatest = 0;
-    for (const double x : numbers) greatest = std::max(greatest, std::fabs(x));
+    for (const double x : std::vector<double>(numbers.begin(), numbers.end()))
+      greatest = std::max(greatest, std::fabs(x));
     const int exponent = greatest == 0 ? 0 : -std::ilogb(greatest) - 3;
     std::vector<Disc> discs;
-    for (const double number : numbers) {
+    for (const double number : std::vector<double>(numbers.begin(), numbers.end())) {
       const double x = std::ldexp(number, exponent);
       discs.push_back({{x, x * x}, 1});
     }
