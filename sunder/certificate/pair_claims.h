@@ -82,9 +82,10 @@ class PairClaims {
   // along the direction, which is perpendicular to B, out of a half-space, A begins there.
   void add_nearest(std::uint32_t a, std::uint32_t b, std::uint32_t vertex, const std::array<Dyadic, 3>& direction);
 
-  // Of the planes through B, which is on a line: that two have all of A on one side and points of it beside the line,
-  // along these directions out of A, and which points; that one has all of A on one side; that none has, as the point
-  // is inside of A, of which four points are not in one plane. Requires Space::solid, and A without ways and radius.
+  // B lies on a line; each function states which planes through it support A. add_two_supports: two planes have all of
+  // A on one side, and the named points of A beside the line lie on them; the directions point out of A.
+  // add_one_support: one plane has all of A on one side. add_no_support: no plane has, because the point of B is inside
+  // A, of which four points are not in one plane. Requires Space::solid, and A without ways and radius.
   void add_two_supports(std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> on_first,
                         std::span<const std::uint32_t> on_last, const std::array<Dyadic, 3>& before,
                         const std::array<Dyadic, 3>& after);

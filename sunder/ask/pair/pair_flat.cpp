@@ -60,7 +60,7 @@ class FlatPair : public PairQuestion {
   std::optional<solid::FlatPart> part_;
 };
 
-// Of --support.
+// Option --support takes a line and a body: other objects are refused.
 void require_line_and_body(const SpaceInput& a, const SpaceInput& b) {
   const auto refuse = [](const std::string& why) { throw Error(ErrorCode::bad_call, why, "--support"); };
   const auto quoted = [](const SpaceInput& input) { return io::quote(io::one_line(input.flat->file)); };

@@ -77,7 +77,7 @@ constexpr std::array<Named<LineMethod>, 3> ray_methods{
      {"drums", of<solid::Ray, solid::polyhedron_ray_by_drums>, "solid::polyhedron_ray_by_drums"},
      {"scan", of<solid::Ray, solid::polyhedron_ray_by_scan>, "solid::polyhedron_ray_by_scan"}}};
 
-// Of --support.
+// The methods that option --support can name.
 using SupportMethod = solid::LineSupport(const ConvexPolyhedron&, const Pose&, const solid::Line&);
 constexpr std::array<Named<SupportMethod>, 4> support_methods{
     {SUNDER_METHOD("automatic", solid::polyhedron_line_support),

@@ -24,7 +24,7 @@ struct PolygonsCall : SetCall {
   bool skip_invalid = false, mend = false, self_touch = false;
 };
 
-// Convex polygons as units; of two that meet the contact is told as of others.
+// Asks about convex polygons as units. A pair that meets is told in the same way as by the other methods.
 planar::PolygonsAnswer of_convex(std::span<const Polygon> polygons, const SetOptions& options) {
   std::vector<planar::ConvexPolygon> convex;
   convex.reserve(polygons.size());

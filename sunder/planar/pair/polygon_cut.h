@@ -37,7 +37,7 @@ struct BesideLine {
 };
 
 // The line meets the polygon, and the ray or segment does not: all of the polygon on the line is beyond this own end.
-// Where both ends of the segment are the same point a: a is outside the polygon.
+// A segment whose ends are both the point a has this outcome where a is outside the polygon.
 struct BeyondEnd {
   static constexpr Verdict verdict = Verdict::apart;
   static constexpr CutKind kind = CutKind::nothing;

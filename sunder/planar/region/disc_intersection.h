@@ -9,8 +9,8 @@
 //   C4. The answer does not depend on the compiler.
 // Evidence: the deepest point (discs_deepest.h), for each kind. Its discs prove an empty part or name the only point;
 // of a region it is a point inside of all discs, and with it the arcs are checked (disc_intersection_claims.h). An arc
-// of a small disc may come several times; arcs are fewer than 2 N. None throws, but for want of memory. Source: Shamos &
-// Hoey 1976, section V, Theorem 13.
+// of a small disc may come several times; arcs are fewer than 2 N. No function throws unless memory runs out. Source:
+// Shamos & Hoey 1976, section V, Theorem 13.
 #pragma once
 
 #include <sunder/base/contract.h>

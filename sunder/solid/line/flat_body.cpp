@@ -107,7 +107,7 @@ struct Sum {
   }
 };
 
-// Of a + t (b - a): t.
+// The parameter t with x = a + t (b - a). Requires x on the line through a and b.
 ExactFraction parameter(const Point3& a, const Point3& b, const ExactPoint3& x) {
   const Exact3 way = coordinates<Dyadic>(b) - coordinates<Dyadic>(a);
   return {dot(way, way_to(x, a)), dot(way, way) * x.denominator};

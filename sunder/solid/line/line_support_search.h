@@ -2,10 +2,10 @@
 // common is known (polyhedron_cut.h), a search proposes vertices, signs dispose, and where none holds an exact method
 // decides.
 //
-// Of a line that misses the body: the sign of orient_3d(a, b, v, w) says whether w is past v as a half-plane turns
-// around the line. It orders the vertices, as the body is within less than half a turn. A vertex than which none of its
-// neighbours is further is furthest of all: the plane of the line and of it has all edges from it on one side or on it,
-// and so the cone of these, which holds the body.
+// Where the line misses the body, the sign of orient_3d(a, b, v, w) tells whether a half-plane that turns around the
+// line comes to w after v. The body takes up less than half a turn, so this orders the vertices. If no neighbour of a
+// vertex comes after it, no vertex does: the plane through the line and the vertex has all edges at the vertex on one
+// side or on it, and so it has their cone, which contains the body.
 #pragma once
 
 #include <sunder/base/contract.h>
@@ -38,7 +38,7 @@ class LineSupportSearch {
   // The vertex where that is so: Newton's method by exact steps, from vertex v on.
   std::uint32_t finished_from(Sign side, std::uint32_t v);
 
-  // Of such a vertex.
+  // The plane of support through the line and v. Requires a vertex v for which holds() is true.
   SupportPlane plane_at(Sign side, std::uint32_t v) { return {v, touched_at(v), side}; }
 
   LineSupport conclude(LineSupport::Evidence evidence, const PolyhedronCut* cut, bool finished) const;
@@ -59,8 +59,8 @@ class LineSupportSearch {
   LineSupport::Evidence along_edge(std::uint32_t v, std::uint32_t w);
   LineSupport::Evidence in_facet(std::uint32_t facet);
 
-  // Of the edges around v, which turn around the parallel to the line through v one way and back: the last one seen
-  // along the line (of side positive: the first), or one that is_found() tells. Cost: O(log degree) signs.
+  // Seen along the line, the edges around v turn one way and then back. Returns the number of the last one (where
+  // `side` is positive: of the first one), or of one for which is_found() is true. Cost: O(log degree) signs.
   template <class IsFound>
   std::uint32_t extreme_edge(std::uint32_t v, Sign side, const IsFound& is_found);
 
@@ -70,10 +70,10 @@ class LineSupportSearch {
   StageTally tally_;
 };
 
-// Newton's method in floating point, from the body's middle, or from a vertex: from one to the vertex that is furthest
-// beyond the plane through the line and it, as long as a sign says that this is past the one before. furthest(direction,
-// v): of the body's frame, a vertex about furthest, of which the last one found is v. False where the line is out of
-// range; else v is the last.
+// Newton's method in floating point, from the body's middle, or from a vertex: from each vertex to the one furthest
+// beyond the plane through the line and it, as long as a sign says that this is past the one before.
+// furthest(direction, v): of the body's frame, a vertex about furthest, of which the last one found is v. False where
+// the line is out of range; else v is the last.
 template <class Real, class Furthest>
 bool newton_around_line(LineSupportSearch& search, Sign side, const Furthest& furthest,
                         std::optional<std::uint32_t>& v) {

@@ -145,7 +145,7 @@ LineSupport::Evidence LineSupportSearch::in_facet(std::uint32_t facet) {
   const std::span<const std::uint32_t> cycle = body_.body.facet(facet);
   std::size_t k = 0;
   while (k < 2 && is_on_line(cycle[k])) ++k;
-  // Of three neighbours two may be in the facet.
+  // At most two neighbours of a vertex are in the plane of a facet: one of any three is not.
   const std::span<const std::uint32_t> around = body_.body.neighbours(cycle[k]);
   Sign side = Sign::zero;
   for (std::size_t j = 0; j < 3 && side == Sign::zero; ++j) side = past(cycle[k], around[j]);

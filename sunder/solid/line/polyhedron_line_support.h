@@ -1,4 +1,5 @@
-// Which planes through a line support a placed convex polyhedron that has an inside: have points of it, all on one side?
+// Which planes through a line support a placed convex polyhedron that has an inside: that is, have points of it, and
+// all others on one side?
 // Also called: tangent planes through a line; supporting planes of a pencil; silhouette along a line.
 //
 // A half-plane that begins in the line turns around it, counter-clockwise seen against the direction from a to b. The
@@ -12,7 +13,7 @@
 //   P2. All methods give the same outcome and the same features; `through` is a method's own where a plane touches an
 //       edge or a facet, and with it the side of an only plane; so are the facets of a cut.
 // Only the scan and exact steps allocate, and vertices of more than 32 edges in which a plane touches the body. None
-// throws, but for want of memory. All require a body of dimension 3.
+// throws unless memory runs out. Each function requires a body of dimension 3.
 // Source: CD87 section 3.6, Lemma 12. The question for lines that miss the body is not the paper's; see
 // docs/design/line-support.md.
 #pragma once
