@@ -17,6 +17,7 @@ template <class T, class U>
 auto operator+(const Vector2<T>& a, const Vector2<U>& b) {
   return Vector2<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y};
 }
+// Always inlined, so that intervals that are points are subtracted as points (see interval.h).
 template <class T, class U>
 [[gnu::always_inline]] inline auto operator-(const Vector2<T>& a, const Vector2<U>& b) {
   return Vector2<decltype(a.x - b.x)>{a.x - b.x, a.y - b.y};

@@ -71,6 +71,7 @@ struct Hierarchy {
     std::size_t size() const { return size_; }
     Iterator begin() const { return {*this, 0}; }
     Iterator end() const { return {*this, size_}; }
+    // Always inlined: each step of a walk reads some of them.
     [[gnu::always_inline]] Triangle operator[](std::size_t k) const {
       const std::size_t next = k + 1 < size_ || size_ == 1 ? k + 1 : 0;
       return {rim_[k], size_ == 2 ? none : rim_[next], beyond_[k]};
