@@ -24,6 +24,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 
 COLUMNS = ["item", "file", "test", "benchmark", "certificate", "command"]
 NOT_YET = "not yet"
@@ -131,8 +132,10 @@ def check_command(root, columns, cells, program):
         return
 
     def run(*more):
-        return subprocess.run([program, *shlex.split(command.strip("`"))[1:], *more], cwd=root, capture_output=True,
-                              text=True, check=False)
+        with tempfile.TemporaryDirectory() as folder:  # where the command may write
+            os.symlink(os.path.abspath(os.path.join(root, "cases")), os.path.join(folder, "cases"))
+            return subprocess.run([os.path.abspath(program), *shlex.split(command.strip("`"))[1:], *more], cwd=folder,
+                                  capture_output=True, text=True, check=False)
     done = run()
     if done.returncode not in (0, 1) or done.stderr or not done.stdout:
         yield "T7: %s gives %d: %s" % (command, done.returncode, done.stderr.strip()[:200])

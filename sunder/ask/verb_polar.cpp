@@ -7,6 +7,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/mesh/mesh_write.h>
 #include <sunder/io/text/text.h>
+#include <sunder/picture/polar.h>
 #include <sunder/solid/represent/polar_lemmas.h>
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ namespace sunder::ask {
 namespace {
 
 struct PolarCall {
-  std::string file, origin = "0,0,0", out;
+  std::string file, origin = "0,0,0", out, svg, title;
+  std::uint64_t svg_limit = most_drawn;
   bool check = false, require_convex = false, leave_out = false, json = false;
 };
 
@@ -77,6 +79,13 @@ Report run(const PolarCall& call, Talk& talk) {
   if (!call.out.empty()) {
     talk.write_file(call.out, io::to_text(format, points, polar.facet_begin, polar.facet_vertices));
   }
+  if (!call.svg.empty()) {
+    require_drawable(body.hull.facet_count() + polar.facet_begin.size() - 1, "facet", 0, call.svg_limit);
+    std::string said = fmt::format("the polar about {}: a body{}", about(origin), left_out.clause());
+    if (body.shape == io::BodyShape::hull) said += "; said of the hull of the mesh, which is not convex";
+    talk.write_file(call.svg,
+                    picture::polar_svg({body.hull, polar, points, io::one_line(body.name), said, call.title}));
+  }
 
   Report report{.verb = "polar", .answer = "body", .function = "solid::polar_about"};
   report.notes = talk.notes();
@@ -104,6 +113,7 @@ Report run(const PolarCall& call, Talk& talk) {
     }
     report.add("lemmas", std::move(lemmas), std::move(text));
   }
+  report.picture = call.svg;
   report.add("out", call.out.empty() ? Json(nullptr) : Json(call.out), file_line("written", call.out));
   return report;
 }
@@ -121,6 +131,10 @@ Verb polar_verb() {
             "write the polar, as seen from the origin, to FILE: .obj, .off, .ply or .stl, coordinates rounded", "FILE"},
            {"--check", &call->check,
             "check Lemmas 3.1 to 3.6 and Theorem 3.7 of Barba and Langerman 2015 on the body and its polar, exactly"},
+           {"--svg", &call->svg, "draw the body and its polar to FILE, with the numbers of facets that become vertices",
+            "FILE"},
+           title_option(call->title),
+           svg_limit_option(call->svg_limit),
            {"--require-convex", &call->require_convex,
             "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
            {"--leave-out", &call->leave_out, leave_out_help},

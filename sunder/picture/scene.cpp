@@ -1,6 +1,7 @@
 #include <sunder/picture/painter.h>
 #include <sunder/picture/rings.h>
 #include <sunder/picture/scene.h>
+#include <sunder/picture/view.h>
 
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/rounded_evidence.h>
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <set>
 #include <utility>
@@ -24,26 +24,16 @@ namespace sunder::picture {
 namespace {
 
 // Sizes in pixels.
-constexpr double panel_width = 560, panel_height = 540, margin = 44, row_height = 19;
+constexpr double panel_width = 560, panel_height = 540, margin = 44, caption_height = 19;
 // Contacts of a placement that are told in words: few in one column, more in two of smaller letters.
 constexpr std::size_t most_in_column = 6, most_named = 40, longest_in_two = 38;
 constexpr std::size_t longest_note = 66;  // in the widest of usual fonts
 constexpr double small_row_height = 15;
 constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
 
-struct Colour {
-  double red, green, blue;
-};
-
 // Of bodies in turns.
-constexpr std::array<Colour, 2> calm{{{164, 186, 212}, {214, 222, 232}}};
+constexpr std::array<Colour, 2> calm{{plain_body, {214, 222, 232}}};
 constexpr std::array<Colour, 2> alarming{{{226, 74, 58}, {244, 122, 88}}};
-
-std::string shaded(const Colour& c, double light) {
-  const double k = 0.58 + 0.46 * light;
-  const auto channel = [&](double x) { return static_cast<int>(std::min(255.0, x * k)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", channel(c.red), channel(c.green), channel(c.blue));
-}
 
 // In lines that fit into a panel, broken between words.
 std::vector<std::string> wrapped(std::string_view text) {
@@ -56,25 +46,6 @@ std::vector<std::string> wrapped(std::string_view text) {
   }
   lines.emplace_back(text);
   return lines;
-}
-
-// From the world to pixels, from one side and a little from above; depths are in pixels too.
-struct View {
-  double scale = 1, x = 0, y = 0;
-
-  Seen operator()(const Point3& p) const {
-    static const double azimuth = -0.30 * std::numbers::pi, elevation = 0.11 * std::numbers::pi;
-    static const double ca = std::cos(azimuth), sa = std::sin(azimuth);
-    static const double ce = std::cos(elevation), se = std::sin(elevation);
-    const double away = ca * p.x + sa * p.y;
-    return {x + scale * (ca * p.y - sa * p.x), y + scale * (se * away - ce * p.z), scale * (ce * away + se * p.z)};
-  }
-};
-
-// 0 dark .. 1 full light, which comes from above the viewer's left shoulder.
-double light_on(const Seen& normal) {
-  static const double length = std::hypot(0.5, 0.75, 0.55);
-  return std::max(0.0, dot(normal, Seen{-0.5, -0.75, 0.55}) / length);
 }
 
 // A part as it is drawn, with its corners in the world, rounded.
@@ -136,16 +107,6 @@ void add_pieces(const Placed& placed, std::uint32_t number, const View& view, st
     each_edge(f, [&](std::uint32_t from, std::uint32_t to) { piece->outline.push_back(!edges.contains({to, from})); });
     ++piece;
   }
-}
-
-PathData::Tenths tenths(const Seen& p) { return PathData::tenths({p.x, p.y}); }
-
-std::string outline_of(const std::vector<Seen>& corners) {
-  PathData path;
-  path.move(tenths(corners.front()));
-  for (std::size_t i = 1; i < corners.size(); ++i) path.line(tenths(corners[i]));
-  path.close();
-  return path.text();
 }
 
 std::string outline_edges(const Piece& piece) {
@@ -266,7 +227,7 @@ class SceneDrawing {
     double y = panel_height + 18;
     const auto row = [&](double size, const char* colour, const std::string& text, const char* weight) {
       canvas_.add(words(left + margin, y, size, colour, text, weight));
-      y += row_height;
+      y += caption_height;
     };
     if (panels_.size() > 1) row(18, text_colour, std::string(panel.title), "font-weight='600'");
     const scene::Counts& c = panel.answer.counts;

@@ -102,10 +102,12 @@ bool newton_around_line(LineSupportSearch& search, Sign side, const Furthest& fu
   return true;
 }
 
-// furthest.template along<Real>(direction, v, cost): as above.
-template <class Furthest>
+inline std::optional<std::uint32_t> from_the_middle(LineSupportSearch&, Sign) { return std::nullopt; }
+
+// furthest.template along<Real>(direction, v, cost): as above. first(search, side): the vertex to begin with, if any.
+template <class Furthest, class First>
 LineSupport line_support_by(const ConvexPolyhedron& body, const Pose& pose, const Line& line, const PolyhedronCut& cut,
-                            const Furthest& furthest) {
+                            const Furthest& furthest, const First& first) {
   SUNDER_REQUIRE(body.dimension() == 3);
   const Placed placed(body, pose);
   LineSupportSearch search(placed, line);
@@ -120,7 +122,7 @@ LineSupport line_support_by(const ConvexPolyhedron& body, const Pose& pose, cons
   }
   bool finished = false;
   const auto to_side = [&](Sign side) {
-    std::optional<std::uint32_t> last;
+    std::optional<std::uint32_t> last = first(search, side);
     const auto try_it = [&]<class Real>(Real) {
       const auto along = [&](const VectorOf<Real>& d, std::uint32_t v) {
         return furthest.template along<Real>(placed, d, v, search.cost());
@@ -135,8 +137,8 @@ LineSupport line_support_by(const ConvexPolyhedron& body, const Pose& pose, cons
     }
     return search.plane_at(side, *last);
   };
-  const SupportPlane first = to_side(Sign::positive), last = to_side(Sign::negative);
-  return search.conclude(SupportApart{first, last}, &cut, finished);
+  const SupportPlane from = to_side(Sign::positive), to = to_side(Sign::negative);
+  return search.conclude(SupportApart{from, to}, &cut, finished);
 }
 
 }  // namespace sunder::solid

@@ -264,7 +264,7 @@ LineSupport LineSupportSearch::conclude(LineSupport::Evidence evidence, const Po
 // ---- Methods.
 
 LineSupport polyhedron_line_support(const ConvexPolyhedron& body, const Pose& pose, const Line& line) {
-  return line_support_by(body, pose, line, polyhedron_line(body, pose, line), FurthestByGraph{});
+  return line_support_by(body, pose, line, polyhedron_line(body, pose, line), FurthestByGraph{}, from_the_middle);
 }
 
 LineSupport polyhedron_line_support_by_hierarchy(const ConvexPolyhedron& body, const Pose& pose, const Line& line) {
@@ -272,7 +272,7 @@ LineSupport polyhedron_line_support_by_hierarchy(const ConvexPolyhedron& body, c
       cut_by(body, pose, line.a, line.b, {}, [](const Placed& placed, const Line& of, const auto& holds, Cost& cost) {
         return propose_by_hierarchy(placed, of, holds, cost);
       });
-  return line_support_by(body, pose, line, cut, FurthestByHierarchy{});
+  return line_support_by(body, pose, line, cut, FurthestByHierarchy{}, from_the_middle);
 }
 
 }  // namespace sunder::solid

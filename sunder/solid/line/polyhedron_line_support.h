@@ -98,9 +98,9 @@ LineSupport polyhedron_line_support(const ConvexPolyhedron& body, const Pose& po
 // probes, likewise.
 LineSupport polyhedron_line_support_by_hierarchy(const ConvexPolyhedron& body, const Pose& pose, const Line& line);
 
-// The same by drums: polyhedron_line_by_drums, and extreme vertices by CD87's search in slices. Cost: beside that of
-// polyhedron_line_by_drums, of a line that misses at most 3 log2^3 n probes, likewise: up to some log n steps, each of
-// O(log^2 n).
+// The same by drums: polyhedron_line_by_drums, then a search in slices around the line, and extreme vertices by CD87's
+// search in slices. Cost: beside that of polyhedron_line_by_drums, of a line that misses at most 16 log2^2 n probes,
+// likewise.
 LineSupport polyhedron_line_support_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Line& line);
 
 // All vertices, exactly: the oracle. Of a cut it names neither ends nor facets.
