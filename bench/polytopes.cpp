@@ -2,9 +2,10 @@
 // doors, evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS, GLPK, Clp and SciPy about the
 // same inputs.
 //
-//   bench_polytopes [--write FILE | --trees]
+//   bench_polytopes [--write FILE | --trees | --descents]
 //
-// With --trees: what hierarchical trees take and cost, in counts, for docs/design/polytope.md.
+// With --trees: what hierarchical trees take and cost, in counts, for docs/design/polytope.md; with --descents: what
+// those of faces do.
 //
 // Writes what it asks about, and its answers, to the file: doubles of this machine, in the order in which the script
 // reads them. Inputs are points on spheres, and half-spaces that touch spheres: pairs whose gap, or depth, is some part
@@ -15,7 +16,7 @@
 #include <sunder/polytope/hull/convex_hull.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
-#include <sunder/polytope/represent/normal_fan.h>
+#include <sunder/polytope/tree/polytope_polytope_by_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -235,35 +236,6 @@ double logarithm_of_r(double half, double exponent) {
   return high;
 }
 
-// What the paper's own lists would take at one level: simplices of the body from its first vertex to each facet, those
-// with a vertex out of a cone's shell-simplex, for all cones. Over the number of facets.
-double faces_listed(Random& random, std::size_t d, std::size_t count, std::size_t net) {
-  const std::vector<double> rows = sphere_of(random, d, count, 0);
-  const auto body = normal_fan(d, rows);
-  const auto fan =
-      normal_fan(d, std::vector<double>(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(net * d)));
-  if (!body || !fan) return 0;
-  std::size_t listed = 0;
-  std::vector<bool> is_out(count);
-  for (const NormalFan::Cone& cone : fan->cones) {
-    for (std::size_t k = 0; k < count; ++k) {
-      is_out[k] = false;
-      for (std::size_t i = 0; i < d && !is_out[k]; ++i) {
-        double sum = 0;
-        for (std::size_t c = 0; c < d; ++c) {
-          sum += fan->ray(cone.rays[i])[c] * (rows[k * d + c] - rows[cone.apex * d + c]);
-        }
-        is_out[k] = sum > 1e-12;
-      }
-    }
-    for (const NormalFan::Numbers& facet : body->facets) {
-      listed += is_out[0] || std::any_of(facet.begin(), facet.begin() + static_cast<std::ptrdiff_t>(d),
-                                         [&](std::uint32_t k) { return is_out[k] ? true : false; });
-    }
-  }
-  return static_cast<double>(listed) / static_cast<double>(body->facets.size());
-}
-
 void print_trees() {
   std::printf("| d | n | depth | nodes | cones | rows of nodes | memory | looks a pair | scan's | front door's |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
@@ -279,7 +251,7 @@ void print_trees() {
       for (int k = 0; k < pairs; ++k) {
         const HierarchicalTree a(Polytope::from_points(d, sphere_of(random, d, n, 0)));
         const HierarchicalTree b(Polytope::from_points(d, sphere_of(random, d, n, 0.7 + 1.8 * k / (pairs - 1))));
-        looks += static_cast<double>(polytope_polytope_by_tree(a, here, b, here).cost.probes) / pairs;
+        looks += static_cast<double>(polytope_polytope_by_columns(a, here, b, here).cost.probes) / pairs;
         front += static_cast<double>(polytope_polytope(a.body(), here, b.body(), here).cost.probes) / pairs;
         if (n <= 300) {
           scan += static_cast<double>(polytope_polytope_by_scan(a.body(), here, b.body(), here).cost.probes) / pairs;
@@ -306,11 +278,75 @@ void print_trees() {
       std::printf(", which takes r = e^%.0f\n", logarithm_of_r(half, exponent));
     }
   }
-  Random random(20150618);
-  for (const auto& [d, n, net] : {std::array<std::size_t, 3>{3, 100, 16}, {4, 100, 32}, {4, 100, 16}, {5, 60, 16}}) {
-    std::printf("the paper's lists of faces, one level: d = %zu, n = %zu, a net of %zu: %.0f times the facets\n", d, n,
-                net, faces_listed(random, d, n, net));
+}
+
+// One descent down the tree of the faces of a body and that of the faces of another's polar.
+void print_descents() {
+  std::printf(
+      "| d | n | of | seconds to make | depth | cones | faces | lists of the root, over the faces | memory |\n");
+  std::printf("|---|---|---|---|---|---|---|---|---|\n");
+  std::vector<std::string> pairs;
+  for (const auto& [d, n] : {std::pair<std::size_t, std::size_t>{2, 100},
+                             {2, 1000},
+                             {2, 10000},
+                             {3, 100},
+                             {3, 1000},
+                             {3, 10000},
+                             {4, 100},
+                             {4, 300},
+                             {5, 60}}) {
+    Random random(d * 1000 + n);
+    const Polytope body = Polytope::from_points(d, sphere_of(random, d, n, 0)),
+                   other = Polytope::from_points(d, sphere_of(random, d, n, 0));
+    double begin = seconds();
+    const FaceTrees a(body, FaceTreesOf::faces);
+    const double of_faces = seconds() - begin;
+    begin = seconds();
+    const FaceTrees b(other, FaceTreesOf::polar);
+    const double of_polar = seconds() - begin;
+    for (const bool is_polar : {false, true}) {
+      const FaceTree& tree = is_polar ? *b.polar() : *a.faces();
+      std::printf("| %zu | %zu | %s | %.2f | %u | %zu | %zu | %.1f | %zu KiB |\n", d, n,
+                  is_polar ? "the polar" : "the body", is_polar ? of_polar : of_faces, tree.depth(), tree.cone_count(),
+                  tree.face_count(), static_cast<double>(tree.root_list()) / static_cast<double>(tree.face_count()),
+                  (tree.memory() + 1023) >> 10);
+      std::fflush(stdout);
+    }
+    const Pose here(d);
+    const std::size_t count = 64;
+    std::vector<Pose> poses;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<double> linear(d * d), translation(d);
+      for (std::size_t c = 0; c < d; ++c) linear[c * d + c] = 1;
+      translation[0] = 0.7 + 1.8 * static_cast<double>(k) / (count - 1);
+      poses.push_back(Pose::from_matrix(d, linear, translation));
+    }
+    double looks = 0, rounds = 0, front_looks = 0;
+    for (const Pose& there : poses) {
+      const PolytopeAnswer answer = polytope_polytope_by_tree(a, here, b, there);
+      looks += static_cast<double>(answer.cost.probes) / count;
+      rounds += static_cast<double>(answer.cost.iterations) / count;
+      front_looks += static_cast<double>(polytope_polytope(body, here, other, there).cost.probes) / count;
+    }
+    int meets = 0;
+    const double by_tree = microseconds(count, [&] {
+      for (const Pose& there : poses) meets += polytope_polytope_by_tree(a, here, b, there).meet();
+    });
+    const double by_columns = microseconds(count, [&] {
+      for (const Pose& there : poses) meets += polytope_polytope_by_columns(a.walks(), here, b.walks(), there).meet();
+    });
+    const double front = microseconds(count, [&] {
+      for (const Pose& there : poses) meets += polytope_polytope(body, here, other, there).meet();
+    });
+    char line[200];
+    std::snprintf(line, sizeof line, "| %zu | %zu | %.1f | %.0f | %.0f | %.0f | %.0f | %.1f |", d, n, rounds, looks,
+                  front_looks, by_tree, by_columns, front);
+    pairs.emplace_back(line);
   }
+  std::printf(
+      "\n| d | n | rounds | looks | the front door's | us | columns, us | front door, us "
+      "|\n|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& line : pairs) std::printf("%s\n", line.c_str());
 }
 
 }  // namespace
@@ -318,6 +354,10 @@ void print_trees() {
 int main(int count, char** words) {
   if (count == 2 && std::string(words[1]) == "--trees") {
     print_trees();
+    return 0;
+  }
+  if (count == 2 && std::string(words[1]) == "--descents") {
+    print_descents();
     return 0;
   }
   std::ofstream file;

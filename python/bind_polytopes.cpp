@@ -3,6 +3,7 @@
 #include <sunder/polytope/pair/polytope_claims.h>
 #include <sunder/polytope/pair/polytope_point.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
+#include <sunder/polytope/tree/polytope_polytope_by_tree.h>
 
 #include "polytopes.h"
 
@@ -15,6 +16,8 @@ namespace sunder::python {
 namespace {
 
 using polytope::ExactEvidence;
+using polytope::FaceTrees;
+using polytope::FaceTreesOf;
 using polytope::HierarchicalTree;
 using polytope::HyperplaneEvidence;
 using polytope::Polytope;
@@ -22,7 +25,8 @@ using polytope::PolytopeAnswer;
 using polytope::Pose;
 
 using SharedPolytope = std::shared_ptr<Polytope>;
-using SharedTree = std::shared_ptr<HierarchicalTree>;
+using SharedTree = std::shared_ptr<const HierarchicalTree>;
+using SharedTrees = std::shared_ptr<FaceTrees>;
 
 // Two placed polytopes, kept for the evidence; or a polytope and a point.
 struct PlacedPair {
@@ -83,17 +87,26 @@ PythonPolytopeAnswer meet(const SharedPolytope& a, const Pose& pose_a, const Sha
   return answer_of(pair, unlocked([&] { return decide(*a, pose_a, *b, pose_b); }));
 }
 
-PythonPolytopeAnswer meet_by_tree(const SharedTree& a, const Pose& pose_a, const SharedTree& b, const Pose& pose_b) {
+PythonPolytopeAnswer meet_by_tree(const SharedTrees& a, const Pose& pose_a, const SharedTrees& b, const Pose& pose_b) {
+  require_one_dimension(a->body(), pose_a, b->body(), pose_b);
+  const auto pair = std::make_shared<const PlacedPair>(
+      PlacedPair{{}, {}, pose_a, pose_b, SharedTree(a, &a->walks()), SharedTree(b, &b->walks())});
+  return answer_of(pair, unlocked([&] { return polytope_polytope_by_tree(*a, pose_a, *b, pose_b); }));
+}
+
+PythonPolytopeAnswer meet_by_columns(const std::shared_ptr<HierarchicalTree>& a, const Pose& pose_a,
+                                     const std::shared_ptr<HierarchicalTree>& b, const Pose& pose_b) {
   require_one_dimension(a->body(), pose_a, b->body(), pose_b);
   const auto pair = std::make_shared<const PlacedPair>(PlacedPair{{}, {}, pose_a, pose_b, a, b});
-  return answer_of(pair, unlocked([&] { return polytope_polytope_by_tree(*a, pose_a, *b, pose_b); }));
+  return answer_of(pair, unlocked([&] { return polytope_polytope_by_columns(*a, pose_a, *b, pose_b); }));
 }
 
 HyperplaneEvidence hyperplanes_of(const PythonPolytopeAnswer& of) {
   const PlacedPair& pair = *of.pair;
   if (of.yes) throw Error(ErrorCode::bad_call, "they meet, and no hyperplanes part them; ask for the point");
   if (!pair.tree_a || !pair.tree_b) {
-    throw Error(ErrorCode::bad_call, "this is an answer by trees only; ask polytope_polytope_by_tree");
+    throw Error(ErrorCode::bad_call,
+                "only answers by trees have hyperplanes; ask polytope_polytope_by_tree or _by_columns");
   }
   return unlocked([&] { return parting_hyperplanes(*pair.tree_a, pair.pose_a, *pair.tree_b, pair.pose_b, of.answer); });
 }
@@ -244,6 +257,26 @@ void bind_polytopes(nb::module_& module, nb::module_& chapter) {
       .def_prop_ro("unverified", &HierarchicalTree::unverified, "Cones with more conflicts than the share.")
       .def_prop_ro("estimate", &HierarchicalTree::estimate, "Bytes, from the root's lists; 0 for a single leaf.")
       .def_prop_ro("memory", &HierarchicalTree::memory, "Bytes, without the body.");
+  nb::class_<FaceTrees>(chapter, "FaceTrees",
+                        "A polytope of points, prepared for one descent: the trees of its faces and of its polar's.")
+      .def(
+          "__init__",
+          [](FaceTrees* trees, const Polytope& body, std::size_t most_bytes) {
+            if (!body.is_of_points()) {
+              throw Error(ErrorCode::bad_shape, "it is of half-spaces; give points, or use HierarchicalTree",
+                          "polytope");
+            }
+            unlocked([&] { new (trees) FaceTrees(body, FaceTreesOf::both, {.most_bytes = most_bytes}); });
+          },
+          nb::arg("polytope"), nb::arg("most_bytes") = std::size_t{1} << 30)
+      .def_prop_ro("polytope", [](const FaceTrees& trees) { return trees.body(); })
+      .def_prop_ro(
+          "depth", [](const FaceTrees& trees) { return trees.faces()->depth(); }, "Of the tree of the faces.")
+      .def_prop_ro(
+          "polar_depth",
+          [](const FaceTrees& trees) { return trees.polar() ? std::optional(trees.polar()->depth()) : std::nullopt; },
+          "Of the tree of the polar's faces; None for a body of fewer dimensions.")
+      .def_prop_ro("memory", &FaceTrees::memory, "Bytes, without the body.");
   nb::class_<PythonPolytopeAnswer, YesNo>(chapter, "PolytopeAnswer",
                                           "Do two polytopes meet? True where they do; with evidence as fractions.")
       .def_prop_ro("decided_by", [](const PythonPolytopeAnswer& answer) { return name_of(answer.decided_by); })
@@ -287,7 +320,9 @@ void bind_polytopes(nb::module_& module, nb::module_& chapter) {
   constexpr const char* doc = "Do two convex polytopes meet, placed or as they are? Touching is meeting.";
   chapter.def("polytope_polytope", &meet, a, pose_a, b, pose_b, nb::arg("method") = "automatic", doc);
   chapter.def("polytope_polytope_by_tree", &meet_by_tree, a, pose_a, b, pose_b,
-              "The same, down the trees of both at once.");
+              "The same, of bodies that were prepared: one descent down the faces of one and the polar of the other.");
+  chapter.def("polytope_polytope_by_columns", &meet_by_columns, a, pose_a, b, pose_b,
+              "The same, by a simplex method whose columns walks down two trees find.");
   chapter.def("polytope_points", &points_in, nb::arg("polytope"), nb::arg("points"),
               "Which of the points, an array of rows, are in the polytope?");
   const auto placed = [](const SharedPolytope& first, const Pose& at_first, const SharedPolytope& second,

@@ -134,3 +134,5 @@
 #include <sunder/polytope/region/linear_program.h>
 #include <sunder/polytope/region/region_vertices.h>
 #include <sunder/polytope/represent/hierarchical_tree.h>
+#include <sunder/polytope/tree/face_trees.h>
+#include <sunder/polytope/tree/polytope_polytope_by_tree.h>

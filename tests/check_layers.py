@@ -63,7 +63,7 @@ ORDER = {
     "predicate": ["filter", "point", "line", "disc"],
     "planar": ["object", "pair", "sweep", "discs", "segments", "boxes", "polygons", "region"],
     "solid": ["hull", "object", "represent", "mesh", "search", "exact", "line", "pair", "section", "descent", "drums", "round"],
-    "polytope": ["object", "represent", "pair", "hull", "region"],
+    "polytope": ["object", "represent", "pair", "hull", "region", "tree"],
     "io": ["text", "mesh", "plane", "robot"],
     "ask": ["set", "scene", "pair", "region"],
 }

@@ -90,7 +90,7 @@ def test_trees_and_hyperplanes():
         assert a.node_count == a.cone_count + 1 and a.largest_leaf <= n and len(a.polytope) == n
         for shift in (0.5, 2.1, 4):
             there = moved(shift, *[0] * (d - 1))
-            answer = polytope.polytope_polytope_by_tree(a, Pose(d), b, there)
+            answer = polytope.polytope_polytope_by_columns(a, Pose(d), b, there)
             assert answer.meet == polytope.polytope_polytope(a.polytope, Pose(d), b.polytope, there).meet == (shift < 2)
             proved(answer.certificate())
             if not answer:
@@ -99,6 +99,23 @@ def test_trees_and_hyperplanes():
                 proved(answer.hyperplane_certificate())
             else:
                 refused("bad-call", "", answer.hyperplane_certificate)
+
+
+def test_one_descent_down_two_trees():
+    for d, n in ((2, 500), (3, 300), (4, 60)):
+        a, b = (polytope.FaceTrees(Polytope.from_points(ball(n, d, seed))) for seed in (1, 2))
+        assert a.memory > 0 and len(a.polytope) == n
+        for shift in (0.5, 2.1, 4):
+            there = moved(shift, *[0] * (d - 1))
+            answer = polytope.polytope_polytope_by_tree(a, Pose(d), b, there)
+            assert answer.meet == (shift < 2)
+            assert answer.cost.iterations <= a.depth + b.polar_depth + 2
+            proved(answer.certificate())
+            if not answer:
+                proved(answer.hyperplane_certificate())
+    flat = polytope.FaceTrees(Polytope.from_points([[0, 0, 0], [1, 0, 0], [0, 1, 0]]))
+    assert flat.polar_depth is None
+    refused("bad-shape", "polytope", polytope.FaceTrees, BOX)
 
 
 def test_what_is_refused():

@@ -106,7 +106,7 @@ void expect_hyperplanes_accepted(const PolytopePair& c, const polytope::Hierarch
 void expect_accepted(const PolytopePair& c, Counts& counts) {
   expect_answer_accepted(c, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b), counts);
   const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
-  const PolytopeAnswer answer = polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b);
+  const PolytopeAnswer answer = polytope_polytope_by_columns(a, c.pose_a, b, c.pose_b);
   expect_answer_accepted(c, answer, counts);
   if (!answer.meet()) expect_hyperplanes_accepted(c, a, b, answer, counts);
 }

@@ -124,7 +124,7 @@ TEST(PolytopePairDifferential, MethodsAgreeWithTheScan) {
     }
     Tally& tally = tallies[c.family];
     const polytope::HierarchicalTree tree_a = small_tree(c.a), tree_b = small_tree(c.b);
-    const PolytopeAnswer tree = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
+    const PolytopeAnswer tree = polytope_polytope_by_columns(tree_a, c.pose_a, tree_b, c.pose_b);
     ASSERT_EQ(scan.meet(), tree.meet());
     ASSERT_TRUE(holds(c, tree));
     if (i % 64 == 0) expect_mutants_refused(c, tree);
@@ -181,7 +181,7 @@ TEST(PolytopePairDifferential, HalfSpacesAgreeWithTheScan) {
       alone += exact.of_a.parts.empty() || exact.of_b.parts.empty();
     }
     const polytope::HierarchicalTree tree_a = small_tree(c.a), tree_b = small_tree(c.b);
-    const PolytopeAnswer tree = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
+    const PolytopeAnswer tree = polytope_polytope_by_columns(tree_a, c.pose_a, tree_b, c.pose_b);
     ASSERT_EQ(scan.meet(), tree.meet());
     ASSERT_TRUE(holds(c, tree));
     if (!tree.meet()) expect_parted_by_hyperplanes(c, tree_a, tree_b, tree);
@@ -223,7 +223,7 @@ TEST(PolytopePairDifferential, AgreesWithThePlane) {
     const bool expected = polygon_polygon_by_scan(polygon(c.a), pose(c.pose_a), polygon(c.b), pose(c.pose_b)).meet();
     ASSERT_EQ(expected, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b).meet()) << i << " " << name_of(c.family);
     const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
-    ASSERT_EQ(expected, polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
+    ASSERT_EQ(expected, polytope_polytope_by_columns(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
     meets += expected;
   }
   EXPECT_GT(meets, count / 5);
@@ -251,7 +251,7 @@ TEST(PolytopePairDifferential, AgreesWithSpace) {
     const bool expected = polyhedron_polyhedron_by_scan(body(c.a), pose(c.pose_a), body(c.b), pose(c.pose_b)).meet();
     ASSERT_EQ(expected, polytope_polytope(c.a, c.pose_a, c.b, c.pose_b).meet()) << i << " " << name_of(c.family);
     const polytope::HierarchicalTree a = small_tree(c.a), b = small_tree(c.b);
-    ASSERT_EQ(expected, polytope_polytope_by_tree(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
+    ASSERT_EQ(expected, polytope_polytope_by_columns(a, c.pose_a, b, c.pose_b).meet()) << i << " " << name_of(c.family);
     meets += expected;
   }
   EXPECT_GT(meets, count / 5);

@@ -60,7 +60,7 @@ Work work_of(std::size_t d, std::size_t count, int pairs, bool half_spaces, bool
     translation[0] = shift;
     const Pose there = Pose::from_matrix(d, linear, translation);
     const HierarchicalTree b(round_body(random, d, count, !half_spaces));
-    const PolytopeAnswer answer = polytope_polytope_by_tree(a, here, b, there);
+    const PolytopeAnswer answer = polytope_polytope_by_columns(a, here, b, there);
     const PolytopeAnswer other = polytope_polytope(a.body(), here, b.body(), there);
     EXPECT_EQ(answer.meet(), other.meet());
     work.front_door += static_cast<double>(other.cost.probes) / pairs;

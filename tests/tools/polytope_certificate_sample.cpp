@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
       add_claims(claims, a, b, answer);
     } else {
       const polytope::HierarchicalTree tree_a = tests::small_tree(c.a), tree_b = tests::small_tree(c.b);
-      const polytope::PolytopeAnswer answer = polytope_polytope_by_tree(tree_a, c.pose_a, tree_b, c.pose_b);
+      const polytope::PolytopeAnswer answer = polytope_polytope_by_columns(tree_a, c.pose_a, tree_b, c.pose_b);
       meets += answer.meet();
       if (answer.meet()) {
         add_claims(claims, a, b, answer);

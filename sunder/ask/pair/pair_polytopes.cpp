@@ -4,6 +4,7 @@
 #include <sunder/io/text/polytopes.h>
 #include <sunder/io/text/text.h>
 #include <sunder/polytope/pair/polytope_claims.h>
+#include <sunder/polytope/tree/polytope_polytope_by_tree.h>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -35,13 +36,33 @@ using PolytopeMethod =
 // Trees are for many questions about the same bodies; here they are made for one.
 PolytopeAnswer by_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
                                  const polytope::Pose& pose_b) {
-  return polytope_polytope_by_tree(polytope::HierarchicalTree(a), pose_a, polytope::HierarchicalTree(b), pose_b);
+  return polytope_polytope_by_columns(polytope::HierarchicalTree(a), pose_a, polytope::HierarchicalTree(b), pose_b);
 }
 
-constexpr std::array<PolytopeMethod, 4> methods{{SUNDER_METHOD("automatic", polytope::polytope_polytope),
-                                                 SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
-                                                 SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
-                                                 {"tree", by_trees_made_now, "polytope::polytope_polytope_by_tree"}}};
+// The trees of A and of B that a descent goes down: those of the faces of one, and of the polar of the other, which has
+// to be about a point inside.
+struct Descended {
+  Descended(const Polytope& first, const Polytope& second) {
+    b.emplace(second, polytope::FaceTreesOf::polar);
+    if (!b->is_full()) b.emplace(second, polytope::FaceTreesOf::faces);
+    a.emplace(first, b->is_full() ? polytope::FaceTreesOf::faces : polytope::FaceTreesOf::polar);
+  }
+
+  std::optional<polytope::FaceTrees> a, b;
+};
+
+PolytopeAnswer by_face_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
+                                      const polytope::Pose& pose_b) {
+  const Descended trees(a, b);
+  return polytope_polytope_by_tree(*trees.a, pose_a, *trees.b, pose_b);
+}
+
+constexpr std::array<PolytopeMethod, 5> methods{
+    {SUNDER_METHOD("automatic", polytope::polytope_polytope),
+     SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
+     SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
+     {"columns", by_trees_made_now, "polytope::polytope_polytope_by_columns"},
+     {"tree", by_face_trees_made_now, "polytope::polytope_polytope_by_tree"}}};
 
 // d numbers, a translation; or d + 1 a row of the linear part and the translation.
 polytope::Pose parse_polytope_pose(const PairSide& side, std::size_t d) {
@@ -144,9 +165,18 @@ class PolytopePair : public PairQuestion {
 
   void ask() {
     function_ = method_.function;
-    if (call.hyperplanes) {
+    if (call.hyperplanes && call.method == "tree") {
+      const Descended trees(of_a_.polytope, of_b_.polytope);
+      answer_ = polytope_polytope_by_tree(*trees.a, of_a_.pose, *trees.b, of_b_.pose);
+      if (!answer_.meet()) {
+        hyperplanes_ = hyperplanes_by_tree(*trees.a, of_a_.pose, *trees.b, of_b_.pose);
+        if (!hyperplanes_) {
+          hyperplanes_ = parting_hyperplanes(trees.a->walks(), of_a_.pose, trees.b->walks(), of_b_.pose, answer_);
+        }
+      }
+    } else if (call.hyperplanes) {
       const polytope::HierarchicalTree a(of_a_.polytope), b(of_b_.polytope);
-      answer_ = polytope_polytope_by_tree(a, of_a_.pose, b, of_b_.pose);
+      answer_ = polytope_polytope_by_columns(a, of_a_.pose, b, of_b_.pose);
       if (!answer_.meet()) hyperplanes_ = parting_hyperplanes(a, of_a_.pose, b, of_b_.pose, answer_);
     } else {
       answer_ = method_(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose);
@@ -221,8 +251,8 @@ bool are_polytopes(const PairCall& call) {
 }
 
 Report run_polytope_pair(const PairCall& call, Talk& talk) {
-  if (call.hyperplanes && call.method != "tree") {
-    throw Error(ErrorCode::bad_call, "is of --method tree; give that, too", "--hyperplanes");
+  if (call.hyperplanes && call.method != "columns" && call.method != "tree") {
+    throw Error(ErrorCode::bad_call, "is of --method tree or columns; give one of these, too", "--hyperplanes");
   }
   PolytopeMethod const method = method_by(call.method, methods, ", for polytopes");
   PairFiles files(call, talk);
@@ -230,6 +260,11 @@ Report run_polytope_pair(const PairCall& call, Talk& talk) {
   if (a.polytope.dimension() != b.polytope.dimension()) {
     throw Error(ErrorCode::bad_call, fmt::format("A is of dimension {}, B of {}; give two of one dimension",
                                                  a.polytope.dimension(), b.polytope.dimension()));
+  }
+  for (const auto& [side, input] : {std::pair(&call.a, &a), std::pair(&call.b, &b)}) {
+    if (call.method != "tree" || input->polytope.is_of_points()) continue;
+    throw Error(ErrorCode::bad_call, "is of half-spaces, and --method tree of points; give --method columns",
+                io::one_line(side->file));
   }
   return answer(PolytopePair(call, method, a, b, files), files.talk);
 }

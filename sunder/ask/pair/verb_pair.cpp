@@ -130,8 +130,8 @@ std::vector<Option> pair_options(PairCall& call) {
        "polytopes: each row of A (CSV without column names, or NPY) is a half-space a1,..,ad,b, not a point"},
       {"--half-spaces-b", &call.b.half_spaces, "the same for the rows of B"},
       {"--hyperplanes", &call.hyperplanes,
-       "polytopes, with --method tree: prove that A and B are apart by several half-spaces that contain A and several "
-       "that contain B"},
+       "polytopes, with --method tree or columns: prove that A and B are apart by several half-spaces that contain A "
+       "and several that contain B"},
       {"--svg", &call.svg, "planar: draw the objects and the evidence to FILE", "FILE"},
       title_option(call.title),
       svg_limit_option(call.svg_limit)};

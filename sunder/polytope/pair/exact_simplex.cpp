@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,9 +73,11 @@ class PointsProgram {
     return program_.is_solved();
   }
 
-  bool solve(Cost& cost) {
-    while (!program_.is_solved()) {
+  // False where the bodies are apart; nothing after `most` steps.
+  std::optional<bool> solve(Cost& cost, std::uint32_t most = std::numeric_limits<std::uint32_t>::max()) {
+    for (std::uint32_t step = 0; !program_.is_solved(); ++step) {
       may_be_interrupted(1000);
+      if (step > most) return std::nullopt;
       const ExactVector y = program_.multipliers();
       const ExactFurthest from_a = a_.furthest(y, cost), from_b = b_.furthest(negated(y), cost);
       ++cost.iterations;
@@ -251,7 +255,7 @@ ExactDecision decide(Placed& a, Placed& b, std::span<const std::uint32_t> named_
   if (!points_a) return decide_mixed(a, b, named_a, named_b, cost);
   if (!points_b) return exchanged(decide_mixed(b, a, named_b, named_a, cost));
   PointsProgram program(a, b);
-  const bool meet = program.try_named(named_a, named_b) || program.solve(cost);
+  const bool meet = program.try_named(named_a, named_b) || *program.solve(cost);
   return meet ? proved(Verdict::meet, program.common_point()) : proved(Verdict::apart, program.parting());
 }
 
@@ -262,6 +266,19 @@ ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> 
   ExactDecision decision = decide(a, b, named_a, named_b, cost);
   if (tree_scans != nullptr) *tree_scans += a.scans() + b.scans();
   return decision;
+}
+
+std::optional<ExactDecision> decide_by_few(Placed& a, Placed& b, std::span<const std::uint32_t> named_a,
+                                           std::span<const std::uint32_t> named_b, std::uint32_t most, Cost& cost) {
+  PointsProgram program(a, b);
+  Cost own;
+  const std::optional<bool> meet =
+      program.try_named(named_a, named_b) ? std::optional(true) : program.solve(own, most);
+  cost.probes += own.probes;
+  cost.exact += own.exact + 1;
+  cost.proposals += own.iterations;
+  if (!meet) return std::nullopt;
+  return *meet ? proved(Verdict::meet, program.common_point()) : proved(Verdict::apart, program.parting());
 }
 
 ExactEvidence common_point_of(Placed a, Placed b, std::span<const std::uint32_t> named_a,

@@ -21,6 +21,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -41,6 +42,11 @@ ExactDecision exchanged(ExactDecision decision);
 // that were looked at whole (TreeWalk::scans). Allocates.
 ExactDecision decide_exactly(Placed a, Placed b, std::span<const std::uint32_t> of_a,
                              std::span<const std::uint32_t> of_b, Cost& cost, std::uint32_t* tree_scans = nullptr);
+
+// The same of two bodies of points, from those named: nothing where it takes more than `most` steps, each with a
+// furthest point of each body, to correct what the named ones prove.
+std::optional<ExactDecision> decide_by_few(Placed& a, Placed& b, std::span<const std::uint32_t> of_a,
+                                           std::span<const std::uint32_t> of_b, std::uint32_t most, Cost& cost);
 
 // The common point of the hulls of these points. Requires that there is one.
 ExactEvidence common_point_of(Placed a, Placed b, std::span<const std::uint32_t> of_a,

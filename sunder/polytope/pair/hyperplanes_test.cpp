@@ -42,7 +42,7 @@ TEST(Hyperplanes, AreOfShellSimplicesFromAGapOnAndAsManyAsTheTreesAreDeep) {
       int by_shells = 0, apart = 0;
       for (int k = 0; k <= 20; ++k) {
         const Pose here(d), there = moved(d, 1.9 + 0.05 * k);
-        const PolytopeAnswer answer = polytope_polytope_by_tree(a, here, b, there);
+        const PolytopeAnswer answer = polytope_polytope_by_columns(a, here, b, there);
         if (answer.meet()) continue;
         ++apart;
         const HyperplaneEvidence evidence = parting_hyperplanes(a, here, b, there, answer);

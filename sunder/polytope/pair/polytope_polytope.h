@@ -29,7 +29,8 @@ PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Po
 // Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976, "Finding the nearest point in a polytope".
 PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
 
-// The same of trees that were made before, each by itself. Two bodies of points: first the search of by_gjk with walks
+// By a simplex method whose columns walks down trees find, of trees that were made before, each by itself. Two bodies of
+// points: first the search of by_gjk with walks
 // to the leaves for scans; since walks are exact, so is each direction. Where that ends in no direction, and where a
 // body is of half-spaces: down both at once, by small linear programs in integers, from the simplex of the search on.
 // At each level the program is solved over the apexes of the cones that the directions come to, A's of points inside of
@@ -38,9 +39,9 @@ PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, c
 // prove where the bodies end; the answer is one direction, or one common point, that stands by itself.
 // decided_by: `evidence`; `finishing` where a node had to be looked at whole that is no leaf.
 // Cost: probes are rows, and cones. Some d + 2 to 5 d walks down each tree, whose depth is at most log n (H3).
-// Source: BL15 section 6, Theorem 6.3. Departures: docs/design/polytope.md.
-PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
-                                         const Pose& pose_b);
+// Source: BL15 section 6 has the trees; the search and the method are others.
+PolytopeAnswer polytope_polytope_by_columns(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
+                                            const Pose& pose_b);
 
 // The oracle: one linear program with all points and half-spaces, by a full tableau in integers with Bland's rule.
 // Cost: some (d + 2) (n + m) to n (n + m) integers a pivot. Probes are all rows, at each pivot.

@@ -16,13 +16,13 @@ namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_tree_steps = 64;
+constexpr int most_column_steps = 64;
 
 // The search of by_gjk, with walks to the leaves for scans. What a walk finds is the end of its body, exactly: so two
 // of them tell whether their direction parts the bodies.
-class TreeSearch {
+class ColumnSearch {
  public:
-  TreeSearch(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b, const Pose& pose_b)
+  ColumnSearch(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b, const Pose& pose_b)
       : a_(a, pose_a), b_(b, pose_b), d_(pose_a.dimension()), simplex_(d_) {
     for (Placed* const body : {&a_, &b_}) {
       while (body->deepen()) continue;
@@ -32,7 +32,7 @@ class TreeSearch {
   // True where a direction parts the bodies: it is written down. Else they may meet.
   bool parts(PolytopeAnswer& answer) {
     bool are_apart = false;
-    simplex_.search(difference(0, 0).at, most_tree_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
+    simplex_.search(difference(0, 0).at, most_column_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
       ExactVector along(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
       const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
       ++answer.cost.iterations;
@@ -72,8 +72,8 @@ class TreeSearch {
 
 }  // namespace
 
-PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
-                                         const Pose& pose_b) {
+PolytopeAnswer polytope_polytope_by_columns(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
+                                            const Pose& pose_b) {
   SUNDER_REQUIRE(a.body().dimension() == b.body().dimension());
   SUNDER_REQUIRE(pose_a.dimension() == a.body().dimension());
   SUNDER_REQUIRE(pose_b.dimension() == a.body().dimension());
@@ -81,7 +81,7 @@ PolytopeAnswer polytope_polytope_by_tree(const HierarchicalTree& a, const Pose& 
   std::uint32_t scans = 0;
   std::vector<std::uint32_t> of_a, of_b;
   if (a.body().is_of_points() && b.body().is_of_points()) {
-    TreeSearch search(a, pose_a, b, pose_b);
+    ColumnSearch search(a, pose_a, b, pose_b);
     const bool are_apart = search.parts(answer);
     scans = search.scans();
     answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
