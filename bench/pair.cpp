@@ -118,6 +118,7 @@ Contest contest_of_methods(std::size_t n, std::uint64_t seed) {
   for (const Query& query : scenario->queries) made.truths.push_back(query.expected == Expected::meet ? 1 : 0);
   made.subjects.push_back({"sunder", "front door", [=] { return prepare_sunder(*scenario); }});
   for (const auto& [name, by] : {std::pair("hierarchy", PairBy::hierarchy),
+                                 {"bounded", PairBy::bounded},
                                  {"polar", PairBy::polar},
                                  {"drums", PairBy::drums},
                                  {"scan", PairBy::scan}}) {

@@ -67,7 +67,7 @@ OPTIONAL = {
 }
 
 METHODS = {
-    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy polar drums scan",
+    "pair cases/mesh/cube.obj cases/mesh/tetrahedron.ply": "automatic gjk hierarchy bounded polar drums scan",
     "pair cases/planar-pair/plate.wkt cases/planar-pair/wheel.wkt": "difference halving triangles gjk scan",
     "pair cases/outcomes/square.wkt cases/outcomes/lines.csv --feature-b diagonal": "fibonacci scan",
     "pair cases/mesh/cube.obj cases/space/plane.json": "automatic drums scan",
@@ -75,7 +75,7 @@ METHODS = {
     "pair cases/mesh/cube.obj cases/space/line.json": "automatic drums scan",
     "pair cases/mesh/cube.obj cases/space/line.json --support": "automatic drums hierarchy scan",
     "pair cases/mesh/cube.obj cases/space/kite.wkt": "automatic drums gjk scan",
-    "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy polar scan",
+    "scene cases/mesh/cube.obj cases/mesh/cube.obj@0.5,0,0": "automatic gjk hierarchy bounded polar scan",
     "segments cases/segments/wires.csv": "automatic grid sweep bentley-ottmann scan",
     "segments cases/outcomes/intervals.csv": "intervals",
     "segments cases/outcomes/drawing_plane.csv --allow shared-endpoint": "drawing",

@@ -116,6 +116,8 @@ const std::vector<Method>& methods() {
       {"hierarchy", "Barba and Langerman, section 4", "log^2 n",
        [](int n) { return of_bodies(n, solid::polyhedron_polyhedron_by_hierarchy); },
        [](double n) { return log_of(n) * log_of(n); }},
+      {"bounded", "Barba and Langerman, Lemma 4.1", "log n",
+       [](int n) { return of_bodies(n, solid::polyhedron_polyhedron_by_bounded); }, log_of},
       {"polar", "Barba and Langerman, Theorem 5.1", "log n",
        [](int n) { return of_bodies(n, solid::polyhedron_polyhedron_by_polar); }, log_of}};
   return all;

@@ -42,8 +42,9 @@ struct Bodies {
 
   sunder::PairAnswer answer_by(std::size_t k, PairBy by) const {
     constexpr std::array methods{
-        sunder::solid::polyhedron_polyhedron_by_hierarchy, sunder::solid::polyhedron_polyhedron_by_polar,
-        sunder::solid::polyhedron_polyhedron_by_drums, sunder::solid::polyhedron_polyhedron_by_scan};
+        sunder::solid::polyhedron_polyhedron_by_hierarchy, sunder::solid::polyhedron_polyhedron_by_bounded,
+        sunder::solid::polyhedron_polyhedron_by_polar, sunder::solid::polyhedron_polyhedron_by_drums,
+        sunder::solid::polyhedron_polyhedron_by_scan};
     const Pair& q = pairs[k];
     return methods.at(static_cast<std::size_t>(by))(*q.a, q.pose_a, *q.b, q.pose_b);
   }

@@ -12,7 +12,7 @@ namespace bench {
 Ready prepare_sunder(const Scenario&);
 
 // Other methods, certificates included. What a body needs for the method is made by its first question.
-enum class PairBy : std::uint8_t { hierarchy, polar, drums, scan };
+enum class PairBy : std::uint8_t { hierarchy, bounded, polar, drums, scan };
 Ready prepare_sunder_by(const Scenario&, PairBy);
 
 // How far apart: the closest features, exactly; and the distance besides, a number to the last bit, which is made when

@@ -25,7 +25,7 @@ def read_hierarchy(lines):
     greatest = {}
     for line in lines:
         fields = [f.strip() for f in line.split("|")]
-        if len(fields) == 8 and fields[2].isdigit():
+        if len(fields) == 9 and fields[2].isdigit():
             greatest.setdefault(fields[1], {})[math.log2(int(fields[2]))] = [float(f) for f in fields[3:7]]
     return greatest
 

@@ -18,9 +18,10 @@ namespace sunder::ask {
 
 namespace {
 
-constexpr std::array<PairMethod, 5> pair_methods{{SUNDER_METHOD("automatic", solid::polyhedron_polyhedron),
+constexpr std::array<PairMethod, 6> pair_methods{{SUNDER_METHOD("automatic", solid::polyhedron_polyhedron),
                                                   SUNDER_METHOD("gjk", solid::polyhedron_polyhedron_by_gjk),
                                                   SUNDER_METHOD("hierarchy", solid::polyhedron_polyhedron_by_hierarchy),
+                                                  SUNDER_METHOD("bounded", solid::polyhedron_polyhedron_by_bounded),
                                                   SUNDER_METHOD("polar", solid::polyhedron_polyhedron_by_polar),
                                                   SUNDER_METHOD("scan", solid::polyhedron_polyhedron_by_scan)}};
 

@@ -1,7 +1,7 @@
 // Counted probes on every family of hard bodies: of polyhedron_polyhedron_by_hierarchy a constant times log2^2 n, n the
-// larger body, of polyhedron_polyhedron_by_polar and of the front door a constant times log2 n + log2 m, and the rounds
-// of _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the lemma alone does
-// not save.
+// larger body, of polyhedron_polyhedron_by_polar, _by_bounded and of the front door a constant times log2 n + log2 m,
+// and the rounds of _by_polar. What it rests on, BL15 Lemma 4.2; and the walk that scans all neighbours, which the
+// lemma alone does not save.
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_shapes.h>
@@ -55,11 +55,12 @@ PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
   }
   return {{}, found.decided_by, found.cost};  // that they are apart; what parts them is not looked at
 }
-const std::array<Bounded, 4> bounded{
+const std::array<Bounded, 5> bounded{
     {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 32, square_of_larger, 1000},
      {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 100},
      {"front", solid::polyhedron_polyhedron, 250, sum_of_logs, 1000},
-     {"distance", distance, 390, sum_of_logs, 50}}};
+     {"distance", distance, 390, sum_of_logs, 50},
+     {"bounded", solid::polyhedron_polyhedron_by_bounded, 220, sum_of_logs, 100}}};
 
 class BoundedRatios {
  public:
@@ -68,7 +69,9 @@ class BoundedRatios {
   void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
            const Pose& pose_b) {
     // Two flat bodies: another method takes them.
-    if (of_.method == solid::polyhedron_polyhedron_by_polar && a.dimension() < 3 && b.dimension() < 3) return;
+    const bool is_by_polar =
+        of_.method == solid::polyhedron_polyhedron_by_polar || of_.method == solid::polyhedron_polyhedron_by_bounded;
+    if (is_by_polar && a.dimension() < 3 && b.dimension() < 3) return;
     const PairAnswer answer = of_.method(a, pose_a, b, pose_b);
     const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
     ++(answer.meet() ? meet_ : apart_);

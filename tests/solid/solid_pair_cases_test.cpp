@@ -59,6 +59,7 @@ TEST(SolidPairCases, EveryMethodGivesTheProvedVerdict) {
            {polyhedron_polyhedron(a, poses[i], b, poses[j]), polyhedron_polyhedron(b, poses[j], a, poses[i]),
             polyhedron_polyhedron_by_gjk(a, poses[i], b, poses[j]),
             polyhedron_polyhedron_by_hierarchy(a, poses[i], b, poses[j]),
+            polyhedron_polyhedron_by_bounded(a, poses[i], b, poses[j]),
             polyhedron_polyhedron_by_scan(a, poses[i], b, poses[j])}) {
         EXPECT_EQ(answer.meet(), meet);
       }

@@ -28,6 +28,12 @@ Sign Along::compare_further(const Point3& from, const Point3& to, StageTally* ta
   return counted(&StageTally::exact, tally, dot(exact(), lift<ExactStage>(to) - lift<ExactStage>(from)).sign());
 }
 
+Sign Along::compare(const ExactPoint3& from, const ExactPoint3& to, StageTally* tally) {
+  const auto axis = [&](const Dyadic& t, const Dyadic& f) { return t * from.denominator - f * to.denominator; };
+  const Vector3<Dyadic> difference{axis(to.x, from.x), axis(to.y, from.y), axis(to.z, from.z)};
+  return counted(&StageTally::exact, tally, dot(exact(), difference).sign());
+}
+
 Sign Along::turn_further(const Point3& m, const Point3& v, const Point3& a, const Point3& b, StageTally* tally) {
   const Guess guess = sign(turn_formula(interval(), lift<IntervalStage>(m), lift<IntervalStage>(v),
                                         lift<IntervalStage>(a), lift<IntervalStage>(b)));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <sunder/base/lanes.h>
+#include <sunder/predicate/exact_point.h>
 #include <sunder/predicate/filter/stages.h>
 #include <sunder/predicate/posed.h>
 
@@ -106,6 +107,20 @@ class Along {
     }
     return compare_further(from, to, tally);
   }
+
+  // The same of points that are known to `error` in each coordinate, as far as floating point tells: else unsure. For
+  // points of the body's hull, where the error is at least 2^-53 of the greatest coordinate.
+  Guess compare_within(const Point3& from, const Point3& to, double error) const {
+    if (!fast_) return Guess::unsure;
+    const auto difference = dot(rounded_, lift<RoundedStage>(to) - lift<RoundedStage>(from));
+    const double size = rounded_.x.magnitude + rounded_.y.magnitude + rounded_.z.magnitude;
+    const double bound = Rounded<12>::bound * difference.magnitude + 2 * (1 + 0x1p-40) * error * size;
+    if (difference.value > bound) return Guess::positive;
+    return difference.value < -bound ? Guess::negative : Guess::unsure;
+  }
+
+  // The same of exact points, whose denominators are positive, exactly.
+  Sign compare(const ExactPoint3& from, const ExactPoint3& to, StageTally* tally = nullptr);
 
   // The sign of the determinant of three directions: m, the normal (a - v) x (b - v), and this one. m is tame, as
   // WorldDirection says. Formula: (direction . (a - v)) (m . (b - v)) - (direction . (b - v)) (m . (a - v)).

@@ -50,12 +50,13 @@ struct HalfSpace {
   }
 };
 
-template <class Real>
+// Tree: PolarHierarchy or BoundedPolarHierarchy.
+template <class Real, class Tree>
 class PolarFrame {
  public:
   using Vector = VectorOf<Real>;
 
-  PolarFrame(const Placed& p, const Placed& r) : p_(p), r_(r), polar_(represent::of<PolarHierarchy>(r.body)) {
+  PolarFrame(const Placed& p, const Placed& r) : p_(p), r_(r), polar_(represent::of<Tree>(r.body)) {
     // N, from the frame of R to the world, with a scale that makes its numbers at most 1.
     const std::array<double, 3> to_one{polar_.to_one.x, polar_.to_one.y, polar_.to_one.z};
     const auto entry = [&](std::size_t i, std::size_t j) { return r.pose.linear[3 * i + j] / to_one[j]; };
@@ -89,7 +90,7 @@ class PolarFrame {
     translation_ = {t.x - o.x, t.y - o.y, t.z - o.z};
   }
 
-  const PolarHierarchy& polar() const { return polar_; }
+  const Tree& polar() const { return polar_; }
 
   // Of a point of P's own frame; and of an edge.
   Vector image(const Point3& x) const {
@@ -115,10 +116,16 @@ class PolarFrame {
 
   // The facet of this rank, as a half-space.
   HalfSpace<Real> wall(std::uint32_t rank) const {
-    const Hierarchy::Node& node = polar_.hierarchy.nodes[rank];
+    const auto& node = polar_.hierarchy.nodes[rank];
     if constexpr (std::is_same_v<Real, double>) {
       return {node.at, 1};
     } else {
+      if constexpr (std::is_same_v<Tree, BoundedPolarHierarchy>) {
+        if (node.copy != BoundedHierarchy::none) {
+          const Point3& rest = polar_.hierarchy.copies[node.copy].rest;
+          return {{exact_sum(node.at.x, rest.x), exact_sum(node.at.y, rest.y), exact_sum(node.at.z, rest.z)}, 1};
+        }
+      }
       const auto facet = r_.body.facet(node.vertex);
       const std::size_t k = facet.size();
       const std::uint32_t u = facet[0], v = facet[k / 3], w = facet[2 * k / 3];
@@ -168,7 +175,7 @@ class PolarFrame {
 
   const Placed& p_;
   const Placed& r_;
-  const PolarHierarchy& polar_;
+  const Tree& polar_;
   std::array<Vector, 3> inverse_, linear_;  // rows; columns
   Vector translation_;
 };

@@ -21,7 +21,9 @@
 //       passes the facet q* at a point of P on R's side of f.
 //   S2. Degrees need no bound, as BL15 4 has it: a game is only about vertices that have just come, with at most
 //       most_degree neighbours; a vertex at which the walk just stays may have any number, of which sectors tell the
-//       one that matters (hierarchy_walk.h).
+//       one that matters (hierarchy_walk.h). On bounded hierarchies (bounded_hierarchy.h) all neighbours that come are
+//       looked at. There a vertex that was cut off may come with more, on P_1 with any number: a game is about some of
+//       them, and a binary search among the others finds one that would change it.
 // Rounds: at most one for each level of both. Source: BL15 section 5, Theorem 5.1. Departures: S2; f and y
 // are not kept for later games; a plane is kept while a new vertex is only beyond its parallel through the last one,
 // and so with points; half-spaces and cones are told apart by games.
@@ -30,12 +32,14 @@
 #include <sunder/base/cost.h>
 #include <sunder/solid/descent/polar_frame.h>
 #include <sunder/solid/descent/polar_round.h>
+#include <sunder/solid/descent/polar_trees.h>
 #include <sunder/solid/search/caratheodory.h>
 #include <sunder/solid/search/matrix_game.h>
 #include <sunder/solid/search/support.h>
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -44,7 +48,7 @@ namespace sunder::solid {
 
 namespace polar_walk_detail {
 
-constexpr std::size_t most = Hierarchy::most_degree + 1;
+inline constexpr std::size_t most = Hierarchy::most_degree + 1;
 
 template <class T>
 class Few {
@@ -53,39 +57,19 @@ class Few {
   void push_back(const T& x) { of_[size_++] = x; }
   std::size_t size() const { return size_; }
   const T& operator[](std::size_t k) const { return of_[k]; }
+  T& operator[](std::size_t k) { return of_[k]; }
+  const T* begin() const { return of_.data(); }
+  const T* end() const { return of_.data() + size_; }
 
  private:
   std::array<T, most> of_;
   std::size_t size_ = 0;
 };
 
-// What a walk down the polar's hierarchy asks about a point, taken as a direction.
-template <class Real>
-class CompareFacets {
- public:
-  using Vector = VectorOf<Real>;
-
-  explicit CompareFacets(const PolarFrame<Real>& frame) : frame_(frame) {}
-  void turn_to(const Vector& point) { point_ = point; }
-
-  Sign operator()(std::uint32_t i, std::uint32_t j) const {
-    return sign_of_rounded(dot(point_, frame_.polar_edge(i, j)));
-  }
-  Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
-    const Point3& m = frame_.polar().hierarchy.nodes[v].middle;
-    const Vector middle{Real(m.x), Real(m.y), Real(m.z)}, a = frame_.polar_edge(v, i), b = frame_.polar_edge(v, j);
-    return sign_of_rounded(dot(point_, a) * dot(middle, b) - dot(point_, b) * dot(middle, a));
-  }
-
- private:
-  const PolarFrame<Real>& frame_;
-  Vector point_{};
-};
-
 }  // namespace polar_walk_detail
 
-// P and R in their places; nothing here decides anything.
-template <class Real>
+// P and R in their places; nothing here decides anything. Trees: SectorTrees or BoundedTrees.
+template <class Real, class Trees>
 class PolarWalk {
  public:
   using Vector = VectorOf<Real>;
@@ -96,10 +80,8 @@ class PolarWalk {
         frame_(p, r),
         cost_(cost),
         rounds_(rounds),
-        compare_facets_(frame_),
-        turn_facets_{compare_facets_},
-        facets_(frame_.polar().hierarchy, compare_facets_, turn_facets_, cost.probes) {
-    if (p.graph.vertices.size() >= 3) vertices_.emplace(p.body, cost.probes);
+        facets_(frame_, frame_.polar().hierarchy, cost.probes) {
+    if (p.graph.vertices.size() >= 3) vertices_.emplace(p.body, Trees::of(p.body), cost.probes);
   }
   PolarWalk(const PolarWalk&) = delete;
   PolarWalk& operator=(const PolarWalk&) = delete;
@@ -132,12 +114,12 @@ class PolarWalk {
 
   // At the end `apart`: from P towards R, in the world's frame; and P's vertex furthest along it.
   Vector direction() const { return frame_.seen_from_world(negated(plane_->n)); }
-  std::uint32_t vertex_of_p() const { return vertices_ ? vertices_->vertex() : first_vertex_; }
+  std::uint32_t vertex_of_p() const { return vertices_ ? vertices_->node(vertices_->walk.at()).vertex : first_vertex_; }
 
   // At the end `meet`: the point as a mean of P's vertices, and of R's, and how clearly it is in R.
   const Mixture<Real>& of_p() const { return point_of_p_; }
   Mixture<Real> of_r() const {
-    const auto facet = r_.body.facet(frame_.polar().hierarchy.nodes[facets_.at()].vertex);
+    const auto facet = r_.body.facet(facets_.node(facets_.walk.at()).vertex);
     // The triangle of the fan from the first corner that the ray from o through the point passes.
     const auto side = [&](std::size_t k) {  // of the plane through o, the first corner and this one
       return dot(point_, cross(frame_.corner(facet[0]), frame_.corner(facet[k])));
@@ -168,22 +150,13 @@ class PolarWalk {
 
  private:
   using Space = PolarRound::Space;
+  static constexpr std::size_t most_rays = Hierarchy::most_degree;
+  static constexpr int most_choices = 16;
 
-  // The walk over P's vertices.
-  struct VertexWalk {
-    CompareAlong<Real> compare;
-    TurnBy<CompareAlong<Real>> turn;
-    HierarchyWalk<CompareAlong<Real>, TurnBy<CompareAlong<Real>>> walk;
-
-    VertexWalk(const ConvexPolyhedron& body, std::uint64_t& probes)
-        : compare(body), turn{compare}, walk(compare.hierarchy(), compare, turn, probes) {}
-    const Hierarchy& hierarchy() const { return compare.hierarchy(); }
-    std::uint32_t vertex() const { return hierarchy().nodes[walk.at()].vertex; }
-  };
   struct Column {
     Vector y;
-    double w = 1;                            // 0: a direction
-    std::uint32_t vertex = Hierarchy::none;  // none: a direction
+    double w = 1;                        // 0: a direction
+    std::uint32_t of = Hierarchy::none;  // the rank, of a body without a hierarchy the vertex; none: a direction
 
     double scale() const { return HalfSpace<Real>::scale_of(y, w); }
   };
@@ -209,53 +182,143 @@ class PolarWalk {
   void top_points() {
     columns_.clear();
     if (vertices_) {
-      const std::uint32_t corners = vertices_->hierarchy().level_end.front();
-      for (std::uint32_t k = 0; k < corners; ++k) columns_.push_back(column_of(k));
+      for (std::uint32_t k = 0; k < vertices_->corners(); ++k) columns_.push_back(column_of(k));
     } else {
       const auto points = p_.body.vertices();
       for (std::uint32_t v = 0; v < points.size(); ++v) columns_.push_back({frame_.image(points[v]), 1, v});
     }
   }
   Column column_of(std::uint32_t rank) const {
-    const Hierarchy::Node& node = vertices_->hierarchy().nodes[rank];
-    return {frame_.image(node.at), 1, node.vertex};
+    const auto& node = vertices_->node(rank);
+    const Vector y = frame_.image(node.at);
+    return {with_rest(y, vertices_->rest(rank)), 1, rank};
   }
+  Vector way_of_p(std::uint32_t from, std::uint32_t to) const {
+    const Vector y = frame_.edge(vertices_->node(from).at, vertices_->node(to).at);
+    return with_rest(y, minus(vertices_->rest(to), vertices_->rest(from)));
+  }
+  Vector with_rest(const Vector& y, const Point3& rest) const {
+    if (rest == Point3{}) return y;
+    const Vector r = frame_.edge({}, rest);
+    return {y.x + r.x, y.y + r.y, y.z + r.z};
+  }
+
+  // Of the rim of p*, or of q*, those that the next game is about: all, or if they are many, some (chosen_).
   // p* and the ways to its neighbours: all of P so far is in this cone.
   void cone_of(std::uint32_t rank) {
-    const Hierarchy& hierarchy = vertices_->hierarchy();
-    const Hierarchy::Node& apex = hierarchy.nodes[rank];
     columns_.clear();
     columns_.push_back(column_of(rank));
-    for (std::size_t k = 0; k < apex.star().size(); ++k) {
-      columns_.push_back({frame_.edge(apex.at, hierarchy.nodes[apex.star()[k].a].at), 0, Hierarchy::none});
+    for (const std::uint32_t k : chosen_) {
+      columns_.push_back({way_of_p(rank, vertices_->rim(rank, k)), 0, Hierarchy::none});
     }
   }
   // p* and its neighbours.
   void points_about(std::uint32_t rank) {
-    const Hierarchy::Star star = vertices_->hierarchy().nodes[rank].star();
     columns_.clear();
     columns_.push_back(column_of(rank));
-    for (std::size_t k = 0; k < star.size(); ++k) columns_.push_back(column_of(star[k].a));
+    for (const std::uint32_t k : chosen_) columns_.push_back(column_of(vertices_->rim(rank, k)));
   }
   // q* and its neighbours.
   void walls_about(std::uint32_t rank) {
-    const Hierarchy::Star star = frame_.polar().hierarchy.nodes[rank].star();
     walls_.clear();
     walls_.push_back(frame_.wall(rank));
-    for (std::size_t k = 0; k < star.size(); ++k) walls_.push_back(frame_.wall(star[k].a));
+    for (const std::uint32_t k : chosen_) walls_.push_back(frame_.wall(facets_.rim(rank, k)));
   }
   // The cone from o over q*, as far as its neighbours tell, down from q*.
   void cone_over(std::uint32_t rank) {
-    const Hierarchy::Star star = frame_.polar().hierarchy.nodes[rank].star();
     cone_.clear();
     cone_.push_back(frame_.wall(rank));
-    for (std::size_t k = 0; k < star.size(); ++k) cone_.push_back({frame_.polar_edge(rank, star[k].a), Real(0)});
+    for (const std::uint32_t k : chosen_) cone_.push_back({frame_.polar_edge(rank, facets_.rim(rank, k)), Real(0)});
+  }
+
+  // --- Cones of many rays --------------------------------------------------------------------------------------------
+
+  // Of a vertex that was cut off they end at its cut points, the corners of a convex polygon. So a game about a few is
+  // enough, if none of the others would change it, and the one that would most is found by a search on the polygon.
+
+  void choose(std::size_t rim_size) {
+    chosen_.clear();
+    const std::size_t few = std::min(rim_size, rim_size > most_rays ? std::size_t{4} : most_rays);
+    for (std::size_t k = 0; k < few; ++k) chosen_.push_back(static_cast<std::uint32_t>(k * rim_size / few));
+  }
+
+  // is_better(i, j): is corner j further than corner i? On each finer choice of corners the furthest is that of the
+  // coarser one or beside it; and a climb from there, for what is uneven where the cycle closes.
+  template <class IsBetter>
+  std::uint32_t furthest_on_rim(std::size_t size, const IsBetter& is_better) {
+    std::size_t step = std::bit_floor(size / 3), best = 0;
+    const auto take = [&](std::size_t k) {
+      ++cost_.probes;
+      if (k == best || !is_better(static_cast<std::uint32_t>(best), static_cast<std::uint32_t>(k))) return false;
+      best = k;
+      return true;
+    };
+    for (std::size_t k = step; k < size; k += step) take(k);
+    for (step /= 2; step > 0; step /= 2) {
+      const std::size_t here = best;
+      if (!take((here + step) % size)) take((here + size - step) % size);
+    }
+    for (std::size_t left = size; left > 0 && (take((best + 1) % size) || take((best + size - 1) % size)); --left) {
+    }
+    return static_cast<std::uint32_t>(best);
+  }
+
+  // Puts a ray in the place of the one that matters least; false: it is one of them.
+  template <class Weights>
+  bool choose_also(std::uint32_t ray, const Weights& weights) {
+    std::size_t least = 0;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+      if (chosen_[i] == ray) return false;
+      if (weights[i + 1] < weights[least + 1]) least = i;
+    }
+    if (chosen_.size() < most_rays) {
+      chosen_.push_back(ray);
+    } else {
+      chosen_[least] = ray;
+    }
+    return true;
+  }
+
+  // The cone of a vertex against the walls.
+  bool play_cone_of(std::uint32_t rank) {
+    const std::size_t size = vertices_->rim_size(rank);
+    choose(size);
+    for (int k = 0; k < most_choices; ++k) {
+      cone_of(rank);
+      if (!play(walls_)) return false;
+      if (size <= most_rays || !is_apart()) return true;
+      const HalfSpace<Real> plane = mixture_of_walls();
+      const std::uint32_t ray = furthest_on_rim(size, [&](std::uint32_t i, std::uint32_t j) {
+        return dot(plane.n, way_of_p(vertices_->rim(rank, i), vertices_->rim(rank, j))) < Real(0);
+      });
+      const Vector way = way_of_p(rank, vertices_->rim(rank, ray));
+      const Real pay = plane.pay(way, 0, plane.scale() * HalfSpace<Real>::scale_of(way, 0));
+      if (!(pay < Real(-game_.noise)) || !choose_also(ray, game_.column_weight)) return true;
+    }
+    return false;
+  }
+  // The points so far against the cone over a facet.
+  bool play_cone_over(std::uint32_t rank) {
+    const std::size_t size = facets_.rim_size(rank);
+    choose(size);
+    for (int k = 0; k < most_choices; ++k) {
+      cone_over(rank);
+      if (!play(cone_)) return false;
+      if (size <= most_rays || is_apart()) return true;
+      const Vector y = mixture_of_points();
+      const std::uint32_t ray = furthest_on_rim(size, [&](std::uint32_t i, std::uint32_t j) {
+        return dot(y, frame_.polar_edge(facets_.rim(rank, i), facets_.rim(rank, j))) > Real(0);
+      });
+      const HalfSpace<Real> side{frame_.polar_edge(rank, facets_.rim(rank, ray)), Real(0)};
+      if (!(side.pay(y) > Real(game_.noise)) || !choose_also(ray, game_.row_weight)) return true;
+    }
+    return false;
   }
 
   // --- What the games leave ----------------------------------------------------------------------------------------
 
   // The half-space that all of R so far is in and P is not: the mixture of the walls.
-  void take_plane() {
+  HalfSpace<Real> mixture_of_walls() const {
     HalfSpace<Real> sum{{Real(0), Real(0), Real(0)}, Real(0)};
     for (std::size_t i = 0; i < walls_.size(); ++i) {
       const HalfSpace<Real>& wall = walls_[i];
@@ -263,8 +326,11 @@ class PolarWalk {
       sum.n = {sum.n.x + wall.n.x * part, sum.n.y + wall.n.y * part, sum.n.z + wall.n.z * part};
       sum.h += wall.h * part;
     }
-    plane_ = sum;
-    if (vertices_) vertices_->compare.turn_to(frame_.seen_from_p(negated(sum.n)));
+    return sum;
+  }
+  void take_plane() {
+    plane_ = mixture_of_walls();
+    if (vertices_) vertices_->compare.turn_to(frame_.seen_from_p(negated(plane_->n)));
   }
   void start_at_top_of_p() {
     take_plane();
@@ -279,8 +345,7 @@ class PolarWalk {
   }
 
   // The mixture of the points: of five at most, as payments have rank four and the game shifts them.
-  void take_point() {
-    Mixture<Real> mixture;
+  Vector mixture_of_points(Mixture<Real>* names = nullptr) const {
     Vector y{Real(0), Real(0), Real(0)};
     Real total = 0;
     std::array<Real, polar_walk_detail::most> part;
@@ -293,16 +358,24 @@ class PolarWalk {
       if (!(part[j] > Real(0))) continue;
       const Column& c = columns_[j];
       y = {y.x + c.y.x * part[j], y.y + c.y.y * part[j], y.z + c.y.z * part[j]};
-      mixture.add(c.vertex, part[j]);
+      if (names == nullptr) continue;
+      if (vertices_) {
+        vertices_->add_to(*names, c.of, part[j]);
+      } else {
+        names->add(c.of, part[j]);
+      }
     }
-    point_ = y;
-    point_of_p_ = mixture;
+    return y;
+  }
+  void take_point() {
+    point_of_p_ = {};
+    point_ = mixture_of_points(&point_of_p_);
     depth_ = game_.value;
-    compare_facets_.turn_to(y);
+    facets_.compare.turn_to(point_);
   }
   void start_at_top_of_r() {
     take_point();
-    facets_.start();
+    facets_.walk.start();
   }
 
   // --- Rounds ------------------------------------------------------------------------------------------------------
@@ -315,7 +388,7 @@ class PolarWalk {
       last_vertex_ = w;
       if (!walk.is_further(w)) {
         walk.pass(w);
-      } else if (plane_->pay(frame_.image(vertices_->hierarchy().nodes[w].at)) > Real(game_.noise)) {
+      } else if (plane_->pay(column_of(w).y) > Real(game_.noise)) {
         walk.go_to(w);
       } else {
         return w;
@@ -324,13 +397,14 @@ class PolarWalk {
     return Hierarchy::none;
   }
   std::uint32_t next_cut() {
-    for (std::uint32_t w = facets_.next(); w != Hierarchy::none; w = facets_.next()) {
+    auto& walk = facets_.walk;
+    for (std::uint32_t w = walk.next(); w != Hierarchy::none; w = walk.next()) {
       ++cost_.iterations;
       last_facet_ = w;
-      if (!facets_.is_further(w)) {
-        facets_.pass(w);
+      if (!walk.is_further(w)) {
+        walk.pass(w);
       } else if (!(frame_.wall(w).pay(point_) > Real(game_.noise))) {
-        facets_.go_to(w);
+        walk.go_to(w);
       } else {
         return w;
       }
@@ -340,8 +414,7 @@ class PolarWalk {
 
   // p* comes beyond the plane.
   bool pass_vertex(std::uint32_t w, bool& is_apart_now) {
-    cone_of(w);
-    if (!play(walls_)) return false;
+    if (!play_cone_of(w)) return false;
     if (is_apart()) {
       take_plane();
       vertices_->walk.go_to(w);
@@ -355,20 +428,15 @@ class PolarWalk {
       start_at_top_of_r();
       return true;
     }
-    cone_over(q_star_);
-    if (!play(cone_) || is_apart()) return false;
-    take_point();
-    facets_.go_to(q_star_);
-    return true;
+    return settle(false, is_apart_now);
   }
 
   // q* cuts the point off.
   bool pass_facet(std::uint32_t w, bool& is_apart_now) {
-    cone_over(w);
-    if (!play(cone_)) return false;
+    if (!play_cone_over(w)) return false;
     if (!is_apart()) {
       take_point();
-      facets_.go_to(w);
+      facets_.walk.go_to(w);
       return true;
     }
     q_star_ = w;
@@ -379,40 +447,56 @@ class PolarWalk {
       start_at_top_of_p();
       return true;
     }
-    cone_of(p_star_);
-    if (!play(walls_) || !is_apart()) return false;
-    take_plane();
-    vertices_->walk.go_to(p_star_);
-    return true;
+    return settle(true, is_apart_now);
+  }
+
+  // Back at p* with the walls of q*, or at q* with the points of p*. One game tells (S1), where both have few
+  // neighbours; of many some were chosen, and what is chosen for one may have to be chosen anew for the other.
+  bool settle(bool at_p, bool& is_apart_now) {
+    const bool is_one_game = vertices_->rim_size(p_star_) <= most_rays && facets_.rim_size(q_star_) <= most_rays;
+    for (int k = 0; k < (is_one_game ? 1 : most_choices); ++k, at_p = !at_p) {
+      if (at_p) {
+        if (!play_cone_of(p_star_)) return false;
+        if (is_apart()) {
+          take_plane();
+          vertices_->walk.go_to(p_star_);
+          is_apart_now = true;
+          return true;
+        }
+        points_about(p_star_);
+      } else {
+        if (!play_cone_over(q_star_)) return false;
+        if (!is_apart()) {
+          take_point();
+          facets_.walk.go_to(q_star_);
+          is_apart_now = false;
+          return true;
+        }
+        walls_about(q_star_);
+      }
+    }
+    return false;
   }
 
   void record(Space space, bool is_apart_now) {
     if (rounds_ == nullptr) return;
-    const Hierarchy& hierarchy = frame_.polar().hierarchy;
     const Vector at = is_apart_now ? negated(plane_->n) : point_;
-    rounds_->push_back({space, is_apart_now, vertex_of_p(), hierarchy.nodes[facets_.at()].vertex,
-                        vertices_ ? level_of(vertices_->hierarchy(), last_vertex_) : 0,
-                        level_of(hierarchy, last_facet_), rounded(at)});
-  }
-  // Below the top.
-  static std::size_t level_of(const Hierarchy& hierarchy, std::uint32_t rank) {
-    const auto& ends = hierarchy.level_end;
-    return static_cast<std::size_t>(std::upper_bound(ends.begin(), ends.end(), rank) - ends.begin());
+    rounds_->push_back({space, is_apart_now, vertex_of_p(), facets_.node(facets_.walk.at()).vertex,
+                        vertices_ ? vertices_->level_of(last_vertex_) : 0, facets_.level_of(last_facet_), rounded(at)});
   }
 
   const Placed& p_;
   const Placed& r_;
-  PolarFrame<Real> frame_;
+  PolarFrame<Real, typename Trees::Polar> frame_;
   Cost& cost_;
   PolarRounds* rounds_;
-  std::optional<VertexWalk> vertices_;  // none: P is a point or a segment
-  polar_walk_detail::CompareFacets<Real> compare_facets_;
-  TurnBy<polar_walk_detail::CompareFacets<Real>> turn_facets_;
-  HierarchyWalk<polar_walk_detail::CompareFacets<Real>, TurnBy<polar_walk_detail::CompareFacets<Real>>> facets_;
+  std::optional<typename Trees::template Vertices<Real>> vertices_;  // none: P is a point or a segment
+  typename Trees::template Facets<Real> facets_;
 
   MatrixGame<Real, polar_walk_detail::most> game_;
   polar_walk_detail::Few<Column> columns_;                // P as the games see it
   polar_walk_detail::Few<HalfSpace<Real>> walls_, cone_;  // R; and what of the point is in
+  polar_walk_detail::Few<std::uint32_t> chosen_;          // places on a rim
 
   std::uint32_t last_vertex_ = 0, last_facet_ = 0;  // how far down the walks are
   std::uint32_t p_star_ = Hierarchy::none, q_star_ = Hierarchy::none;

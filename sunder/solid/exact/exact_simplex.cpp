@@ -4,6 +4,7 @@
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/exact/exact_simplex.h>
 #include <sunder/solid/exact/spanning_vertices.h>
+#include <sunder/solid/represent/bounded_hierarchy.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/of.h>
 
@@ -129,13 +130,20 @@ class ExactSimplex {
 
   // A point and a segment have one level, which is the body.
   static std::size_t level_count(const Placed& body) {
-    return body.graph.vertices.size() < 3 ? 1 : represent::of<Hierarchy>(body.body).level_end.size();
+    if (body.graph.vertices.size() < 3) return 1;
+    return body.by_bounded ? represent::of<BoundedHierarchy>(body.body).levels.size()
+                           : represent::of<Hierarchy>(body.body).level_end.size();
   }
 
   std::uint32_t extreme(const Placed& body, const WorldDirection& direction, End end, std::uint32_t start,
                         std::optional<std::size_t> level) {
     Along along(direction, body.pose, body.tame);
     if (!level || body.graph.vertices.size() < 3) return extreme_vertex_from(body, along, end, start, cost_, tally_);
+    if (body.by_bounded) {
+      const auto& levels = represent::of<BoundedHierarchy>(body.body).levels;
+      const std::uint32_t ranks = levels[std::min(*level, levels.size() - 1)].end;
+      return extreme_vertex_by_bounded(body, along, end, cost_, tally_, ranks);
+    }
     const auto& level_end = represent::of<Hierarchy>(body.body).level_end;
     return extreme_vertex_of_ranks(body, along, end, level_end[std::min(*level, level_end.size() - 1)], cost_, tally_);
   }

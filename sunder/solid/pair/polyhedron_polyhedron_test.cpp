@@ -48,6 +48,7 @@ const std::vector<std::pair<std::string, Method>> methods{
     {"front", polyhedron_polyhedron},
     {"gjk", polyhedron_polyhedron_by_gjk},
     {"hierarchy", polyhedron_polyhedron_by_hierarchy},
+    {"bounded", polyhedron_polyhedron_by_bounded},
     {"polar", polyhedron_polyhedron_by_polar},
     {"scan", polyhedron_polyhedron_by_scan},
     {"intersect", [](const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b) {

@@ -31,8 +31,9 @@ struct Points {
 class Middles {
  public:
   using Builder = hierarchy_detail::HierarchyBuilder<Points>;
+  using Surface = hierarchy_detail::HierarchySurface<Points>;
 
-  Middles(std::span<const Point3> points, const Builder& surface) : points_(points), surface_(surface) {
+  Middles(std::span<const Point3> points, const Surface& surface) : points_(points), surface_(surface) {
     const SizeRange of_identity{1, 1};
     images_are_tame_ = images_are_tame(of_identity, {}, size_range(points));
     stretch_ = {stretch_along(&Point3::x), stretch_along(&Point3::y), stretch_along(&Point3::z)};
@@ -88,7 +89,7 @@ class Middles {
   }
 
   std::span<const Point3> points_;
-  const Builder& surface_;
+  const Surface& surface_;
   bool images_are_tame_;
   Point3 stretch_;
 };
@@ -146,7 +147,7 @@ Hierarchy Hierarchy::make(const ConvexPolyhedron& body) {
   const Points points{vertices};
   Middles::Builder builder(points, static_cast<std::uint32_t>(vertices.size()), body.facet_begin(),
                            body.facet_vertices());
-  const Middles middles(vertices, builder);
+  const Middles middles(vertices, builder.surface());
   return builder.run([&](std::uint32_t v) { return middles.of(v); });
 }
 

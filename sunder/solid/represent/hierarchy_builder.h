@@ -1,9 +1,13 @@
-// How hierarchies are made, of whatever has vertices that are exactly in convex position.
+// How hierarchies are made, of whatever has vertices that are exactly in convex position: vertices are taken out of a
+// surface (hierarchy_surface.h), each with its star of at most most_degree triangles. No two that go at once are
+// adjacent, so their patches have no triangle in common. The four vertices of the tetrahedron stay, so there is always
+// an inside.
 #pragma once
 
 #include <sunder/base/contract.h>
 #include <sunder/number/sign.h>
 #include <sunder/solid/represent/hierarchy.h>
+#include <sunder/solid/represent/hierarchy_surface.h>
 
 #include <algorithm>
 #include <array>
@@ -15,32 +19,7 @@
 #include <utility>
 #include <vector>
 
-// A vertex w is taken away with its star, whose rim is a cycle of at most most_degree vertices, and the hull of the
-// others has a patch over the rim. No two that go at once are adjacent, so their patches have no triangle in common.
-//
-// P1. The patch has the rim's vertices and no others: what it covers of the old surface is the star, where no other
-//     vertex is, and all vertices are extreme.
-// P2. A triangle of the patch at an edge is one that no other vertex of the rim is above. It is found by going through
-//     them, as around the edge they lie within half a turn.
-// P3. Where several are in its plane, any of them will do: those of the rim in one plane are the corners of one convex
-//     polygon, all of it in the patch. For the facet in that plane had w as a corner before, and the star's part of it
-//     without w is convex; or there was no facet in that plane.
-// P4. The four vertices of the tetrahedron stay, so there is always an inside.
-
 namespace sunder::solid::hierarchy_detail {
-
-inline constexpr std::uint32_t none = Hierarchy::none;
-
-constexpr std::uint32_t after(std::uint32_t place) { return place == 2 ? 0 : place + 1; }
-constexpr std::uint32_t before(std::uint32_t place) { return place == 0 ? 2 : place - 1; }
-
-struct Face {
-  std::array<std::uint32_t, 3> corner;    // counter-clockwise from outside
-  std::array<std::uint32_t, 3> adjacent;  // beyond the edge from corner[i] to corner[i + 1]
-  std::uint32_t beyond = none;            // the vertex whose going made it
-
-  std::uint32_t place_of(std::uint32_t v) const { return corner[0] == v ? 0 : corner[1] == v ? 1 : 2; }
-};
 
 // A hierarchy in the making: takes vertex numbers, and holds ranks, the last that went first.
 struct History {
@@ -82,8 +61,7 @@ class HierarchyBuilder {
   // The vertices have the numbers below `size`; facets as ConvexPolyhedron has them.
   HierarchyBuilder(const Vertices& vertices, std::uint32_t size, std::span<const std::uint32_t> facet_begin,
                    std::span<const std::uint32_t> facet_vertices)
-      : vertices_(vertices), size_(size), face_of_(size, none), degree_(size, 0), blocked_(size, 0) {
-    triangulate(facet_begin, facet_vertices);
+      : vertices_(vertices), size_(size), surface_(vertices, size, facet_begin, facet_vertices), blocked_(size, 0) {
     choose_tetrahedron();
   }
 
@@ -104,74 +82,9 @@ class HierarchyBuilder {
     return history(here, std::move(level_end));
   }
 
-  const Face& face(std::uint32_t t) const { return faces_[t]; }
-  std::uint32_t face_at(std::uint32_t v) const { return face_of_[v]; }
-
-  // Calls take(face, place of v in it) counter-clockwise about v.
-  template <class Take>
-  void for_each_around(std::uint32_t v, const Take& take) const {
-    std::uint32_t t = face_of_[v];
-    do {
-      const std::uint32_t place = faces_[t].place_of(v);
-      take(t, place);
-      t = faces_[t].adjacent[before(place)];
-    } while (t != face_of_[v]);
-  }
+  const HierarchySurface<Vertices>& surface() const { return surface_; }
 
  private:
-  // The fan from the first vertex of each facet.
-  void triangulate(std::span<const std::uint32_t> facet_begin, std::span<const std::uint32_t> facet_vertices) {
-    faces_.reserve(2 * std::size_t{size_});
-    for (std::size_t f = 0; f + 1 < facet_begin.size(); ++f) {
-      const auto cycle = facet_vertices.subspan(facet_begin[f], facet_begin[f + 1] - facet_begin[f]);
-      for (std::size_t k = 1; k + 1 < cycle.size(); ++k) {
-        const std::uint32_t t = static_cast<std::uint32_t>(faces_.size());
-        faces_.push_back(
-            {{cycle[0], cycle[k], cycle[k + 1]}, {k > 1 ? t - 1 : none, none, k + 2 < cycle.size() ? t + 1 : none}});
-        enter(t);
-      }
-    }
-    link_facets();
-  }
-
-  // A face that is new, with its corners.
-  void enter(std::uint32_t t) {
-    for (const std::uint32_t v : faces_[t].corner) {
-      face_of_[v] = t;
-      ++degree_[v];
-    }
-  }
-
-  // Each edge between two facets is there once from each: they are brought together at its lower end.
-  void link_facets() {
-    struct Edge {
-      std::uint32_t to, face, place;
-    };
-    const auto for_each_edge = [&](const auto& take) {
-      for (std::uint32_t t = 0; t < faces_.size(); ++t) {
-        for (const std::uint32_t place : {0u, 1u, 2u}) {
-          if (faces_[t].adjacent[place] != none) continue;
-          const auto [from, to] = std::minmax(faces_[t].corner[place], faces_[t].corner[after(place)]);
-          take(from, Edge{to, t, place});
-        }
-      }
-    };
-    std::vector<std::uint32_t> begin(size_ + 1, 0);
-    for_each_edge([&](std::uint32_t from, const Edge&) { ++begin[from + 1]; });
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Edge> edges(begin.back());
-    std::vector<std::uint32_t> end(begin.begin(), begin.end() - 1);
-    for_each_edge([&](std::uint32_t from, const Edge& edge) { edges[end[from]++] = edge; });
-    for (std::uint32_t v = 0; v < size_; ++v) {
-      const auto first = edges.begin() + begin[v], last = edges.begin() + begin[v + 1];
-      std::sort(first, last, [](const Edge& a, const Edge& b) { return a.to < b.to; });
-      for (auto edge = first; edge != last; edge += 2) {
-        faces_[edge[0].face].adjacent[edge[0].place] = edge[1].face;
-        faces_[edge[1].face].adjacent[edge[1].place] = edge[0].face;
-      }
-    }
-  }
-
   // Four vertices that span space, far from each other as far as doubles tell.
   void choose_tetrahedron() {
     const auto furthest = [&](const auto& distance) {
@@ -198,7 +111,7 @@ class HierarchyBuilder {
     tetrahedron_ = {a, b, c, d};
     if (vertices_.orient(a, b, c, d) != Sign::zero) return;
     // The first facet, and the first vertex outside of its plane.
-    const auto& [i, j, k] = faces_[0].corner;
+    const auto& [i, j, k] = surface_.face(0).corner;
     for (std::uint32_t v = 0; v < size_; ++v) {
       if (vertices_.orient(i, j, k, v) != Sign::zero) {
         tetrahedron_ = {i, j, k, v};
@@ -213,7 +126,8 @@ class HierarchyBuilder {
   std::vector<std::uint32_t> take_away(const std::vector<std::uint32_t>& here) {
     std::array<std::vector<std::uint32_t>, Hierarchy::most_degree + 1> by_degree;
     for (const std::uint32_t v : here) {
-      if (degree_[v] <= Hierarchy::most_degree && !is_in_tetrahedron(v)) by_degree[degree_[v]].push_back(v);
+      const std::uint32_t degree = surface_.degree(v);
+      if (degree <= Hierarchy::most_degree && !is_in_tetrahedron(v)) by_degree[degree].push_back(v);
     }
     ++round_;
     for (const std::vector<std::uint32_t>& some : by_degree) {
@@ -223,62 +137,19 @@ class HierarchyBuilder {
     }
     std::vector<std::uint32_t> stay;
     for (const std::uint32_t v : here) {
-      if (face_of_[v] != none) stay.push_back(v);
+      if (surface_.face_at(v) != none) stay.push_back(v);
     }
     return stay;
   }
 
   void take_away(std::uint32_t w) {
-    rim_.clear();
-    beyond_rim_.clear();
-    free_.clear();
-    for_each_around(w, [&](std::uint32_t t, std::uint32_t place) {
-      const Face& face = faces_[t];
-      rim_.push_back(face.corner[after(place)]);
-      beyond_rim_.push_back(face.adjacent[after(place)]);
-      free_.push_back(t);
+    surface_.take_out(w, [&](std::uint32_t t, std::uint32_t place) {
+      const Face& face = surface_.face(t);
       triangles_.push_back({face.corner[after(place)], face.corner[before(place)], face.beyond});
     });
     taken_.push_back(w);
     end_.push_back(static_cast<std::uint32_t>(triangles_.size()));
-    face_of_[w] = none;
-    for (const std::uint32_t v : rim_) {
-      degree_[v] -= 2;
-      blocked_[v] = round_;
-    }
-    const std::uint32_t last = static_cast<std::uint32_t>(rim_.size() - 1);
-    link_beyond(last, fill(w, 0, last, beyond_rim_[last]));
-  }
-
-  // Edge i of the rim, from rim_[i] to the next, has this triangle inside.
-  void link_beyond(std::uint32_t i, std::uint32_t inside) {
-    Face& beyond = faces_[beyond_rim_[i]];
-    beyond.adjacent[beyond.place_of(rim_[i + 1 < rim_.size() ? i + 1 : 0])] = inside;
-  }
-
-  // Fills the polygon rim_[i], ..., rim_[j], whose last edge, from rim_[j] to rim_[i], has `outer` beyond it. Returns
-  // the triangle inside that edge, or what is beyond an edge of the rim.
-  std::uint32_t fill(std::uint32_t w, std::uint32_t i, std::uint32_t j, std::uint32_t outer) {
-    if (j == i + 1) {
-      link_beyond(i, outer);
-      return beyond_rim_[i];
-    }
-    std::uint32_t apex = i + 1;
-    for (std::uint32_t k = i + 2; k < j; ++k) {
-      if (is_above(rim_[j], rim_[i], rim_[apex], rim_[k])) apex = k;
-    }
-    const std::uint32_t t = free_.back();
-    free_.pop_back();
-    faces_[t] = {{rim_[j], rim_[i], rim_[apex]}, {outer, none, none}, w};
-    enter(t);
-    faces_[t].adjacent[1] = fill(w, i, apex, t);
-    faces_[t].adjacent[2] = fill(w, apex, j, t);
-    return t;
-  }
-
-  // Is x above the plane of a, b, c: on the side from which they are counter-clockwise?
-  bool is_above(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t x) const {
-    return vertices_.orient(a, b, c, x) == Sign::positive;
+    for (const std::uint32_t v : surface_.rim()) blocked_[v] = round_;
   }
 
   bool is_in_tetrahedron(std::uint32_t v) const {
@@ -296,11 +167,13 @@ class HierarchyBuilder {
     }
     // Of the tetrahedron: the triangle without its last vertex, and those about that one.
     const std::uint32_t top = last[3];
-    const Face& base = faces_[faces_[face_of_[top]].adjacent[after(faces_[face_of_[top]].place_of(top))]];
+    const Face& beside = surface_.face(surface_.face_at(top));
+    const Face& base = surface_.face(beside.adjacent[after(beside.place_of(top))]);
     const std::uint32_t place = base.place_of(last[2]);
     made.add(last[2], {base.corner[after(place)], base.corner[before(place)], base.beyond});
-    for_each_around(top, [&](std::uint32_t t, std::uint32_t at) {
-      made.add(top, {faces_[t].corner[after(at)], faces_[t].corner[before(at)], faces_[t].beyond});
+    surface_.for_each_around(top, [&](std::uint32_t t, std::uint32_t at) {
+      const Face& face = surface_.face(t);
+      made.add(top, {face.corner[after(at)], face.corner[before(at)], face.beyond});
     });
     std::uint32_t t = 0;
     for (std::size_t k = 0; k < taken_.size(); ++k) {
@@ -313,15 +186,12 @@ class HierarchyBuilder {
 
   const Vertices& vertices_;
   std::uint32_t size_;
-  std::vector<Face> faces_;
-  std::vector<std::uint32_t> face_of_;  // a face at each vertex; none where it went
-  std::vector<std::uint32_t> degree_;
+  HierarchySurface<Vertices> surface_;
   std::vector<Middle> middle_;
   std::array<std::uint32_t, 4> tetrahedron_{};
 
   std::vector<std::uint32_t> blocked_;  // the round in which a neighbour of a vertex went
   std::uint32_t round_ = 0;
-  std::vector<std::uint32_t> rim_, beyond_rim_, free_;
 
   std::vector<std::uint32_t> taken_;              // in the order in which they went
   std::vector<std::uint32_t> end_;                // of the star of each

@@ -1,6 +1,7 @@
 #include <sunder/number/vector.h>
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/object/convex_polyhedron.h>
+#include <sunder/solid/represent/bounded_builder.h>
 #include <sunder/solid/represent/hierarchy_builder.h>
 #include <sunder/solid/represent/polar.h>
 #include <sunder/solid/represent/polar_hierarchy.h>
@@ -54,7 +55,7 @@ struct RoundedPolarVertex {
   bool is_close = true;
 };
 
-RoundedPolarVertex rounded(const PolarVertexOf<Estimate>& v) {
+RoundedPolarVertex rounded_vertex(const PolarVertexOf<Estimate>& v) {
   const double h = v.h.value.high;
   RoundedPolarVertex result{{v.n[0].value.high / h, v.n[1].value.high / h, v.n[2].value.high / h}, 0};
   const double size = std::max({std::fabs(result.at.x), std::fabs(result.at.y), std::fabs(result.at.z)});
@@ -64,7 +65,7 @@ RoundedPolarVertex rounded(const PolarVertexOf<Estimate>& v) {
   result.is_close = h > 0 && result.error <= 0x1p-30 * size && size > 0x1p-900 && size < 0x1p900;
   return result;
 }
-RoundedPolarVertex rounded(const PolarVertex& v) {
+RoundedPolarVertex rounded_vertex(const PolarVertex& v) {
   const Point3 at{nearest_ratio(v.n[0], v.h), nearest_ratio(v.n[1], v.h), nearest_ratio(v.n[2], v.h)};
   return {at, std::max({std::fabs(at.x), std::fabs(at.y), std::fabs(at.z)}) * 0x1p-52 + 0x1p-1000};
 }
@@ -94,14 +95,37 @@ class FacetsAsPoints {
     const MapOfForms<Estimate> estimate(to_round);
     const MapOfForms<Dyadic> exact(to_round);
     for (std::uint32_t f = 0; f < polar.vertices.size(); ++f) {
-      RoundedPolarVertex mapped = rounded(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
-      if (!mapped.is_close) mapped = rounded(exact(exact_polar_vertex(points, facet(f), polar.base)));
+      RoundedPolarVertex mapped = rounded_vertex(estimate(estimated_polar_vertex(points, facet(f), polar.base)));
+      if (!mapped.is_close) mapped = rounded_vertex(exact(exact_polar_vertex(points, facet(f), polar.base)));
       polar.vertices[f] = mapped.at;
       polar.errors[f] = mapped.error;
     }
   }
 
+  std::uint32_t size() const { return static_cast<std::uint32_t>(polar_.vertices.size()); }
   const Point3& at(std::uint32_t f) const { return polar_.vertices[f]; }
+
+  // For bounded_builder.h. Cut points are made in the frame before it is made round, and held in the round one.
+  ExactPoint3 exact(std::uint32_t f) const {
+    const PolarVertex v = exact_polar_vertex(points_, facet(f), polar_.base);
+    return {v.n[0], v.n[1], v.n[2], v.h};
+  }
+  EstimatedPoint3 estimated(std::uint32_t f) const {
+    const PolarVertexOf<Estimate> v = estimated_polar_vertex(points_, facet(f), polar_.base);
+    return {{v.n[0], v.n[1], v.n[2]}, v.h};
+  }
+  Point3 rounded(std::uint32_t f) const {
+    if (to_round_.is_identity) return at(f);
+    const EstimatedPoint3 v = estimated(f);
+    const double h = v.denominator.value.high;
+    return {v.numerators.x.value.high / h, v.numerators.y.value.high / h, v.numerators.z.value.high / h};
+  }
+  std::array<Point3, 2> at(const ExactPoint3& p, const EstimatedPoint3& estimate) const {
+    if (to_round_.is_identity) return hierarchy_detail::rounded_and_rest(p, estimate);
+    const PolarVertex v = MapOfForms<Dyadic>(to_round_)({{p.x, p.y, p.z}, p.denominator});
+    const ExactPoint3 mapped{v.n[0], v.n[1], v.n[2], v.h};
+    return hierarchy_detail::rounded_and_rest(mapped, sunder::estimated(mapped));
+  }
 
   Sign orient(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) const {
     if (const std::optional<Sign> sure = orient_rounded(a, b, c, d)) return *sure;
@@ -242,11 +266,11 @@ class FacetsAsPoints {
   mutable std::vector<std::uint32_t> place_;  // of a facet in these, and one; 0: nowhere
 };
 
-}  // namespace
-
-PolarHierarchy PolarHierarchy::make(const ConvexPolyhedron& body) {
+// What both kinds of hierarchies begin with; then make(facets, polar) makes the one.
+template <class Made, class Make>
+Made make_in_frame(const ConvexPolyhedron& body, const Make& make) {
   const std::span<const Point3> vertices = body.vertices();
-  PolarHierarchy made;
+  Made made;
   made.to_one = {power_to_one(vertices, &Point3::x), power_to_one(vertices, &Point3::y),
                  power_to_one(vertices, &Point3::z)};
   std::vector<Point3> points(vertices.begin(), vertices.end());
@@ -255,10 +279,24 @@ PolarHierarchy PolarHierarchy::make(const ConvexPolyhedron& body) {
   Polar polar = make_polar(body, points);
   made.base = polar.base;
   const FacetsAsPoints facets(points, body.facet_begin(), body.facet_vertices(), made.to_round, polar);
-  using Builder = hierarchy_detail::HierarchyBuilder<FacetsAsPoints>;
-  Builder builder(facets, static_cast<std::uint32_t>(polar.vertices.size()), polar.facet_begin, polar.facet_vertices);
-  made.hierarchy = builder.run([&](std::uint32_t f) { return Builder::Middle{facets.middle(f)}; });
+  made.hierarchy = make(facets, polar);
   return made;
+}
+
+}  // namespace
+
+PolarHierarchy PolarHierarchy::make(const ConvexPolyhedron& body) {
+  return make_in_frame<PolarHierarchy>(body, [](const FacetsAsPoints& facets, const Polar& polar) {
+    using Builder = hierarchy_detail::HierarchyBuilder<FacetsAsPoints>;
+    Builder builder(facets, facets.size(), polar.facet_begin, polar.facet_vertices);
+    return builder.run([&](std::uint32_t f) { return Builder::Middle{facets.middle(f)}; });
+  });
+}
+
+BoundedPolarHierarchy BoundedPolarHierarchy::make(const ConvexPolyhedron& body) {
+  return make_in_frame<BoundedPolarHierarchy>(body, [](const FacetsAsPoints& facets, const Polar& polar) {
+    return hierarchy_detail::BoundedBuilder(facets, polar.facet_begin, polar.facet_vertices, {}, nullptr).run();
+  });
 }
 
 }  // namespace sunder::solid

@@ -16,6 +16,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
+#include <sunder/solid/represent/bounded_hierarchy.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/round_frame.h>
 
@@ -40,6 +41,22 @@ struct PolarHierarchy {
   // By ranks of facets: `vertex` is the number of the facet, `at` the polar's vertex, rounded, and `middle` from o to
   // the mean of the facet's corners, rounded; no middle is a triangle.
   Hierarchy hierarchy;
+};
+
+// The same with bounded degrees (bounded_hierarchy.h). Facets of many corners are vertices of high degree, and are cut
+// off: a cut point is a half-space between two facets, and holds the body.
+struct BoundedPolarHierarchy {
+  static constexpr std::size_t slot = 7;  // see solid/represent/of.h
+
+  // Throws Error bad_shape where the dimension is not 3. Cost: O(n), and some exact arithmetic for each cut point.
+  static BoundedPolarHierarchy make(const ConvexPolyhedron& body);
+
+  std::array<std::uint32_t, 4> base;
+  Point3 to_one;
+  RoundFrame to_round;
+
+  // By ranks of facets, as above; cut points rounded in the same frame.
+  BoundedHierarchy hierarchy;
 };
 
 }  // namespace sunder::solid

@@ -36,7 +36,7 @@ using Support = SupportOf<4>;
 // A point as a mean of vertices of one body, with weights that are not negative and sum to 1, as far as rounding tells.
 template <class Real>
 struct Mixture {
-  static constexpr std::size_t most = 12;
+  static constexpr std::size_t most = 18;
   std::array<std::uint32_t, most> vertex{};
   std::array<Real, most> weight{};
   std::size_t count = 0;

@@ -1,4 +1,6 @@
 #include <sunder/solid/object/search_graph_walk.h>
+#include <sunder/solid/represent/bounded_hierarchy.h>
+#include <sunder/solid/represent/bounded_walk.h>
 #include <sunder/solid/represent/hierarchy.h>
 #include <sunder/solid/represent/hierarchy_walk.h>
 #include <sunder/solid/represent/of.h>
@@ -47,9 +49,27 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
     if (j == count) return block.vertex();
     block = graph.block(block.place(j));
   }
-  const std::uint32_t found = extreme_vertex_of_ranks(body, along, end, Hierarchy::none, cost, tally);
+  const std::uint32_t found = body.by_bounded ? extreme_vertex_by_bounded(body, along, end, cost, tally)
+                                              : extreme_vertex_of_ranks(body, along, end, Hierarchy::none, cost, tally);
   const Point3 &first = graph.vertices[start], &last = graph.vertices[found];
   return along.compare(first, last, &tally) == further ? found : start;
+}
+
+std::uint32_t extreme_vertex_by_bounded(const Placed& body, Along& along, End end, Cost& cost, StageTally& tally,
+                                        std::uint32_t ranks) {
+  const BoundedHierarchy& hierarchy = represent::of<BoundedHierarchy>(body.body);
+  const auto compare_upwards = [&](std::uint32_t i, std::uint32_t j) {
+    const BoundedHierarchy::Node &p = hierarchy.nodes[i], &q = hierarchy.nodes[j];
+    if (p.copy == BoundedHierarchy::none && q.copy == BoundedHierarchy::none) return along.compare(p.at, q.at, &tally);
+    const Guess guess = along.compare_within(p.at, q.at, hierarchy.error);
+    if (is_sure(guess)) return counted(&StageTally::rounded, &tally, to_sign(guess));
+    return along.compare(hierarchy.exact(i), hierarchy.exact(j), &tally);
+  };
+  const auto compare = [&](std::uint32_t i, std::uint32_t j) {
+    const Sign sign = compare_upwards(i, j);
+    return end == End::greatest ? sign : -sign;
+  };
+  return hierarchy.nodes[BoundedWalk(hierarchy, compare, cost.probes).run(ranks)].vertex;
 }
 
 }  // namespace sunder::solid

@@ -27,4 +27,11 @@ std::uint32_t extreme_vertex_from(const Placed& body, Along& along, End end, std
 std::uint32_t extreme_vertex_of_ranks(const Placed& body, Along& along, End end, std::uint32_t ranks, Cost& cost,
                                       StageTally& tally);
 
+// The same down the bounded hierarchy (represent/bounded_hierarchy.h) from its top, by that alone: no sectors, and no
+// vertex that is near. Of the polyhedron; or where `ranks` is the end of a level, of that level, and if that is a cut
+// point, the vertex from which it was cut. Requires three vertices or more. Cost: at most 7.5 log2 n probes for 8
+// vertices and more (the constant tested).
+std::uint32_t extreme_vertex_by_bounded(const Placed& body, Along& along, End end, Cost& cost, StageTally& tally,
+                                        std::uint32_t ranks = 0xffffffff);
+
 }  // namespace sunder::solid

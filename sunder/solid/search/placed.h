@@ -19,6 +19,9 @@ struct Placed {
   const Affine3& pose;
   bool tame;    // images_are_tame (predicate/posed.h)
   double size;  // the reach of all its points (predicate/posed.h); infinite where it overflows
+  // Whether exact searches go down the bounded hierarchy, where they go down one, or that with sectors
+  // (extreme_vertex.h).
+  bool by_bounded = false;
 
   Placed(const ConvexPolyhedron& of, const Pose& at)
       : body(of),
@@ -29,7 +32,12 @@ struct Placed {
 
   // The same body elsewhere, for searches: nothing is said of what floating point can tell there.
   Placed(const Placed& of, const Affine3& at)
-      : body(of.body), graph(of.graph), pose(at), tame(false), size(std::numeric_limits<double>::infinity()) {}
+      : body(of.body),
+        graph(of.graph),
+        pose(at),
+        tame(false),
+        size(std::numeric_limits<double>::infinity()),
+        by_bounded(of.by_bounded) {}
 
   Posed3 operator[](std::uint32_t v) const { return {graph.vertices[v], &pose, tame, size}; }
 

@@ -17,27 +17,57 @@
 
 namespace sunder::solid {
 
-// What a walk down a hierarchy asks about a direction, in floating point. Directions of any length and bodies of any
-// size, along each axis, are brought near 1 where products of a walk could overflow or vanish.
+// A direction beside a body, in floating point. Directions of any length and bodies of any size, along each axis, are
+// brought near 1 where products of a walk could overflow or vanish.
 template <class Real>
-class CompareAlong {
+class ScaledDirection {
  public:
   using Vector = VectorOf<Real>;
 
-  explicit CompareAlong(const ConvexPolyhedron& body) : hierarchy_(represent::of<Hierarchy>(body)) {
+  explicit ScaledDirection(const ConvexPolyhedron& body) {
     const Point3 &low = body.search_graph().low, &high = body.search_graph().high;
     to_one_ = {scale_to_one(high.x - low.x), scale_to_one(high.y - low.y), scale_to_one(high.z - low.z)};
   }
 
   void turn_to(const Vector& direction) { direction_ = form(direction); }
+  const Vector& direction() const { return direction_; }
+
+  // Beside a vector that is scaled. Always inlined: a call in each step takes a tenth more instructions.
+  [[gnu::always_inline]] Vector form(const Vector& d) const {
+    const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};
+    const Point3 size = rounded(f);
+    const Real by(scale_to_one(std::max({std::fabs(size.x), std::fabs(size.y), std::fabs(size.z)})));
+    return {f.x * by, f.y * by, f.z * by};
+  }
+  Vector from_to(const Point3& p, const Point3& q) const {
+    return {difference<Real>(q.x, p.x) * Real(to_one_.x), difference<Real>(q.y, p.y) * Real(to_one_.y),
+            difference<Real>(q.z, p.z) * Real(to_one_.z)};
+  }
+
+ private:
+  Point3 to_one_;
+  Vector direction_{};
+};
+
+// What a walk down a hierarchy asks about a direction, in floating point.
+template <class Real>
+class CompareAlong {
+ public:
+  using Vector = VectorOf<Real>;
+
+  explicit CompareAlong(const ConvexPolyhedron& body) : hierarchy_(represent::of<Hierarchy>(body)), direction_(body) {}
+
+  void turn_to(const Vector& direction) { direction_.turn_to(direction); }
 
   // Is rank j further along than rank i?
-  Sign operator()(std::uint32_t i, std::uint32_t j) const { return sign_of_rounded(dot(direction_, from_to(i, j))); }
+  Sign operator()(std::uint32_t i, std::uint32_t j) const {
+    return sign_of_rounded(dot(direction_.direction(), from_to(i, j)));
+  }
 
   // As HierarchyWalk's turn.
   Sign turn(std::uint32_t v, std::uint32_t i, std::uint32_t j) const {
-    const Vector middle = middle_of(v), a = from_to(v, i), b = from_to(v, j);
-    return sign_of_rounded(dot(direction_, a) * dot(middle, b) - dot(direction_, b) * dot(middle, a));
+    const Vector middle = middle_of(v), a = from_to(v, i), b = from_to(v, j), &d = direction_.direction();
+    return sign_of_rounded(dot(d, a) * dot(middle, b) - dot(d, b) * dot(middle, a));
   }
 
   const Hierarchy& hierarchy() const { return hierarchy_; }
@@ -51,24 +81,14 @@ class CompareAlong {
         return cross(from_to(v, node.middle_triangle[0]), from_to(v, node.middle_triangle[1]));
       }
     }
-    return form({node.middle.x, node.middle.y, node.middle.z});
-  }
-  // Beside a vector that is scaled. Always inlined: a call in each step takes a tenth more instructions.
-  [[gnu::always_inline]] Vector form(const Vector& d) const {
-    const Vector f{d.x * Real(1 / to_one_.x), d.y * Real(1 / to_one_.y), d.z * Real(1 / to_one_.z)};
-    const Point3 size = rounded(f);
-    const Real by(scale_to_one(std::max({std::fabs(size.x), std::fabs(size.y), std::fabs(size.z)})));
-    return {f.x * by, f.y * by, f.z * by};
+    return direction_.form({node.middle.x, node.middle.y, node.middle.z});
   }
   Vector from_to(std::uint32_t i, std::uint32_t j) const {
-    const Point3 &p = hierarchy_.nodes[i].at, &q = hierarchy_.nodes[j].at;
-    return {difference<Real>(q.x, p.x) * Real(to_one_.x), difference<Real>(q.y, p.y) * Real(to_one_.y),
-            difference<Real>(q.z, p.z) * Real(to_one_.z)};
+    return direction_.from_to(hierarchy_.nodes[i].at, hierarchy_.nodes[j].at);
   }
 
   const Hierarchy& hierarchy_;
-  Point3 to_one_;
-  Vector direction_{};
+  ScaledDirection<Real> direction_;
 };
 
 // The turn of what compares, as HierarchyWalk takes it.
