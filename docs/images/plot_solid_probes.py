@@ -3,7 +3,8 @@
 
     SUNDER_TEST_SCALE=40 build/tests/solid_fast --file=solid_hierarchy_complexity_test |
         docs/images/plot_solid_probes.py hierarchy > docs/images/solid-probes.svg
-    build/tests/solid_fast --file=solid_drums_complexity_test | docs/images/plot_solid_probes.py drums > docs/images/drum-probes.svg
+    for file in solid_drums_complexity_test solid_pair_by_drums_complexity_test; do
+        build/tests/solid_fast --file=$file; done | docs/images/plot_solid_probes.py drums > docs/images/drum-probes.svg
 
 At scale 40 there are as many pairs of each size: of fewer the greatest is less.
 """
@@ -12,10 +13,10 @@ import re
 import sys
 
 # Title, what probes are divided by, the bound that the test asserts, step of the grid.
-HIERARCHY = [("_by_hierarchy", "log2^2 of the larger", 32, 10), ("_by_polar", "log2 n + log2 m", 80, 25),
+HIERARCHY = [("_by_hierarchy", "log2^2 of the larger", 68, 20), ("_by_polar", "log2 n + log2 m", 80, 25),
              ("front door", "log2 n + log2 m", 250, 50)]
 DRUMS = [("a plane (IHP)", "log2^2 n", 2, 1), ("a line (IHL)", "log2^2 n", 45, 15),
-         ("a polygon (IHG)", "log2 n log2 (n + m)", 130, 50), ("a polyhedron (IHH)", "log2^3 (n + m)", 55, 20)]
+         ("a polygon (IHG)", "log2 p log2 (p + q)", 75, 25), ("a polyhedron (IHH)", "log2 p log2 q log2 (p + q)", 140, 50)]
 COLOURS = ["#000000", "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]  # of Okabe and Ito
 WIDTH, HEIGHT, LEFT, GAP, TOP, LOW = 960, 430, 50, 50, 50, 310
 
@@ -31,11 +32,11 @@ def read_hierarchy(lines):
 
 
 def read_drums(lines):
-    """The same, from two tables: of three questions, and of two bodies."""
+    """The same, from three tables."""
     greatest, first = {}, None
     for line in lines:
         if line.startswith("family"):
-            first = {"plane": 0, "bodies": 3}.get(line.split()[2])
+            first = {"plane": 0, "polygon": 2, "bodies": 3}.get(line.split()[2])
         fields = re.fullmatch(r"(\S.*?) +(\d+)((?: +[\d.]+)+)", line.strip())
         if fields and first is not None and int(fields[2]) >= 8 and fields[1] != "grid":  # a grid has 8 vertices, always
             ratios = greatest.setdefault(fields[1], {}).setdefault(math.log2(int(fields[2])), [0.0] * 4)
@@ -81,7 +82,7 @@ def main():
             points = " ".join(f"{x(p):.1f},{y(ratios[column]):.1f}" for p, ratios in sorted(of.items()) if ratios[column])
             if points:  # else it was not asked
                 out.append(f'<polyline points="{points}" fill="none" {stroke(f)}/>')
-    of_what = ("vertices n of a body" if is_drums else "points n of a body, against itself or a sphere of m")
+    of_what = ("vertices n of a body, the larger of two" if is_drums else "points n of a body, against itself or a sphere of m")
     grey = "the bound that the test asserts" + (", from 1,000 on" if is_drums else "")
     out.append(f'<text x="{LEFT}" y="{LOW + 42}">across: {of_what}; upwards: the greatest ratio seen; grey: {grey}</text>')
     for f, family in enumerate(greatest):

@@ -2,7 +2,7 @@
 // some of them and in soaks all of 2^17. Lemma 12:
 // at most a constant times the logarithm of the edges at a vertex. Of lines that miss the body: at most a constant
 // times log2 n down the hierarchy, and over the vertex graph beyond what polyhedron_line takes; by drums times log2^2 n
-// beyond what polyhedron_line_by_drums takes.
+// and the steps of an access beyond what polyhedron_line_by_drums takes.
 #include <tests/support/doubles.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
@@ -11,6 +11,8 @@
 #include <sunder/base/random.h>
 #include <sunder/solid/line/polyhedron_line.h>
 #include <sunder/solid/line/polyhedron_line_support.h>
+#include <sunder/solid/represent/drums.h>
+#include <sunder/solid/represent/of.h>
 
 #include <gtest/gtest.h>
 
@@ -81,6 +83,7 @@ TEST(SolidLineSupportComplexity, ProbesGrowAsPowersOfTheLogarithm) {
       const std::size_t n = vertices.size();
       if (body.dimension() < 3 || n < 8) continue;
       const double log_n = std::log2(static_cast<double>(n));
+      const double steps = solid::represent::of<solid::Drums>(body).steps_of_access();
       std::size_t most_edges = 0;
       for (std::uint32_t v = 0; v < n; ++v) most_edges = std::max(most_edges, body.neighbours(v).size());
       const auto [low, high] = body.box();
@@ -106,7 +109,7 @@ TEST(SolidLineSupportComplexity, ProbesGrowAsPowersOfTheLogarithm) {
         }
         graph.add(shape.name, n, log_n, found, of_cut);
         hierarchy.add(shape.name, n, log_n, polyhedron_line_support_by_hierarchy(body, Pose(), line), 0);
-        drums.add(shape.name, n, log_n * log_n, polyhedron_line_support_by_drums(body, Pose(), line),
+        drums.add(shape.name, n, log_n * log_n * steps, polyhedron_line_support_by_drums(body, Pose(), line),
                   polyhedron_line_by_drums(body, Pose(), line).cost.probes);
       }
       std::printf("%-14.*s %7zu %9.2f %9.2f %9.2f\n", static_cast<int>(shape.name.size()), shape.name.data(), n,

@@ -132,7 +132,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
     const PairCase c = pairs.next();
     const auto [low, high] = c.a.box();
     const Point3 direction = low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
-    const solid::Drums listed(c.a, direction, solid::DrumsForm::listed);
+    const solid::Drums persistent(c.a, direction, solid::DrumsForm::persistent);
     for (int f = 0; f < plane_family_count && i < count; ++f, ++i) {
       const auto family = static_cast<PlaneFamily>(f);
       const Pose pose = family == PlaneFamily::level && i % 2 == 0 ? Pose() : c.pose_a;
@@ -142,7 +142,7 @@ TEST(SolidPlaneDifferential, MethodsAgreeWithTheScan) {
       const PolyhedronPlane scan = polyhedron_plane_by_scan(c.a, pose, plane);
       const PolyhedronPlane front = polyhedron_plane(c.a, pose, plane);
       const PolyhedronPlane drums = polyhedron_plane_by_drums(c.a, pose, plane);
-      const PolyhedronPlane others = polyhedron_plane_by_drums(c.a, listed, pose, plane);
+      const PolyhedronPlane others = polyhedron_plane_by_drums(c.a, persistent, pose, plane);
       for (const PolyhedronPlane* answer : {&scan, &front, &drums, &others}) {
         ASSERT_EQ(side_of(*answer), side_of(scan));
         expect_evidence(*answer, c.a, pose, plane);

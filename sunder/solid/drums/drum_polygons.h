@@ -125,7 +125,7 @@ class SliceSequence : public RoundedSequence<SliceSequence<Real>, Real> {
 
   std::uint32_t size() const { return body_.drums().size(drum_); }
 
-  Vertex operator[](std::uint32_t k) const {
+  Vertex point(std::uint32_t k) const {
     const LateralEdge& e = edge(k);
     const auto low = body_.at(e.low), high = body_.at(e.high);
     const Real up = body_.search().template share_at<Real>(e, slice_);
@@ -205,7 +205,7 @@ class CutSequence : public RoundedSequence<CutSequence<Real>, Real> {
 
   std::uint32_t size() const { return heads() + polygon_.run + static_cast<std::uint32_t>(polygon_.tail_count); }
 
-  Vertex operator[](std::uint32_t k) const {
+  Vertex point(std::uint32_t k) const {
     const std::uint32_t i = turned(k);
     if (i < heads()) return points_[i];
     if (i >= heads() + polygon_.run) return points_[4 + i - heads() - polygon_.run];

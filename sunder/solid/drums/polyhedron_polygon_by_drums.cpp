@@ -104,10 +104,10 @@ class PolygonByDrums {
 
 PairAnswer polyhedron_polygon_by_drums(const ConvexPolyhedron& body, const Pose& pose,  //
                                        const ConvexPolyhedron& polygon, const Pose& pose_of_polygon) {
-  if (body.dimension() < 3 || polygon.dimension() != 2) {
-    return polyhedron_polyhedron(body, pose, polygon, pose_of_polygon);
-  }
   const Placed a(body, pose), b(polygon, pose_of_polygon);
+  if (body.dimension() < 3 || polygon.dimension() != 2) {
+    return answer_by(a, b, [](const Holds&, Cost&) { return false; });
+  }
   return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
     return PolygonByDrums<double>(a, b, cost).propose(holds) || PolygonByDrums<DoubleDouble>(a, b, cost).propose(holds);
   });

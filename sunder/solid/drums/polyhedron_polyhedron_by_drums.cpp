@@ -11,9 +11,12 @@
 //   D3. Planes through a lateral edge e turn about it: first those through corners of the lower slice, then those of
 //       the upper one. A corner of the lower slice that is e's own gives no plane: its upper corner does in its place,
 //       in the same order.
+//   D4. A plane T_Q that is kept answers for every T whose R has nothing beyond it: T is not asked about. In a drum the
+//       corners beyond T_Q are a run of lateral edges, which holds the furthest one, the same at all heights.
 #include <sunder/base/contract.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/drums/drum_polygons.h>
+#include <sunder/solid/pair/polyhedron_polygon.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
 #include <sunder/solid/pair/polyhedron_polyhedron_answer.h>
 #include <sunder/solid/represent/drums.h>
@@ -50,14 +53,22 @@ Proposal exchanged(const Proposal& p) {
   return q;
 }
 
+// Normals of planes that support Q, of its scaled world, towards Q.
+struct Ways {
+  static constexpr std::size_t most = 8;
+  std::array<Point3, most> way{};
+  std::size_t count = 0;
+};
+
 template <class Real>
 class PolyhedraByDrums {
   using Vector = VectorOf<Real>;
   using Form = LinearForm<Real>;
 
  public:
-  // Proposals are about q as A, and p as B.
-  PolyhedraByDrums(const Placed& q, const Placed& p, Cost& cost)
+  // Proposals are about q as A, and p as B. Begins with the planes that have these normals; where there are none, with
+  // the one across the way from P's middle to that of Q.
+  PolyhedraByDrums(const Placed& q, const Placed& p, Cost& cost, const Ways& ways)
       : q_(q),
         p_(p),
         cost_(cost),
@@ -69,11 +80,21 @@ class PolyhedraByDrums {
         base_q_(frame_q_.way_to_image<Real>(from_, search_q_.vertex(represent::of<Drums>(q.body).vertex_of(0)))),
         body_(search_p_, p, frame_q_, from_),
         base_p_(body_.at(drums().vertex_of(0))),
-        proposals_(q) {}
+        proposals_(q),
+        ways_(ways) {}
 
   bool propose(const Holds& holds) {
     const End end = reduce(holds);
     return end == End::held || (end == End::parted && mix(holds));
+  }
+
+  // Of the planes that it ended with: for a search that is more precise.
+  Ways ways() const {
+    Ways found;
+    distinct([&](std::size_t k) {
+      if (found.count < Ways::most) found.way[found.count++] = rounded(kept_[k]->normal);
+    });
+    return found;
   }
 
  private:
@@ -84,16 +105,22 @@ class PolyhedraByDrums {
     goes_on,
   };
 
-  // Where what is left of P is beyond the planes that were asked about, by which T_Q are kept; and the last one.
-  enum Place : std::size_t { above_slice, below_slice, right, left, above_triangle, below_triangle, last, places };
+  // Where what is left of P is beyond the planes that were asked about, by which T_Q are kept; and the last one. From
+  // `first` on: those that it begins with.
+  enum Place : std::size_t { above_slice, below_slice, right, left, above_triangle, below_triangle, last, first };
+  static constexpr std::size_t most_kept = first + Ways::most, most_in_game = 16;
+  static_assert(most_kept <= most_in_game);
 
   // A plane that supports Q, as a form over P's drums: positive beyond it, where Q is.
   struct Support {
     Form beyond{};
-    Vector normal{};         // of the scaled world, towards Q
-    double by = 1;           // what the form is, beside the normal
-    bool is_beside = false;  // all of Q is on one side of the plane that was asked about
-    Proposal claim;          // that it parts the bodies; of kind `meet`: by nothing but its normal
+    Vector normal{};           // of the scaled world, towards Q
+    double by = 1;             // what the form is, beside the normal
+    bool is_beside = false;    // all of Q is on one side of the plane that was asked about
+    Proposal claim;            // that it parts the bodies; of kind `meet`: by nothing but its normal
+    std::uint32_t number = 0;  // counted as they are found
+    // What is beyond it in the drum is between these two lateral edges, counted from e: none where e is beyond it.
+    std::optional<std::array<std::uint32_t, 2>> extent;
   };
 
   // A plane through e: of corners 1 .. n - 1 of either slice, the last that is right of it and the first that is left.
@@ -198,7 +225,8 @@ class PolyhedraByDrums {
   }
 
   // Q is beyond the plane through a point of it.
-  End towards(const Vector& of_normal, const Vector& point, Support& support) const {
+  End towards(const Vector& of_normal, const Vector& point, Support& support) {
+    support.number = ++found_;
     support.normal = scaled_to_one(of_normal);
     Form& g = support.beyond;
     g = frame_p_.form<Real>(support.normal, minus(base_p_, point));
@@ -234,25 +262,81 @@ class PolyhedraByDrums {
            holds(along(support.normal, support.claim.near_a, v));
   }
 
-  void keep(const Support& support, Place place) {
+  void keep(const Support& support, std::size_t place) {
     kept_[place] = support;
     newest_ = place;
   }
 
-  // Step 1.
-  End to_drum(const Holds& holds) {
-    std::uint32_t low = 0, high = drums().drum_count();
-    while (high - low > 1) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      bool is_above = false;
-      if (const End end = ask_slice(middle, holds, is_above); end != End::goes_on) return end;
-      (is_above ? low : high) = middle;
+  // Calls take(k) for the places of planes that are kept, once for each plane.
+  template <class Take>
+  void distinct(const Take& take) const {
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      if (!kept_[k]) continue;
+      std::size_t same = 0;
+      while (!kept_[same] || kept_[same]->number != kept_[k]->number) ++same;
+      if (same == k) take(k);
     }
-    drum_ = low;
+  }
+
+  // D4: planes to begin with.
+  End begin(const Holds& holds) {
+    low_ = 0, high_ = drums().drum_count();
+    if (ways_.count == 0) {
+      const Vector p = frame_q_.way_to_image<Real>(from_, p_.pose, p_.graph.middle);
+      ways_.way[ways_.count++] = rounded(minus(frame_q_.way_to_image<Real>(from_, q_.graph.middle), p));
+    }
+    for (std::size_t k = 0; k < ways_.count; ++k) {
+      const Point3& of = ways_.way[k];
+      const Vector way = scaled_to_one(Vector{Real(of.x), Real(of.y), Real(of.z)});
+      const Vector back = frame_q_.form<Real>(negated(way), base_q_).normal;
+      Support support;
+      support.claim.near_a = search_q_.furthest_vertex<Real>(back, [](std::uint32_t) { return false; });
+      if (towards(way, at_q(support.claim.near_a), support) != End::goes_on) continue;
+      const std::uint32_t v = vertex_beyond(support.beyond);
+      const Real value = support.beyond.at(search_p_, v);
+      if (!(value > Real(noise)) && parts(support, v, holds)) return End::held;
+      keep(support, first + k);
+      if (value < Real(-noise)) return End::parted;
+      narrow(support, v);
+    }
     return End::goes_on;
   }
 
-  End ask_slice(std::uint32_t slice, const Holds& holds, bool& is_above) {
+  // Step 1.
+  End to_drum(const Holds& holds) {
+    if (const End end = begin(holds); end != End::goes_on) return end;
+    while (high_ - low_ > 1) {
+      const std::uint32_t middle = low_ + (high_ - low_) / 2;
+      std::uint32_t v = 0;
+      if (const End end = ask_slice(middle, holds, v); end != End::goes_on) return end;
+      (drums().slice_of(v) > middle ? low_ : high_) = middle;
+      narrow(*kept_[newest_], v);
+    }
+    drum_ = low_;
+    return End::goes_on;
+  }
+
+  // D4: slices that have nothing beyond the plane, which has vertex v of P beyond it, are no further asked about.
+  void narrow(const Support& of, std::uint32_t v) {
+    const Support support = of;
+    const auto is_beyond = [&](std::uint32_t slice) { return reaches(slice, support); };
+    const std::uint32_t at = std::clamp(drums().slice_of(v), low_, high_);
+    const std::uint32_t from = planar::first_where(low_ + 1, at, is_beyond);
+    const std::uint32_t to =
+        planar::first_where(std::max(at, low_ + 1), high_, [&](std::uint32_t slice) { return !is_beyond(slice); });
+    if (from > low_ + 1) low_ = from - 1, kept_[above_slice] = support;
+    if (to < high_) high_ = to, kept_[below_slice] = support;
+  }
+
+  // Has the slice a point beyond the plane, or on it?
+  bool reaches(std::uint32_t slice, const Support& support) const {
+    const std::uint32_t drum = std::min(slice, drums().drum_count() - 1);
+    const std::uint32_t k = search_p_.furthest_edge(drum, rounded(support.beyond.normal));
+    return !(body_.value_at(support.beyond, search_p_.edge(drum, k), slice) < Real(-noise));
+  }
+
+  // v: a vertex of P beyond T_Q.
+  End ask_slice(std::uint32_t slice, const Holds& holds, std::uint32_t& v) {
     const Point3& up = drums().up();
     const std::size_t k = std::fabs(up.x) >= std::max(std::fabs(up.y), std::fabs(up.z)) ? 0
                           : std::fabs(up.y) >= std::fabs(up.z)                          ? 1
@@ -273,11 +357,11 @@ class PolyhedraByDrums {
         [&](const auto& axes, bool reversed) { return SliceSequence<Real>(body_, slice, axes, reversed); }, holds,
         support);
     if (end != End::goes_on) return end;
-    const std::uint32_t v = vertex_beyond(support.beyond);
+    v = vertex_beyond(support.beyond);
     const Real value = support.beyond.at(search_p_, v);
     if (!(value > Real(noise)) && parts(support, v, holds)) return End::held;
     const bool is_parted = value < Real(-noise);
-    is_above = drums().slice_of(v) > slice;
+    const bool is_above = drums().slice_of(v) > slice;
     keep(support, is_parted ? last : is_above ? above_slice : below_slice);
     if (is_parted) return End::parted;
     return drums().slice_of(v) == slice ? End::stuck : End::goes_on;
@@ -375,12 +459,48 @@ class PolyhedraByDrums {
     }
   }
 
+  // What is beyond the plane is, at each height of the drum, within the same run of lateral edges and the two sides
+  // beside it (D4). False where there is nothing.
+  bool find_extent(Support& support) const {
+    const std::uint32_t n = drums().size(drum_);
+    const Point3 normal = rounded(support.beyond.normal);
+    const std::uint32_t furthest = search_p_.furthest_edge(drum_, normal);
+    const std::uint32_t opposite = search_p_.furthest_edge(drum_, negated(normal));
+    const std::uint32_t middle = (furthest + n - opposite) % n;  // counted from the opposite edge
+    std::uint32_t from = n, to = 0;
+    for (const std::uint32_t slice : {drum_, drum_ + 1}) {
+      const auto is_beyond = [&](std::uint32_t k) {
+        return !(body_.value_at(support.beyond, edge((opposite + k) % n), slice) < Real(-noise));
+      };
+      if (!is_beyond(middle)) continue;
+      from = std::min(from, planar::first_where(0, middle, is_beyond));
+      to = std::max(to, planar::first_where(middle + 1, n, [&](std::uint32_t k) { return !is_beyond(k); }));
+    }
+    if (from == n) return false;
+    // Between edges from - 1 and to, counted from the opposite one.
+    const std::uint32_t e = (n - opposite) % n;
+    if (from > 0 && (e < from || e >= to)) {
+      const std::uint32_t by = e < from ? 0 : n;
+      support.extent = std::array<std::uint32_t, 2>{from - 1 + by - e, to + by - e};
+    }
+    return true;
+  }
+
   // Is what is left of P beyond T_Q right of the plane?
   End ask_fan(Fan& fan, const Holds& holds, bool& is_right) {
+    for (const std::optional<Support>& kept : kept_) {
+      if (!kept || !kept->extent) continue;
+      const auto [from, to] = *kept->extent;
+      is_right = to <= std::min(fan.last_right[0], fan.last_right[1]);
+      if (!is_right && from < std::max(fan.first_left[0], fan.first_left[1])) continue;
+      fan.support = kept;
+      return End::goes_on;
+    }
     Support support;
     const Vector normal = fan.normal;
     const End end = ask(normal, body_.at(fan.polygon.head[0]), fan.polygon, holds, support);
     if (end != End::goes_on) return end;
+    (void)find_extent(support);
     fan.support = support;
     const std::uint32_t k = search_p_.furthest_edge(drum_, rounded(support.beyond.normal));
     const LateralEdge e = edge(k);
@@ -398,6 +518,11 @@ class PolyhedraByDrums {
   End to_wedge(const Holds& holds) {
     const std::uint32_t n = drums().size(drum_);
     const std::array<std::uint32_t, 2> all{n - 1, n - 1};
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      if (!kept_[k] || find_extent(*kept_[k])) continue;
+      newest_ = k;
+      return End::parted;
+    }
     a_ = fan_through(1, false, {{1, 1}, all});
     b_ = fan_through(n - 1, false, {a_.first_left, all});
     for (const std::size_t s : {0u, 1u}) {
@@ -459,7 +584,18 @@ class PolyhedraByDrums {
     triangle.add_head(wedge_point(false, s), std::array{e.low, e.high});
     triangle.add_head(wedge_point(true, s));
     Support support;
-    if (const End end = ask(normal, x, triangle, holds, support); end != End::goes_on) return end;
+    const auto parts_triangle = [&](const std::optional<Support>& kept) {
+      if (!kept) return false;
+      const auto is_beside = [&](const Mean<Real>& corner) {
+        return body_.value_at(kept->beyond, corner) < Real(-noise);
+      };
+      return is_beside(triangle.head[0]) && is_beside(triangle.head[1]) && is_beside(triangle.head[2]);
+    };
+    if (const auto kept = std::find_if(kept_.begin(), kept_.end(), parts_triangle); kept != kept_.end()) {
+      support = **kept;
+    } else if (const End end = ask(normal, x, triangle, holds, support); end != End::goes_on) {
+      return end;
+    }
     // The furthest of the wedge's corners, which are on its two planes.
     Real best(-noise);
     bool is_parted = true;
@@ -517,11 +653,12 @@ class PolyhedraByDrums {
     }
     keep(support, last);
     for (const Place k : {above_slice, below_slice}) {
-      if (kept_[k]) continue;
-      bool is_above = false;
-      const Place newest = newest_;
-      if (const End of_slice = ask_slice(k == above_slice ? drum_ : drum_ + 1, holds, is_above);
-          of_slice == End::held || of_slice == End::parted) {
+      const std::uint32_t slice = k == above_slice ? drum_ : drum_ + 1;
+      const auto parts_slice = [&](const std::optional<Support>& kept) { return kept && !reaches(slice, *kept); };
+      if (kept_[k] || std::any_of(kept_.begin(), kept_.end(), parts_slice)) continue;
+      std::uint32_t beyond = 0;
+      const std::size_t newest = newest_;
+      if (const End of_slice = ask_slice(slice, holds, beyond); of_slice == End::held || of_slice == End::parted) {
         return of_slice;
       }
       newest_ = newest;
@@ -570,15 +707,14 @@ class PolyhedraByDrums {
 
   // D2: the planes that were kept and vertices of P, as a game.
   bool mix(const Holds& holds) {
-    std::array<const Support*, places> support{};
+    std::array<const Support*, most_kept> support{};
     std::size_t count = 0, newest = 0;
-    for (std::size_t k = 0; k < places; ++k) {
-      if (!kept_[k]) continue;
-      if (k == newest_) newest = count;
+    distinct([&](std::size_t k) {
+      if (kept_[newest_] && kept_[k]->number == kept_[newest_]->number) newest = count;
       support[count++] = &*kept_[k];
-    }
+    });
     if (count == 0) return false;
-    std::array<Real, places> weight{};
+    std::array<Real, most_kept> weight{};
     weight[newest] = 1;
     MatrixGame<Real, most_in_game> game;
     game.rows = count;
@@ -611,8 +747,8 @@ class PolyhedraByDrums {
     return false;
   }
 
-  static std::uint32_t near_of_q(const std::array<const Support*, places>& support,
-                                 const std::array<Real, places>& weight, std::size_t count) {
+  static std::uint32_t near_of_q(const std::array<const Support*, most_kept>& support,
+                                 const std::array<Real, most_kept>& weight, std::size_t count) {
     std::size_t best = 0;
     for (std::size_t k = 1; k < count; ++k) best = weight[k] > weight[best] ? k : best;
     return support[best]->claim.near_a;
@@ -631,7 +767,6 @@ class PolyhedraByDrums {
   }
 
   static constexpr double noise = MatrixGame<Real, 1>::noise;
-  static constexpr std::size_t most_in_game = 16;
 
   const Placed &q_, &p_;
   Cost& cost_;
@@ -642,14 +777,23 @@ class PolyhedraByDrums {
   DrumsInWorld<Real> body_;
   Vector base_p_;
   SectionProposals proposals_;
+  Ways ways_;
 
+  std::uint32_t low_ = 0, high_ = 0;  // slices around what is left
   std::uint32_t drum_ = 0;
   Fan a_, b_;
   std::uint32_t side_below_ = 0, edges_ = 0;
   bool ascends_ = true;
-  std::array<std::optional<Support>, places> kept_;
-  Place newest_ = last;
+  std::array<std::optional<Support>, most_kept> kept_;
+  std::size_t newest_ = last;
+  std::uint32_t found_ = 0;  // how many planes were
 };
+
+bool propose_by_drums(const Placed& q, const Placed& p, Cost& cost, const Holds& holds) {
+  PolyhedraByDrums<double> rough(q, p, cost, {});
+  if (rough.propose(holds)) return true;
+  return PolyhedraByDrums<DoubleDouble>(q, p, cost, rough.ways()).propose(holds);
+}
 
 // About how long the image of a body is.
 double size_of(const ConvexPolyhedron& body, const Pose& pose) {
@@ -664,10 +808,13 @@ double size_of(const ConvexPolyhedron& body, const Pose& pose) {
 
 PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const Pose& pose_a,  //
                                           const ConvexPolyhedron& body_b, const Pose& pose_b) {
-  if (body_a.dimension() < 3 || body_b.dimension() < 3) {
-    return polyhedron_polyhedron(body_a, pose_a, body_b, pose_b);
+  const int dimension_a = body_a.dimension(), dimension_b = body_b.dimension();
+  if (dimension_a == 3 && dimension_b == 2) return polyhedron_polygon_by_drums(body_a, pose_a, body_b, pose_b);
+  if (dimension_a == 2 && dimension_b == 3) {
+    return exchanged(polyhedron_polygon_by_drums(body_b, pose_b, body_a, pose_a));
   }
   const Placed a(body_a, pose_a), b(body_b, pose_b);
+  if (dimension_a < 3 || dimension_b < 3) return answer_by(a, b, [](const Holds&, Cost&) { return false; });
   // The one with fewer vertices is cut; of two that are next to nothing beside each other, that one: the world is the
   // other one's.
   const double size_a = size_of(body_a, pose_a), size_b = size_of(body_b, pose_b);
@@ -676,11 +823,7 @@ PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& body_a, const 
   return answer_by(a, b, [&](const Holds& holds, Cost& cost) {
     const auto propose_of = [&](const Placed& p, const Placed& q, const Holds& of) {
       const auto of_exchanged = [&](const Proposal& proposal) { return of(exchanged(proposal)); };
-      if (cuts_a) {
-        return PolyhedraByDrums<double>(q, p, cost).propose(of_exchanged) ||
-               PolyhedraByDrums<DoubleDouble>(q, p, cost).propose(of_exchanged);
-      }
-      return PolyhedraByDrums<double>(p, q, cost).propose(of) || PolyhedraByDrums<DoubleDouble>(p, q, cost).propose(of);
+      return cuts_a ? propose_by_drums(q, p, cost, of_exchanged) : propose_by_drums(p, q, cost, of);
     };
     return propose_axis_scaled_where_wanted(a, b, holds, propose_of);
   });

@@ -28,8 +28,8 @@ inline PolyhedronCut polyhedron_line(const ConvexPolyhedron& body, const Line& l
 // By drums (represent/drums.h): the section of the body by a plane through the line is a polygon that exists only
 // implicitly; where is it furthest to both sides of the line, and which of its sides does the line cross? The first
 // question about a body makes its drums. Cost: at most 45 log2^2 n probes for n of 1,000 and more (the constant
-// tested), each the access to an edge of a drum; where what is found does not hold, in doubles and in double-doubles,
-// exact steps as above. Source: CD87 section 3.5, Theorem 11. Departures: section/section_search.h.
+// tested), times the steps of an access to an edge of a drum; where what is found does not hold, in doubles and in
+// double-doubles, exact steps as above. Source: CD87 section 3.5, Theorem 11. Departures: section/section_search.h.
 PolyhedronCut polyhedron_line_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Line& line);
 
 // All facets, exactly: the oracle. It gives no evidence.

@@ -100,7 +100,7 @@ LineSupport polyhedron_line_support_by_hierarchy(const ConvexPolyhedron& body, c
 
 // The same by drums: polyhedron_line_by_drums, then a search in slices around the line, and extreme vertices by CD87's
 // search in slices. Cost: beside that of polyhedron_line_by_drums, of a line that misses at most 16 log2^2 n probes,
-// likewise.
+// likewise, times the steps of an access to a drum.
 LineSupport polyhedron_line_support_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Line& line);
 
 // All vertices, exactly: the oracle. Of a cut it names neither ends nor facets.

@@ -19,9 +19,10 @@ inline PairAnswer polyhedron_polygon(const ConvexPolyhedron& body, const Pose& p
 // By drums (represent/drums.h): the section of the body by the polygon's plane, which exists only implicitly, against
 // the polygon, by the planar search for two polygons: first a polygon inside of the section, whose corners are on
 // slices, then what the section has beside the corners where that ends. In doubles and in double-doubles; where neither
-// holds, as polyhedron_polyhedron. A body without an inside, or a polygon without, is left to polyhedron_polyhedron.
-// Cost: at most 130 log2 n log2 (n + m) probes for n of 1,000 and more (the constant tested), each the access to an
-// edge of a drum, or to a vertex of the polygon.
+// holds, the exact method decides, as it does for a body without an inside, and for a segment or a point.
+// Cost: where own proposals hold, at most 75 log2 p log2 (p + q) probes, p vertices of the body and q of the polygon, 8
+// or more (the constant tested): looks at vertices of the polygon, and accesses to edges of drums, times their steps.
+// The exact method finishes at most 1 % (tested; 0.4 % seen to the last bit).
 // Source: CD87 section 3.4, Lemma 9, Theorem 10. Departures: section/section_search.h; the planar search is the one
 // over the Minkowski difference (planar/pair/minkowski_difference_search.h), in place of IGG.
 PairAnswer polyhedron_polygon_by_drums(const ConvexPolyhedron& body, const Pose& pose,  //

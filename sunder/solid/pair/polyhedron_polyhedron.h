@@ -35,7 +35,7 @@ PairAnswer polyhedron_polyhedron_by_gjk(const ConvexPolyhedron& a, const Pose& p
 // By the closest points of the levels of both bodies' hierarchies, from the top down (Dobkin and Kirkpatrick 1990), in
 // doubles and then in double-doubles, which propose evidence; the same exact method for what they could not certify.
 // The first question about a body makes its hierarchy, in O(n).
-// Cost: at most 32 log2^2 n probes, n the larger body, of 8 vertices and more (tested, not proved: of steps after the
+// Cost: at most 68 log2^2 n probes, n the larger body, of 8 vertices and more (tested, not proved: of steps after the
 // bottom is reached the code allows 100), whatever the degrees and however small the other; where nothing is certified,
 // the exact pivots as above.
 // Source: Dobkin, Kirkpatrick 1990; BL15 section 4, Lemma 4.2. Departures: vertices beyond a plane by walks over
@@ -66,10 +66,13 @@ PairAnswer polyhedron_polyhedron_by_bounded(const ConvexPolyhedron& a, const Pos
                                             const ConvexPolyhedron& b, const Pose& pose_b);
 
 // By the drums of both bodies (represent/drums.h): the one with fewer vertices is cut by planes, whose sections are
-// asked whether they meet the other; in doubles and then in double-doubles. Where neither holds, the same exact method.
-// A body without an inside is left to polyhedron_polyhedron.
-// Cost: at most 75 log2^3 (n + m) probes for 1,000 vertices and more (the constant tested) where own proposals hold,
-// each the access to an edge of a drum, or what an exact check looks at.
+// asked whether they meet the other; in doubles and then in double-doubles. Where neither holds, the exact method
+// decides, as it does for two bodies of which one is a segment or a point, or both are flat; a flat polygon and a body
+// with an inside are asked about by polyhedron_polygon_by_drums.
+// Cost: where own proposals hold, at most 140 log2 p log2 q log2 (p + q) probes, p and q the vertices of the bodies, 8
+// or more (the constant tested), times the steps of an access to an edge of a drum, which are counted: 1 where drums
+// are listed, log2 of the number of edges where they are not. The exact method finishes at most 2 % of random pairs,
+// 4 % near contact, 10 % to the last bit, on families of bodies that are hard (tested; 0.6, 2.1 and 7 % seen).
 //
 // Source: CD87 section 3.6, Theorem 13. Departures: in the source file.
 PairAnswer polyhedron_polyhedron_by_drums(const ConvexPolyhedron& a, const Pose& pose_a,  //

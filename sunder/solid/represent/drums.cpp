@@ -105,11 +105,11 @@ std::vector<std::uint32_t> order_sideways(const std::vector<LateralEdge>& edges,
 Drums Drums::make(const ConvexPolyhedron& body) {
   const auto [low, high] = body.box();
   const Point3 direction = low.z < high.z ? Point3{0, 0, 1} : low.x < high.x ? Point3{1, 0, 0} : Point3{0, 1, 0};
-  return {body, direction, DrumsForm::persistent};
+  return {body, direction, std::nullopt};
 }
 
-Drums::Drums(const ConvexPolyhedron& body, const Point3& direction, DrumsForm form)
-    : direction_(direction), form_(form) {
+Drums::Drums(const ConvexPolyhedron& body, const Point3& direction, std::optional<DrumsForm> form)
+    : direction_(direction) {
   for (const double x : {direction.x, direction.y, direction.z}) {
     if (!std::isfinite(x))
       throw Error(ErrorCode::bad_value, "a number is not finite; give finite numbers", "direction");
@@ -127,7 +127,8 @@ Drums::Drums(const ConvexPolyhedron& body, const Point3& direction, DrumsForm fo
   }
   std::partial_sum(begun_.begin(), begun_.end(), begun_.begin());
   std::partial_sum(ended_.begin(), ended_.end(), ended_.begin());
-  if (form == DrumsForm::listed) {
+  form_ = form ? *form : listed_size() <= most_listed_unasked ? DrumsForm::listed : DrumsForm::persistent;
+  if (form_ == DrumsForm::listed) {
     make_lists();
   } else {
     make_trees();
@@ -186,6 +187,12 @@ void Drums::find_edges(const ConvexPolyhedron& body) {
   for (const LateralEdge& e : left_of) left.push_back(e.side);
   const std::vector<std::uint32_t> path = path_upwards(right_of, vertex_of(0));
   for (const std::uint32_t e : order_sideways(right_of, left, path, body.facet_count())) edges_.push_back(right_of[e]);
+}
+
+std::uint64_t Drums::listed_size() const {
+  std::uint64_t entries = 0;
+  for (std::uint32_t drum = 0; drum < drum_count(); ++drum) entries += size(drum);
+  return entries;
 }
 
 void Drums::make_lists() {

@@ -48,16 +48,17 @@ class Drums {
  public:
   static constexpr std::size_t slot = 5;  // see solid/represent/of.h
 
-  // Bottom up along z (a body in one level plane along x, or y), in the persistent form.
+  // Bottom up along z (a body in one level plane along x, or y), in the form that fits.
   static Drums make(const ConvexPolyhedron& body);
 
-  // Entries of lists that the listed form may have in all: 1 GiB.
+  // Entries of lists that the listed form may have in all: 1 GiB; and with which it is the one that fits: 32 MiB.
   static constexpr std::uint64_t most_listed = std::uint64_t{1} << 28;
+  static constexpr std::uint64_t most_listed_unasked = std::uint64_t{1} << 23;
 
-  // Along a direction of the body's frame, of any length.
+  // Along a direction of the body's frame, of any length. No form: the one that fits.
   // Throws Error: bad_value where a number is not finite, bad_shape where all are zero, and for more than most_listed
   // entries in lists. Cost: O(n log n), and the entries of lists.
-  Drums(const ConvexPolyhedron& body, const Point3& direction, DrumsForm form);
+  Drums(const ConvexPolyhedron& body, const Point3& direction, std::optional<DrumsForm> form);
 
   const Point3& direction() const { return direction_; }
 
@@ -67,7 +68,7 @@ class Drums {
   // Lateral edges of a drum. Requires drum < drum_count().
   std::uint32_t size(std::uint32_t drum) const { return begun_[drum] - ended_[drum]; }
 
-  // Edge k of a drum: the access that costs are counted in. Requires k < size(drum).
+  // Edge k of a drum: the access that costs are counted in, by its steps. Requires k < size(drum).
   const LateralEdge& edge(std::uint32_t drum, std::uint32_t k) const {
     SUNDER_REQUIRE(drum < drum_count() && k < size(drum));
     return edges_[form_ == DrumsForm::listed ? lists_[list_begin_[drum] + k] : select(drum, k)];
@@ -99,6 +100,7 @@ class Drums {
  private:
   void find_slices(std::span<const Point3> vertices);
   void find_edges(const ConvexPolyhedron& body);
+  std::uint64_t listed_size() const;
   void make_lists();
   void make_trees();
   std::uint32_t select(std::uint32_t drum, std::uint32_t k) const;

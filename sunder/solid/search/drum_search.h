@@ -43,7 +43,7 @@ std::uint32_t first_past(std::uint32_t n, const Point3& axis, const Point3& d, c
 
 class DrumSearch {
  public:
-  // Keeps references to all of them. Accesses to edges of drums are counted as probes.
+  // Keeps references to all of them. The steps of accesses to edges of drums are counted as probes.
   DrumSearch(const Drums& drums, std::span<const Point3> vertices, Cost& cost)
       : drums_(drums), vertices_(vertices), cost_(cost) {}
 
@@ -51,7 +51,7 @@ class DrumSearch {
   const Point3& vertex(std::uint32_t v) const { return vertices_[v]; }
 
   const LateralEdge& edge(std::uint32_t drum, std::uint32_t k) const {
-    ++cost_.probes;
+    cost_.probes += drums_.steps_of_access();
     return drums_.edge(drum, k);
   }
 
@@ -97,7 +97,7 @@ class DrumSearch {
   }
 
   // The lateral edge whose corners are furthest along d among those of their slices: its number in the drum.
-  // Cost: log2 of the drum's size + 2 probes.
+  // Cost: log2 of the drum's size + 2 accesses.
   std::uint32_t furthest_edge(std::uint32_t drum, const Point3& d) const {
     const std::uint32_t n = drums_.size(drum);
     return first_past(n, drums_.up(), d, [&](std::uint32_t k) { return drums_.normal(edge(drum, k).side); });

@@ -48,8 +48,8 @@ PolyhedronPlane polyhedron_plane(const ConvexPolyhedron& body, const Pose& pose,
 
 // By sections of the body at the heights of its vertices: a search in the polygon whose corners are extreme vertices of
 // sections. The first question about a body makes its drums (represent/drums.h).
-// Cost: at most 2 log2^2 n probes for n of 1,000 and more (the constant tested), each the access to an edge of a drum,
-// or a sign of a vertex; where the proposal does not hold, as above.
+// Cost: at most 2 log2^2 n probes for n of 1,000 and more (the constant tested), times the steps of an access to a
+// drum's edge; where the proposal does not hold, as above.
 // Source: CD87 section 3.3, Lemmas 6 and 7, Theorem 8. Departures: one chain of the polygon is searched, by directions
 // of its sides; these are known without its corners (search/drum_search.h).
 PolyhedronPlane polyhedron_plane_by_drums(const ConvexPolyhedron& body, const Pose& pose, const Plane& plane);

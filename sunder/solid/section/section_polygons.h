@@ -48,11 +48,22 @@ struct Coordinates {
 };
 
 // Parts of a planar sequence that searches ask for, where they are not known beforehand: the ends of the halves.
-// Derived has size() and operator[].
+// Derived has size() and point(k); what it makes is remembered, because searches come back to where they were.
 template <class Derived, class Real>
 class RoundedSequence {
  public:
   using Vertex = RoundedPoint<Real>;
+
+  RoundedSequence() { known_.fill(none); }
+
+  Vertex operator[](std::uint32_t k) const {
+    const std::size_t place = (k * 0x9E3779B1u) >> (32 - bits);
+    if (known_[place] != k) {
+      at_[place] = derived().point(k);
+      known_[place] = k;
+    }
+    return at_[place];
+  }
 
   std::uint32_t number(std::uint32_t k) const { return k; }
   std::array<Vertex, 2> up() const { return {Vertex{0, 0}, Vertex{0, 1}}; }
@@ -63,19 +74,27 @@ class RoundedSequence {
 
  private:
   std::uint32_t furthest(const Point3& d) const {
-    const auto& p = static_cast<const Derived&>(*this);
-    const std::uint32_t n = p.size();
+    const auto& p = *this;
+    const std::uint32_t n = derived().size();
     if (n <= 2) return n == 2 && nearest((p[1].x - p[0].x)) * d.x > 0 ? 1 : 0;
     return first_past(n, {0, 0, 1}, d, [&](std::uint32_t k) {
       const auto side = way(p[k], p[k + 1 < n ? k + 1 : 0]);
       return Point3{nearest(side[1]), -nearest(side[0]), 0};
     });
   }
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  static constexpr unsigned bits = 5;
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  mutable std::array<std::uint32_t, std::size_t{1} << bits> known_;
+  mutable std::array<Vertex, std::size_t{1} << bits> at_;
 };
 
 // W. Corners that are one point, at its ends, are there once.
 template <class Real>
 class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
+  using Base = RoundedSequence<CornerSequence<Real>, Real>;
+
  public:
   using Vertex = RoundedPoint<Real>;
   using Corner = typename SectionSearch<Real>::Corner;
@@ -89,10 +108,19 @@ class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
     };
     one_at_top_ = same(half_ - 1, half_);
     one_at_bottom_ = half_ > 1 && same(0, 2 * half_ - 1);
+    const std::uint32_t middle = half_ / 2;
+    has_level_ = !same(middle, 2 * half_ - 1 - middle);
+    level_ = {at(middle), at(2 * half_ - 1 - middle)};
   }
 
+  // W goes up from its lowest corner on the right to the highest one on the left, and then down: so its halves are
+  // known, beside the level line from right to left.
+  std::array<Vertex, 2> up() const { return has_level_ ? level_ : Base::up(); }
+  std::uint32_t first() const { return has_level_ ? 0 : Base::first(); }
+  std::uint32_t second() const { return !has_level_ ? Base::second() : one_at_top_ ? half_ - 1 : half_; }
+
   std::uint32_t size() const { return 2 * half_ - (one_at_top_ ? 1 : 0) - (one_at_bottom_ ? 1 : 0); }
-  Vertex operator[](std::uint32_t k) const { return at(corner(k)); }
+  Vertex point(std::uint32_t k) const { return at(corner(k)); }
 
   // What vertex k is a mean of.
   template <class Add>
@@ -124,7 +152,8 @@ class CornerSequence : public RoundedSequence<CornerSequence<Real>, Real> {
   const SectionSearch<Real>& section_;
   const Coordinates<Real>& coordinates_;
   std::uint32_t half_;
-  bool one_at_top_ = false, one_at_bottom_ = false;
+  bool one_at_top_ = false, one_at_bottom_ = false, has_level_ = false;
+  std::array<Vertex, 2> level_;
 };
 
 // A corner of W, the section's vertices in the pocket behind it, the next corner, and so on, for one to four pockets.
@@ -153,7 +182,7 @@ class PocketSequence : public RoundedSequence<PocketSequence<Real>, Real> {
     for (std::uint32_t k = 0; k < count_; ++k) size += pockets_[k].count;
     return size;
   }
-  Vertex operator[](std::uint32_t k) const {
+  Vertex point(std::uint32_t k) const {
     const Part part = part_of(k);
     if (part.is_corner) return at(corners_[part.corner]);
     return at(edge(part));
@@ -235,7 +264,7 @@ class FlatSequence : public RoundedSequence<FlatSequence<Real>, Real> {
         cost_(cost) {}
 
   std::uint32_t size() const { return static_cast<std::uint32_t>(cycle_.size()); }
-  Vertex operator[](std::uint32_t k) const {
+  Vertex point(std::uint32_t k) const {
     ++cost_.probes;
     const VectorOf<Real> at =
         frame_.template way_to_image<Real>(from_, polygon_.pose, polygon_.graph.vertices[vertex(k)]);
