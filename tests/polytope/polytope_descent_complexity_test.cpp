@@ -66,6 +66,13 @@ DescentWork descents(std::size_t d, std::size_t count, int pairs) {
     work.rounds += static_cast<double>(answer.cost.iterations) / pairs;
     work.finished += answer.decided_by != DecidedBy::evidence;
     work.meets += answer.meet();
+    if (answer.meet()) continue;
+    // Where a round let a face go that reaches beyond its plane, they would not part.
+    const auto planes = hyperplanes_by_tree(a, here, b, there);
+    EXPECT_TRUE(planes && check(a.body(), here, b.body(), there, *planes));
+    if (planes) {
+      EXPECT_LE(planes->b.planes.size(), answer.cost.iterations);
+    }
   }
   std::printf(
       "d %zu, %5zu points: %6.0f looks, %.1f rounds; %d of %d meet, %d finished; depths %u and %u; lists of the "

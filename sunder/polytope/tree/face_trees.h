@@ -1,5 +1,5 @@
-// A polytope of points, prepared for the question of Theorem 6.3: the tree of its faces, that of the faces of its polar,
-// and the walks that tell exactly which point is furthest (hierarchical_tree.h).
+// A polytope of points, prepared for the question of Theorem 6.3: the tree of its faces, that of the faces of its
+// polar, and the walks that tell exactly which point is furthest (hierarchical_tree.h).
 // Also called: preprocessed polyhedron.
 //
 // Its faces are the simplices from one vertex to those of a triangulation of the boundary that are in no facet of that

@@ -121,8 +121,8 @@ constexpr double slowness = 20;
 constexpr double slowness = 1;
 #endif
 
-// A tree that would take too much is refused with what it would need, and soon: a lattice of five dimensions, whose walks
-// take too many looks; a large body of four, whose lists are long; one of five with too many facets.
+// A tree that would take too much is refused with what it would need, and soon: a lattice of five dimensions, whose
+// walks take too many looks; a large body of four, whose lists are long; one of five with too many facets.
 TEST(FaceTrees, AreRefusedWithWhatTheyWouldNeed) {
   Random random(3);
   std::vector<double> lattice;

@@ -21,8 +21,8 @@ namespace {
 constexpr int most_replies = 200;        // of one round
 constexpr double about_tight = 0x1p-30;  // a point so near to the plane of a facet, in its units, may be on it
 
-// The invariants of the paper: a plane has the net of P on one side and the facets of R's net on the other, or a point of
-// P's net is within these. Of `neither` floating point does not know.
+// The invariants of the paper: a plane has the net of P on one side and the facets of R's net on the other, or a point
+// of P's net is within these. Of `neither` floating point does not know.
 enum class Invariant : std::uint8_t { separation, inverse_separation, neither, none };
 
 // P's points against R's facets, q . y <= 1 in the numbers of R's trees.
