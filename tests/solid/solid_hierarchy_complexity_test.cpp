@@ -45,7 +45,7 @@ struct Bounded {
   Method method;
   double bound;
   double (*of)(double log2_n, double log2_m);
-  int finished;  // at most one in so many; needles, mostly
+  int finished;  // at most one in so many; needles, mostly, and bodies hardly turned
 };
 double square_of_larger(double x, double y) { return std::max(x, y) * std::max(x, y); }
 double sum_of_logs(double x, double y) { return x + y; }
@@ -58,7 +58,7 @@ PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
 }
 const std::array<Bounded, 5> bounded{
     {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 68, square_of_larger, 1000},
-     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 100},
+     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 30},
      {"front", solid::polyhedron_polyhedron, 250, sum_of_logs, 1000},
      {"distance", distance, 390, sum_of_logs, 50},
      {"bounded", solid::polyhedron_polyhedron_by_bounded, 220, sum_of_logs, 100}}};
