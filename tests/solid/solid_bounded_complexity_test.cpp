@@ -45,7 +45,8 @@ struct Asked {
 };
 
 Asked extreme(const ConvexPolyhedron& body, const Point3& d, End end = End::greatest) {
-  const Placed placed(body, Pose());
+  const Pose pose;
+  const Placed placed(body, pose);
   const WorldDirection direction(d);
   Along along(direction, placed.pose, placed.tame);
   Asked asked;
@@ -92,7 +93,8 @@ struct Cures {
 };
 Cures greatest_probes(const ConvexPolyhedron& body, Random& random) {
   const double log_n = std::log2(std::max<double>(static_cast<double>(body.vertices().size()), 8));
-  const Placed placed(body, Pose());
+  const Pose pose;
+  const Placed placed(body, pose);
   Cures greatest;
   for (int i = 0; i < 200; ++i) {
     // Towards a vertex, too.

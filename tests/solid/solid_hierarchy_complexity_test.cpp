@@ -45,7 +45,8 @@ struct Bounded {
   Method method;
   double bound;
   double (*of)(double log2_n, double log2_m);
-  int finished;  // at most one in so many; needles, mostly, and bodies hardly turned
+  int finished;         // at most one in so many; needles, mostly
+  int finished_tilted;  // of bodies hardly turned
 };
 double square_of_larger(double x, double y) { return std::max(x, y) * std::max(x, y); }
 double sum_of_logs(double x, double y) { return x + y; }
@@ -57,18 +58,18 @@ PairAnswer distance(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexP
   return {{}, found.decided_by, found.cost};  // that they are apart; what parts them is not looked at
 }
 const std::array<Bounded, 5> bounded{
-    {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 68, square_of_larger, 1000},
-     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 30},
-     {"front", solid::polyhedron_polyhedron, 250, sum_of_logs, 1000},
-     {"distance", distance, 390, sum_of_logs, 50},
-     {"bounded", solid::polyhedron_polyhedron_by_bounded, 220, sum_of_logs, 100}}};
+    {{"hierarchy", solid::polyhedron_polyhedron_by_hierarchy, 68, square_of_larger, 1000, 1000},
+     {"polar", solid::polyhedron_polyhedron_by_polar, 80, sum_of_logs, 100, 10},
+     {"front", solid::polyhedron_polyhedron, 250, sum_of_logs, 1000, 1000},
+     {"distance", distance, 390, sum_of_logs, 50, 50},
+     {"bounded", solid::polyhedron_polyhedron_by_bounded, 220, sum_of_logs, 100, 10}}};
 
 class BoundedRatios {
  public:
   explicit BoundedRatios(const Bounded& of) : of_(of) {}
 
   void add(std::string_view what, const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
-           const Pose& pose_b) {
+           const Pose& pose_b, bool is_tilted = false) {
     // Two flat bodies: another method takes them.
     const bool is_by_polar =
         of_.method == solid::polyhedron_polyhedron_by_polar || of_.method == solid::polyhedron_polyhedron_by_bounded;
@@ -78,9 +79,9 @@ class BoundedRatios {
     if (of_.method == solid::polyhedron_polyhedron_by_bounded && is_large && scaled_count(10) < 20) return;
     const PairAnswer answer = of_.method(a, pose_a, b, pose_b);
     const double n = static_cast<double>(a.vertices().size()), m = static_cast<double>(b.vertices().size());
-    ++(answer.meet() ? meet_ : apart_);
+    ++(is_tilted ? tilted_ : answer.meet() ? meet_ : apart_);
     if (answer.decided_by == DecidedBy::finishing) {  // some exact pivots more
-      ++finished_;
+      ++(is_tilted ? finished_tilted_ : finished_);
       return;
     }
     const double ratio = static_cast<double>(answer.cost.probes) / of_.of(std::log2(n), std::log2(m));
@@ -96,13 +97,14 @@ class BoundedRatios {
   // The greatest since it was last asked for.
   double take_greatest_of_row() { return std::exchange(greatest_of_row_, 0); }
   void expect_no_growth(bool is_of_many) const {
-    std::printf("%.*s: greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished\n",
-                static_cast<int>(of_.name.size()), of_.name.data(), greatest_, at_a_thousand_, apart_, meet_,
-                finished_);
+    std::printf("%.*s: greatest %.2f, at n = 1,000 %.2f; %d apart, %d meet, %d finished; %d tilted, %d finished\n",
+                static_cast<int>(of_.name.size()), of_.name.data(), greatest_, at_a_thousand_, apart_, meet_, finished_,
+                tilted_, finished_tilted_);
     if (is_of_many) {
       EXPECT_LE(of_.bound, 1.5 * at_a_thousand_) << of_.name;
     }
     EXPECT_LE(finished_, (apart_ + meet_) / of_.finished) << of_.name;
+    EXPECT_LE(finished_tilted_, tilted_ / of_.finished_tilted) << of_.name;
     EXPECT_GT(apart_, meet_ / 4);
     EXPECT_GT(meet_, apart_ / 4);
   }
@@ -110,7 +112,7 @@ class BoundedRatios {
  private:
   const Bounded& of_;
   double greatest_ = 0, at_a_thousand_ = 0, greatest_of_row_ = 0;
-  int meet_ = 0, apart_ = 0, finished_ = 0;
+  int meet_ = 0, apart_ = 0, finished_ = 0, tilted_ = 0, finished_tilted_ = 0;
 };
 
 // The rounds of the walk between two spaces: never more than there are levels of both hierarchies.
@@ -194,7 +196,7 @@ void add_touching(Measured& ratios, std::string_view what, const ConvexPolyhedro
 // door has one of steps, and takes up to 340 (log2 n + log2 m) on prisms so placed.)
 void add_tilted(Measured& ratios, std::string_view what, const ConvexPolyhedron& a, bool are_needles, Random& random) {
   for (const PlacedPair& at : places_of(Placement::tilted, a, a, are_needles, random)) {
-    for (std::size_t k = 0; k < 2; ++k) ratios.ratios[k].add(what, a, at.a, a, at.b);
+    for (std::size_t k = 0; k < 2; ++k) ratios.ratios[k].add(what, a, at.a, a, at.b, true);
   }
 }
 

@@ -42,7 +42,7 @@ Vector vector(const ExactPoint3& p) {
   const Rational w = rational(p.denominator);
   return {rational(p.x) / w, rational(p.y) / w, rational(p.z) / w};
 }
-Sign sign_of(const Rational& x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
+Sign sign_of_rational(const Rational& x) { return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero; }
 
 Sign orient_by_rationals(const std::array<ExactPoint3, 4>& p) {
   std::array<Vector, 3> r;
@@ -56,7 +56,7 @@ Sign orient_by_rationals(const std::array<ExactPoint3, 4>& p) {
     const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
     sum += r[0][k] * r[1][l] * r[2][m] - r[0][k] * r[1][m] * r[2][l];
   }
-  return sign_of(sum);
+  return sign_of_rational(sum);
 }
 
 TEST(ExactOrient, AgreesWithRationals) {
@@ -106,11 +106,11 @@ TEST(ExactOrient, ComparesAlongDirections) {
         height += Rational(d.doubles()[r]) * Rational(pose.linear[3 * r + c]) * (to[c] - from[c]);
       }
     }
-    ASSERT_EQ(along.compare(a, b), sign_of(height)) << i;
+    ASSERT_EQ(along.compare(a, b), sign_of_rational(height)) << i;
     const Guess guess = along.compare_within(nearest(a), nearest(b), 0x1p-40);
-    ASSERT_TRUE(!is_sure(guess) || to_sign(guess) == sign_of(height)) << i;
+    ASSERT_TRUE(!is_sure(guess) || to_sign(guess) == sign_of_rational(height)) << i;
     sure += is_sure(guess);
-    zeros += sign_of(height) == Sign::zero;
+    zeros += sign_of_rational(height) == Sign::zero;
   }
   EXPECT_GT(sure, times / 2);
   EXPECT_GT(zeros, times / 100);

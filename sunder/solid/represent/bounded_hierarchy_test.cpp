@@ -293,14 +293,14 @@ void check(const ConvexPolyhedron& body, const BoundedHierarchy::Limits& limits,
 }
 
 // Bodies of so many vertices are for whole runs of the tests.
-bool is_asked_for(std::size_t n) {
+bool is_of_this_run(std::size_t n) {
   return n <= 200 || tests::scaled_count(1000) >= (n <= 1000 ? 500 : n <= 4096 ? 5000 : 10000);
 }
 
 TEST(BoundedHierarchyTest, LevelsOfEveryFamily) {
   Random random(tests::chosen_seed(111));
   for (const std::size_t n : {8u, 20u, 200u, 1000u, 4096u}) {
-    if (!is_asked_for(n)) continue;
+    if (!is_of_this_run(n)) continue;
     Tally tally;
     for (const tests::SolidShape& shape : tests::all_solid_shapes()) {
       SCOPED_TRACE(shape.name);
@@ -350,7 +350,7 @@ TEST(BoundedHierarchyTest, LevelsOfWholeNumbers) {
 
 // --- The walk --------------------------------------------------------------------------------------------------------
 
-bool is_extreme(const ConvexPolyhedron& body, const Point3& d, std::uint32_t v) {
+bool is_furthest(const ConvexPolyhedron& body, const Point3& d, std::uint32_t v) {
   const WorldDirection direction(d);
   const Affine3 identity;
   Along along(direction, identity, false);
@@ -385,7 +385,7 @@ TEST(BoundedHierarchyTest, TiesAlongNormalsOfFacets) {
       const Point3 p{b.x - a.x, b.y - a.y, b.z - a.z}, q{c.x - a.x, c.y - a.y, c.z - a.z};
       const Point3 normal{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
       for (const Point3& d : {normal, Point3{-normal.x, -normal.y, -normal.z}, p, Point3{part(), part(), part()}}) {
-        ASSERT_TRUE(is_extreme(body, d, extreme(h, d))) << i;
+        ASSERT_TRUE(is_furthest(body, d, extreme(h, d))) << i;
       }
     }
   }
