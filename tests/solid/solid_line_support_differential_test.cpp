@@ -166,17 +166,17 @@ std::string support_certificate(const LineCase& c, const Line& line, const LineS
 }
 
 // Lines that miss or go through; the same, made to touch and some bits away from that; lines that touch.
-constexpr std::array<std::string_view, 3> parts{"random lines", "some bits away from touching", "touching"};
+constexpr std::array<std::string_view, 3> asked_parts{"random lines", "some bits away from touching", "touching"};
 
 struct SupportTally {
-  std::array<int, parts.size()> cases{}, finished{};
+  std::array<int, asked_parts.size()> cases{}, finished{};
   std::uint64_t probes = 0;
 };
 
 // What is asked for in turn: lines that miss, that go through, that touch at a vertex, an edge and a facet.
-constexpr std::array<std::string_view, 5> kinds{"misses", "goes through", "vertex", "edge", "facet"};
+constexpr std::array<std::string_view, 5> asked_kinds{"misses", "goes through", "vertex", "edge", "facet"};
 
-std::size_t kind_of(const LineSupport& found) {
+std::size_t asked_kind_of(const LineSupport& found) {
   if (!found.meet()) return 0;
   const auto* range = std::get_if<SupportRange>(&found.evidence);
   const auto* only = std::get_if<SupportOnly>(&found.evidence);
@@ -195,12 +195,12 @@ TEST(SolidLineSupportDifferential, AllMethodsAgreeWithTheScan) {
   SolidLines lines(seed);
   TouchingLines touching(lines);
   std::map<std::string, int> outcomes;
-  std::array<int, kinds.size()> cases_of{};
+  std::array<int, asked_kinds.size()> cases_of{};
   std::array<SupportTally, 3> tallies;
   constexpr std::array places{CutPlace::vertex, CutPlace::edge, CutPlace::facet};
   for (int i = 0; i < count; ++i) {
     // A half of those that miss or go through are made to touch, and some bits away from that.
-    const std::size_t kind = static_cast<std::size_t>(i) % kinds.size();
+    const std::size_t kind = static_cast<std::size_t>(i) % asked_kinds.size();
     const bool is_made_to_touch = kind > 1 || lines.random().below(2) == 0;
     const auto next = [&] {
       if (!is_made_to_touch) return lines.next();
@@ -212,7 +212,7 @@ TEST(SolidLineSupportDifferential, AllMethodsAgreeWithTheScan) {
       drawn.emplace(next());
       if (drawn->body.dimension() < 3) continue;
       scan = polyhedron_line_support_by_scan(drawn->body, drawn->pose, Line::through(drawn->a, drawn->b));
-    } while (drawn->body.dimension() < 3 || kind_of(scan) != kind);
+    } while (drawn->body.dimension() < 3 || asked_kind_of(scan) != kind);
     const LineCase& c = *drawn;
     ++cases_of[kind];
     SCOPED_TRACE(std::to_string(i) + " " + std::string(name_of(c.family)));
@@ -251,12 +251,12 @@ TEST(SolidLineSupportDifferential, AllMethodsAgreeWithTheScan) {
   }
   for (const auto& [outcome, n] : outcomes) std::printf("%-28s %6d\n", outcome.c_str(), n);
   for (const SupportTally& t : tallies) {
-    for (std::size_t part = 0; part < parts.size(); ++part) {
-      std::printf("%s: finished %d of %d\n", parts[part].data(), t.finished[part], t.cases[part]);
+    for (std::size_t part = 0; part < asked_parts.size(); ++part) {
+      std::printf("%s: finished %d of %d\n", asked_parts[part].data(), t.finished[part], t.cases[part]);
     }
     std::printf("%.0f probes\n", static_cast<double>(t.probes) / std::reduce(t.cases.begin(), t.cases.end()));
   }
-  for (const int cases : cases_of) EXPECT_GE(cases, count / static_cast<int>(kinds.size()));
+  for (const int cases : cases_of) EXPECT_GE(cases, count / static_cast<int>(asked_kinds.size()));
   if (count < 2000) return;
   EXPECT_GT(outcomes["one plane at edge"], count / 30);
   EXPECT_GT(outcomes["a range of planes at edge"], count / 30);

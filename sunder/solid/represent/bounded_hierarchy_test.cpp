@@ -348,6 +348,24 @@ TEST(BoundedHierarchyTest, LevelsOfWholeNumbers) {
   EXPECT_GT(tally.cut_points, 0u);
 }
 
+// A blunt vertex under a ring that is 10^7 times as long as it is wide, and skew: normals are rounded there, so that
+// their mean does not have all of the ring above it, and three exact normals tell along which direction to cut.
+TEST(BoundedHierarchyTest, LevelsWithBluntHubsOfNarrowRings) {
+  Tally tally;
+  for (int power = -44; power <= -22; power += 2) {
+    const double below = std::ldexp(1.0, power);
+    const Point3 along{1, 0.3, 0.7}, across{-0.5e-7, 1e-7, 0.2e-7}, up{-0.64, -0.55, 1.15};
+    std::vector<Point3> points{{0, 0, 5}, {-below * up.x, -below * up.y, -below * up.z}};
+    for (int k = 0; k < 40; ++k) {
+      const double t = 6.283185307179586 * k / 40, x = std::cos(t), y = std::sin(t);
+      points.push_back({x * along.x + y * across.x, x * along.y + y * across.y, x * along.z + y * across.z});
+    }
+    const ConvexPolyhedron body(points);
+    ASSERT_NO_FATAL_FAILURE(check(body, {}, tally)) << power;
+  }
+  EXPECT_GT(tally.cut_points, 800u);
+}
+
 // --- The walk --------------------------------------------------------------------------------------------------------
 
 bool is_furthest(const ConvexPolyhedron& body, const Point3& d, std::uint32_t v) {
