@@ -272,8 +272,7 @@ std::optional<ExactDecision> decide_by_few(Placed& a, Placed& b, std::span<const
                                            std::span<const std::uint32_t> named_b, std::uint32_t most, Cost& cost) {
   PointsProgram program(a, b);
   Cost own;
-  const std::optional<bool> meet =
-      program.try_named(named_a, named_b) ? std::optional(true) : program.solve(own, most);
+  const std::optional<bool> meet = program.try_named(named_a, named_b) ? std::optional(true) : program.solve(own, most);
   cost.probes += own.probes;
   cost.exact += own.exact + 1;
   cost.proposals += own.iterations;

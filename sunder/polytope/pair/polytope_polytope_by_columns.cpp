@@ -32,20 +32,21 @@ class ColumnSearch {
   // True where a direction parts the bodies: it is written down. Else they may meet.
   bool parts(PolytopeAnswer& answer) {
     bool are_apart = false;
-    simplex_.search(difference(0, 0).at, most_column_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
-      ExactVector along(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
-      const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
-      ++answer.cost.iterations;
-      ++answer.cost.proposals;
-      are_apart = (of_a.product + of_b.product).sign() == Sign::negative;
-      if (are_apart) {
-        answer.evidence =
-            ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)})};
-        return NearestStep::stop;
-      }
-      next = difference(of_a.index, of_b.index);
-      return NearestStep::take;
-    });
+    simplex_.search(
+        difference(0, 0).at, most_column_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
+          ExactVector along(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
+          const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
+          ++answer.cost.iterations;
+          ++answer.cost.proposals;
+          are_apart = (of_a.product + of_b.product).sign() == Sign::negative;
+          if (are_apart) {
+            answer.evidence =
+                ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)})};
+            return NearestStep::stop;
+          }
+          next = difference(of_a.index, of_b.index);
+          return NearestStep::take;
+        });
     return are_apart;
   }
 
