@@ -24,7 +24,8 @@ struct PolygonsCall : SetCall {
   bool skip_invalid = false, mend = false, self_touch = false;
 };
 
-// Asks about convex polygons as units. A pair that meets is told in the same way as by the other methods.
+// Takes each convex polygon as a unit (Shamos and Hoey, Theorem 6), and describes a pair that meets as the other
+// methods do.
 planar::PolygonsAnswer of_convex(std::span<const Polygon> polygons, const SetOptions& options) {
   std::vector<planar::ConvexPolygon> convex;
   convex.reserve(polygons.size());

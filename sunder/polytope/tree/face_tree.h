@@ -47,7 +47,7 @@ struct FaceSet {
   }
 };
 
-// Of the first four, 0 is what serves the dimension.
+// A zero in one of the first four lets the dimension choose the value.
 struct FaceTreeOptions {
   std::uint32_t net = 0;                          // faces that are sampled
   std::uint32_t leaf = 0;                         // faces of a leaf

@@ -23,7 +23,7 @@
 
 namespace sunder::polytope {
 
-// Of each body a question takes one of the two trees.
+// Which trees to make. A question needs one tree of each body: the faces of one, the polar of the other.
 enum class FaceTreesOf : std::uint8_t { both, faces, polar };
 
 // Immutable; any number of threads may use it.

@@ -1,7 +1,7 @@
 // Do two convex polytopes of R^d meet? The query of Barba and Langerman's section 6: one descent down two hierarchical
 // trees, of the faces of one body and of the faces of the polar of the other.
 // Also called: detecting intersections in higher dimensions; Theorem 6.3.
-// None throws, but for want of memory.
+// These functions throw only std::bad_alloc.
 #pragma once
 
 #include <sunder/polytope/pair/hyperplanes.h>
@@ -12,8 +12,8 @@
 
 namespace sunder::polytope {
 
-// Of bodies of points that were prepared before, each by itself: one descent down the tree of A's
-// faces and that of the faces of B's polar (of B's and A's, where B alone has fewer dimensions than space). A round
+// Both bodies are given by points, and each was prepared by itself. One descent goes down the tree of A's faces and the
+// tree of the faces of B's polar. (If B alone has fewer dimensions than space, A and B exchange their parts.) A round
 // asks whether the net of A's node, with the points that had weight before, meets the facets of the net of B's node. If
 // not, a plane parts these (the separation invariant), and A goes down to the faces that reach beyond it; else a point
 // of A is within these facets (the inverse separation invariant; its polar is a plane between B's polar and A's), and B

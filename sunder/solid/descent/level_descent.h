@@ -58,7 +58,7 @@ class PlainLevels {
   HierarchyWalk<Compare, Turn> walk_;
 };
 
-// Of a cut point it is the vertex that it was cut from, which is of the polyhedron, and near.
+// A cut point stands for the vertex that it was cut from: a vertex of the polyhedron, and near.
 template <class Real>
 class BoundedLevels {
  public:

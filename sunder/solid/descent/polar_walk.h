@@ -203,7 +203,7 @@ class PolarWalk {
     return {y.x + r.x, y.y + r.y, y.z + r.z};
   }
 
-  // Of the rim of p*, or of q*, those that the next game is about: all, or if they are many, some (chosen_).
+  // The next game is about the neighbours on the rim of p*, or of q*: about all, or about some of many (chosen_).
   // p* and the ways to its neighbours: all of P so far is in this cone.
   void cone_of(std::uint32_t rank) {
     columns_.clear();
@@ -233,8 +233,8 @@ class PolarWalk {
 
   // --- Cones of many rays --------------------------------------------------------------------------------------------
 
-  // Of a vertex that was cut off they end at its cut points, the corners of a convex polygon. So a game about a few is
-  // enough, if none of the others would change it, and the one that would most is found by a search on the polygon.
+  // Edges at a vertex that was cut off end at its cut points, the corners of a convex polygon. So a game about a few of
+  // them is enough if no other one would change it. A search on the polygon finds the one that would change it most.
 
   void choose(std::size_t rim_size) {
     chosen_.clear();

@@ -88,7 +88,7 @@ class PolyhedraByDrums {
     return end == End::held || (end == End::parted && mix(holds));
   }
 
-  // Of the planes that it ended with: for a search that is more precise.
+  // The directions of the planes that the search ended with. A more precise search begins with them.
   Ways ways() const {
     Ways found;
     distinct([&](std::size_t k) {
@@ -105,8 +105,8 @@ class PolyhedraByDrums {
     goes_on,
   };
 
-  // Where what is left of P is beyond the planes that were asked about, by which T_Q are kept; and the last one. From
-  // `first` on: those that it begins with.
+  // The search keeps a plane T_Q for each side of the planes asked about on which what is left of P may be, and the last
+  // plane. The planes that the search begins with are kept from `first` on.
   enum Place : std::size_t { above_slice, below_slice, right, left, above_triangle, below_triangle, last, first };
   static constexpr std::size_t most_kept = first + Ways::most, most_in_game = 16;
   static_assert(most_kept <= most_in_game);

@@ -2,8 +2,8 @@
 // common is known (polyhedron_cut.h), a search proposes vertices, signs dispose, and where none holds an exact method
 // decides.
 //
-// Where the line misses the body, the sign of orient_3d(a, b, v, w) tells whether a half-plane that turns around the
-// line comes to w after v. The body takes up less than half a turn, so this orders the vertices. If no neighbour of a
+// If the line misses the body, the sign of orient_3d(a, b, v, w) tells whether a half-plane that turns around the line
+// comes to w after v. The body takes up less than half a turn, so this orders the vertices. If no neighbour of a
 // vertex comes after it, no vertex does: the plane through the line and the vertex has all edges at the vertex on one
 // side or on it, and so it has their cone, which contains the body.
 #pragma once

@@ -28,8 +28,8 @@ inline Vector3<Dyadic> direction_between(const ExactPoint3& from, const ExactPoi
   return {axis(to.x, from.x), axis(to.y, from.y), axis(to.z, from.z)};
 }
 
-// Where the line from w to u crosses the plane of the cut. With w = W / a, u - w = D / (a b) and C = direction . D it
-// is w + 2^exponent D / C.
+// The point in which the line from w to u crosses the plane of the cut. With w = W / a, u - w = D / (a b) and
+// C = direction . D, that is w + 2^exponent D / C.
 inline ExactPoint3 cut_point(const BoundedHierarchy::Cut& cut, const ExactPoint3& w, const ExactPoint3& u) {
   const Vector3<Dyadic> d = direction_between(w, u);
   const Dyadic c = dot(cut.direction, d);
