@@ -105,8 +105,8 @@ class PolyhedraByDrums {
     goes_on,
   };
 
-  // The search keeps a plane T_Q for each side of the planes asked about on which what is left of P may be, and the last
-  // plane. The planes that the search begins with are kept from `first` on.
+  // The search keeps a plane T_Q for each side of the planes asked about on which what is left of P may be, and the
+  // last plane. The planes that the search begins with are kept from `first` on.
   enum Place : std::size_t { above_slice, below_slice, right, left, above_triangle, below_triangle, last, first };
   static constexpr std::size_t most_kept = first + Ways::most, most_in_game = 16;
   static_assert(most_kept <= most_in_game);
