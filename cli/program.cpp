@@ -59,17 +59,6 @@ void hold_closed_streams() {
   }
 }
 
-std::string_view kind_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_value: return "bad-value";
-    case ErrorCode::bad_shape: return "bad-shape";
-    case ErrorCode::bad_pose: return "bad-pose";
-    case ErrorCode::bad_file: return "bad-file";
-    case ErrorCode::bad_call: return "bad-call";
-  }
-  return "";
-}
-
 // Standard output, and what is on it. Throws Error bad_call where it cannot be written (a full disk).
 void write_out(std::string_view text) {
   errno = 0;
@@ -133,7 +122,7 @@ int run(int argc, char** argv) {
       program.words.assign(argv + 1, argv + argc);
       return answer(program.words, program.talk, program.asked);
     } catch (const Error& error) {
-      return program.complain(exit_code::bad, error.what(), kind_of(error.code()), error.place());
+      return program.complain(exit_code::bad, error.what(), name_of(error.code()), error.place());
     } catch (const std::bad_alloc&) {
       return complain_of_memory();
     } catch (const std::length_error&) {

@@ -157,6 +157,7 @@ pair cases/mesh/cube.obj cases/space/bent.json
 pair cases/polytopes/cross.csv cases/polytopes/cube.csv --pose-b 2.5,0,0,0 --certificate OUT
 pair cases/polytopes/cross.csv cases/polytopes/simplex.csv
 pair cases/polytopes/cross.csv cases/polytopes/box.npy --half-spaces-b --pose-b 2.5,0,0,0 --method columns --hyperplanes
+pair cases/polytopes/cross.csv cases/polytopes/cube.csv --poses-b cases/polytopes/poses.csv --method columns
 pair shapes.csv shapes.csv --feature-a p --feature-b s --distance
 pair mixed.wkt cases/planar-pair/plate.wkt --leave-out
 pair repeated.wkt cases/planar-pair/plate.wkt --mend

@@ -201,12 +201,9 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
       .def_prop_ro(
           "along_line",
           [](const PythonCut& a) {
-            nb::list fractions;
-            if (!a.ends) return fractions;
-            for (const solid::ExactEnd& end : *a.ends) {
-              fractions.append(fraction_of(end.along_line.numerator, end.along_line.denominator));
-            }
-            return fractions;
+            return list_of(
+                a.ends ? std::span<const solid::ExactEnd>(*a.ends) : std::span<const solid::ExactEnd>(),
+                [](const auto& end) { return fraction_of(end.along_line.numerator, end.along_line.denominator); });
           },
           "Of these points t, as fractions.Fraction: a + t (b - a), exactly.");
   nb::class_<PythonLineSupport, YesNo>(
@@ -218,13 +215,8 @@ void bind_flats(nb::module_& module, nb::module_& solid) {
       .def_prop_ro(
           "touches",
           [](const PythonLineSupport& a) {
-            nb::list planes;
-            for (const solid::SupportPlane& plane : planes_of(a.support.evidence)) {
-              nb::list vertices;
-              for (const std::uint32_t v : vertices_of(*a.body, plane.touches)) vertices.append(v);
-              planes.append(vertices);
-            }
-            return planes;
+            return list_of(planes_of(a.support.evidence),
+                           [&](const auto& plane) { return vertices_of(*a.body, plane.touches); });
           },
           "Of each plane, the first and the last of a range, the vertices of the body that are on it.");
   nb::class_<PythonFlatAnswer, YesNo>(solid, "FlatCommon", "What two flat things have in common. True where they meet.")

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 namespace sunder::python {
@@ -49,12 +50,7 @@ void require_form(const Polytope& given, bool of_points, const char* place) {
               of_points ? "half-spaces; give a polytope of points" : "points; give a polytope of half-spaces", place);
 }
 
-// Rows a1, .., ad, b of fractions.
-nb::list rows_of(const std::vector<std::vector<Dyadic>>& rows) {
-  nb::list result;
-  for (const std::vector<Dyadic>& row : rows) result.append(fractions_of(row, Dyadic(1.0)));
-  return result;
-}
+auto facets_of(const PythonHull& of) { return std::views::iota(std::size_t{0}, of.hull->facet_count()); }
 
 std::optional<nb::tuple> place_of(const ExactPointN* place) {
   if (place == nullptr) return std::nullopt;
@@ -149,31 +145,28 @@ void bind_hulls(nb::module_& polytope) {
       .def_prop_ro(
           "dimension", [](const PythonHull& of) { return of.hull->dimension; }, "0: a point, 1: a segment, .., d.")
       .def_prop_ro(
-          "vertices",
-          [](const PythonHull& of) { return array_of<std::uint32_t>(std::span(std::as_const(of.hull->vertices))); },
-          owned, "Ascending; of equal points the first.")
+          "vertices", [](const PythonHull& of) { return array_of<std::uint32_t>(of.hull->vertices); }, owned,
+          "Ascending; of equal points the first.")
       .def_prop_ro(
           "facets",
           [](const PythonHull& of) {
-            nb::list list;
-            for (std::size_t f = 0; f < of.hull->facet_count(); ++f) {
-              list.append(nb::cast(array_of<std::uint32_t>(of.hull->facet_vertices(f))));
-            }
-            return list;
+            return list_of(facets_of(of), [&](auto f) { return array_of<std::uint32_t>(of.hull->facet_vertices(f)); });
           },
           "Of each facet the vertices that lie on it, ascending.")
       .def_prop_ro(
           "half_spaces",
           [](const PythonHull& of) {
-            std::vector<std::vector<Dyadic>> rows;
-            for (std::size_t f = 0; f < of.hull->facet_count(); ++f) {
-              rows.push_back(facet_half_space(*of.hull, *of.points, f));
-            }
-            return rows_of(rows);
+            return list_of(facets_of(of), [&](std::size_t f) {
+              return fractions_of(facet_half_space(*of.hull, *of.points, f), Dyadic(1.0));
+            });
           },
           "Of each facet a1, .., ad, b, as fractions: all points x have a x <= b, and = just on the facet.")
       .def_prop_ro(
-          "equations", [](const PythonHull& of) { return rows_of(flat_equations(*of.hull, *of.points)); },
+          "equations",
+          [](const PythonHull& of) {
+            return list_of(flat_equations(*of.hull, *of.points),
+                           [](const auto& row) { return fractions_of(row, Dyadic(1.0)); });
+          },
           "Likewise: all points have a x = b; none where the hull has all dimensions.");
   nb::class_<PythonRegion, Answer>(polytope, "HalfSpaceRegion",
                                    "What half-spaces have in common; true where something.")
@@ -187,25 +180,19 @@ void bind_hulls(nb::module_& polytope) {
       .def_prop_ro(
           "points",
           [](const PythonRegion& of) {
-            nb::list list;
             const polytope::RegionExtent* extent = extent_of(of.region);
-            if (extent == nullptr) return list;
-            for (const ExactPointN& point : extent->points) {
-              list.append(fractions_of(point.numbers, point.denominator));
-            }
-            return list;
+            return list_of(extent != nullptr ? std::span(extent->points) : std::span<const ExactPointN>(),
+                           [](const auto& point) { return fractions_of(point.numbers, point.denominator); });
           },
           "Common points as fractions, one more than the dimension, which span that flat.")
       .def_prop_ro(
           "extents",
           [](const PythonRegion& of) {
-            nb::list list;
             const polytope::RegionExtent* extent = extent_of(of.region);
-            if (extent == nullptr) return list;
-            for (std::size_t c = 0; c < extent->points[0].numbers.size(); ++c) {
-              list.append(nb::make_tuple(extent->ranges[c].least, extent->ranges[c].greatest));
-            }
-            return list;
+            const std::size_t count = extent != nullptr ? extent->points[0].numbers.size() : 0;
+            return list_of(std::views::iota(std::size_t{0}, count), [&](std::size_t c) {
+              return nb::make_tuple(extent->ranges[c].least, extent->ranges[c].greatest);
+            });
           },
           "Of each coordinate the least and the greatest, as nearest doubles; None where there is none.")
       .def_prop_ro(
@@ -237,28 +224,19 @@ void bind_hulls(nb::module_& polytope) {
       .def_prop_ro(
           "vertices",
           [](const PythonVertices& of) {
-            nb::list list;
-            for (const std::vector<Dyadic>& vertex : of.answer->found.vertices) {
-              list.append(fractions_of(std::span(vertex).first(vertex.size() - 1), vertex.back()));
-            }
-            return list;
+            return list_of(of.answer->found.vertices, [](const std::span<const Dyadic> vertex) {
+              return fractions_of(vertex.first(vertex.size() - 1), vertex.back());
+            });
           },
           "Each as fractions.")
       .def_prop_ro(
           "half_spaces",
           [](const PythonVertices& of) {
-            nb::list list;
-            for (const std::vector<std::uint32_t>& at : of.answer->found.at) {
-              list.append(nb::cast(array_of<std::uint32_t>(std::span(at))));
-            }
-            return list;
+            return list_of(of.answer->found.at, [](const auto& at) { return nb::cast(array_of<std::uint32_t>(at)); });
           },
           "Of each vertex, those of the bounding half-spaces that end there.")
       .def_prop_ro(
-          "bounding",
-          [](const PythonVertices& of) {
-            return array_of<std::uint32_t>(std::span(std::as_const(of.answer->found.bounding)));
-          },
+          "bounding", [](const PythonVertices& of) { return array_of<std::uint32_t>(of.answer->found.bounding); },
           owned, "The half-spaces that have a facet; of such that are the same, one.");
   nb::class_<PythonProgram, Answer>(polytope, "LinearProgram",
                                     "The best common point of half-spaces; true if feasible.")

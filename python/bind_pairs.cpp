@@ -85,7 +85,7 @@ typename Kind::Pose pose_of_rows(const double* numbers, const char* place, std::
   try {
     return Kind::Pose::from_matrix(linear, translation);
   } catch (const Error& error) {
-    throw Error(error.code(), text_of(error), place + ("[" + std::to_string(k) + "]"));
+    throw Error(error.code(), error.text(), place + ("[" + std::to_string(k) + "]"));
   }
 }
 
@@ -162,10 +162,7 @@ void bind_pair(nb::module_& module, nb::module_& chapter, const char* name, cons
 nb::bytes hull_certificate(const ArrayLike& given, const std::string& name) {
   if (name.empty()) throw Error(ErrorCode::bad_value, "give a name that is not empty", "name");
   const std::vector<Point3> points = entries_of<Point3>(given, "points");
-  const std::string text = unlocked([&] {
-    return file_of([&](ClaimsWriter& file) { solid::write_hull(file, name, points, ConvexPolyhedron(points)); });
-  });
-  return nb::bytes(text.data(), text.size());
+  return bytes_of_file([&](ClaimsWriter& file) { solid::write_hull(file, name, points, ConvexPolyhedron(points)); });
 }
 
 std::vector<std::vector<std::uint32_t>> facets_of(const ConvexPolyhedron& body) {

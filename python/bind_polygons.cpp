@@ -63,11 +63,9 @@ Defects polygon_defects(const nb::object& given, std::string_view rule_name) {
 
 nb::list listed(const Defects& found) {
   const auto place = [](const RingPlace& p) { return nb::make_tuple(p.part, p.ring, p.edge); };
-  nb::list list;
-  for (const PolygonDefect& d : found.defects) {
-    list.append(nb::make_tuple(name_of(d.kind), place(d.a), place(d.b), nb::make_tuple(d.place.a.x, d.place.a.y)));
-  }
-  return list;
+  return list_of(found.defects, [&](const PolygonDefect& d) {
+    return nb::make_tuple(name_of(d.kind), place(d.a), place(d.b), nb::make_tuple(d.place.a.x, d.place.a.y));
+  });
 }
 
 }  // namespace

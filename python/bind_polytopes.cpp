@@ -113,12 +113,9 @@ HyperplaneEvidence hyperplanes_of(const PythonPolytopeAnswer& of) {
 
 nb::bytes hyperplane_certificate(const PythonPolytopeAnswer& of) {
   const HyperplaneEvidence evidence = hyperplanes_of(of);
-  const std::string text = unlocked([&] {
-    return file_of([&](ClaimsWriter& file) {
-      add_claims(file, {"A", of.a(), of.pair->pose_a}, {"B", of.b(), of.pair->pose_b}, evidence);
-    });
+  return bytes_of_file([&](ClaimsWriter& file) {
+    add_claims(file, {"A", of.a(), of.pair->pose_a}, {"B", of.b(), of.pair->pose_b}, evidence);
   });
-  return nb::bytes(text.data(), text.size());
 }
 
 nb::tuple hyperplane_counts(const PythonPolytopeAnswer& of) {
@@ -161,25 +158,22 @@ std::size_t dimension_of(const Doubles& rows, std::size_t more, const char* plac
   return width - more;
 }
 
-auto rows_of(const Polytope& body) {
-  auto* const kept = new std::vector<double>();
+auto matrix_of(std::vector<double> numbers, std::size_t columns) {
+  auto* const kept = new std::vector<double>(std::move(numbers));
   const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
-  for (std::uint32_t k = 0; k < body.size(); ++k) kept->insert(kept->end(), body.row(k).begin(), body.row(k).end());
-  return Returned<double, nb::ndim<2>>(kept->data(), {std::size_t{body.size()}, body.columns().dimension}, owner);
+  return Returned<double, nb::ndim<2>>(kept->data(), {kept->size() / columns, columns}, owner);
 }
 
-auto numbers_of(std::span<const double> given, std::size_t rows) {
-  auto* const kept = new std::vector<double>(given.begin(), given.end());
-  const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
-  return Returned<double, nb::ndim<2>>(kept->data(), {rows, given.size() / rows}, owner);
+auto rows_of(const Polytope& body) {
+  std::vector<double> all;
+  for (std::uint32_t k = 0; k < body.size(); ++k) all.insert(all.end(), body.row(k).begin(), body.row(k).end());
+  return matrix_of(std::move(all), body.columns().dimension);
 }
 
 }  // namespace
 
 nb::tuple fractions_of(std::span<const Dyadic> numbers, const Dyadic& denominator) {
-  nb::list list;
-  for (const Dyadic& n : numbers) list.append(fraction_of(n, denominator));
-  return nb::tuple(list);
+  return nb::tuple(list_of(numbers, [&](const Dyadic& n) { return fraction_of(n, denominator); }));
 }
 
 nb::dict weights_of(const Weights& weights) {
@@ -237,7 +231,9 @@ void bind_polytopes(nb::module_& module, nb::module_& chapter) {
           nb::arg("linear"), nb::arg("translation"), "An invertible linear part, row by row.")
       .def_prop_ro("dimension", &Pose::dimension)
       .def_prop_ro(
-          "linear", [](const Pose& pose) { return numbers_of(pose.linear(), pose.dimension()); }, owned)
+          "linear",
+          [](const Pose& pose) { return matrix_of({pose.linear().begin(), pose.linear().end()}, pose.dimension()); },
+          owned)
       .def_prop_ro("translation", [](const Pose& pose) { return array_of<double>(pose.translation()); }, owned);
   nb::class_<HierarchicalTree>(chapter, "HierarchicalTree",
                                "A polytope, so that what is furthest along a direction is found in some log n looks.")

@@ -41,12 +41,6 @@ Returned<double, nb::shape<-1, 2>> rounded_corners(const Region& region) {
   return array_of<double, 2>(std::move(points));
 }
 
-nb::list exact_corners(const Region& region) {
-  nb::list list;
-  for (const ExactPoint2& p : region.corners) list.append(fractions_of(p));
-  return list;
-}
-
 template <class Given>
 Region region_of(const planar::Region& region, const Given& given, std::function<std::string()> text) {
   Region result{{region.cost, std::move(text)}, name_of(region.kind), region.sides, {}};
@@ -124,7 +118,9 @@ void bind_regions(nb::module_& planar) {
           "kind", [](const Region& r) { return r.kind; }, "\"empty\", \"point\", \"segment\" and so on.")
       .def_prop_ro("corners", &rounded_corners, owned,
                    "(N, 2), counter-clockwise, each rounded to the nearest doubles; none of discs.")
-      .def("exact_corners", &exact_corners, "The corners as pairs of fractions.Fraction.")
+      .def(
+          "exact_corners", [](const Region& r) { return list_of(r.corners, fractions_of); },
+          "The corners as pairs of fractions.Fraction.")
       .def_prop_ro(
           "sides", [](const Region& r) { return array_of<std::uint32_t>(r.sides); }, owned,
           "The half-planes, edges or discs that bound it, counter-clockwise, or that contradict each other; of convex "

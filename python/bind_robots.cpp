@@ -177,8 +177,7 @@ class Robot {
   }
 
   nb::bytes certificate(const Names& joints, const Doubles& values) const {
-    const std::string text = unlocked([&] { return proof(joints, values); });
-    return nb::bytes(text.data(), text.size());
+    return bytes_of([&] { return proof(joints, values); });
   }
 
  private:

@@ -52,11 +52,10 @@ PythonSection section(const ConvexPolyhedron& body, const ArrayLike& normal, dou
 }
 
 nb::bytes certificate(const PythonSection& found, const std::string& name) {
-  const std::string text = claims_text({}, [&](ClaimsWriter& file) {
+  return bytes_of_file([&](ClaimsWriter& file) {
     solid::SectionClaims claims(file, name, found.body, found.pose);
     claims.add(found.plane, found.section);
   });
-  return nb::bytes(text.data(), text.size());
 }
 
 }  // namespace

@@ -46,7 +46,6 @@ void bind_ask(nb::module_& module);
 
 // C++ errors become sunder.Error of Python.
 void translate_errors();
-std::string text_of(const Error& error);  // without the place
 
 // --- Arrays given -------------------------------------------------------------------------------------------------
 
@@ -128,6 +127,14 @@ auto matrix_of(const std::array<double, D * D>& numbers) {
   return array_of<double, D>(std::move(rows));
 }
 
+// A Python list of what `make` makes of each.
+template <class Range, class Make>
+nb::list list_of(const Range& range, const Make& make) {
+  nb::list list;
+  for (const auto& one : range) list.append(make(one));
+  return list;
+}
+
 // numerator / denominator as a fractions.Fraction, of any length.
 nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator);
 // A pair of them.
@@ -138,6 +145,25 @@ inline Point2 rounded(const ExactPoint2& p) {
   return {nearest_ratio(p.x, p.denominator), nearest_ratio(p.y, p.denominator)};
 }
 
+// Runs without the interpreter's lock, and heeds signals: what a handler raises, as KeyboardInterrupt, ends it. `work`
+// touches nothing of Python.
+template <class Work>
+auto unlocked(const Work& work) {
+  const nb::gil_scoped_release release;
+  const Interruptible interruptible([] {
+    const nb::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw nb::python_error();
+  });
+  return work();
+}
+
+// Of the text that `make` makes, without the lock.
+template <class Make>
+nb::bytes bytes_of(const Make& make) {
+  const std::string text = unlocked(make);
+  return nb::bytes(text.data(), text.size());
+}
+
 // --- Answers ------------------------------------------------------------------------------------------------------
 
 // What every answer has: its cost, and a certificate that is made when it is asked for, of what the closure keeps.
@@ -145,7 +171,7 @@ struct Answer {
   Cost cost;
   std::function<std::string()> certificate_text;
 
-  nb::bytes certificate() const;
+  nb::bytes certificate() const { return bytes_of(certificate_text); }
 };
 
 // To a question that is answered by yes or no; in Python it is true where they meet.
@@ -173,17 +199,9 @@ std::string proof_of(const Asked& asked, const AnswerOf& answer) {
   prove([&](std::string_view piece) { text += piece; }, asked, answer);
   return text;
 }
-
-// Runs without the interpreter's lock, and heeds signals: what a handler raises, as KeyboardInterrupt, ends it. `work`
-// touches nothing of Python.
-template <class Work>
-auto unlocked(const Work& work) {
-  const nb::gil_scoped_release release;
-  const Interruptible interruptible([] {
-    const nb::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw nb::python_error();
-  });
-  return work();
+template <class Write>
+nb::bytes bytes_of_file(const Write& write) {
+  return bytes_of([&] { return file_of(write); });
 }
 
 }  // namespace sunder::python

@@ -8,28 +8,12 @@ namespace sunder::python {
 
 namespace {
 
-const char* name_of(ErrorCode code) {
-  switch (code) {
-    case ErrorCode::bad_value: return "bad-value";
-    case ErrorCode::bad_shape: return "bad-shape";
-    case ErrorCode::bad_pose: return "bad-pose";
-    case ErrorCode::bad_file: return "bad-file";
-    case ErrorCode::bad_call: return "bad-call";
-  }
-  return "internal";
-}
-
 void set_error(const Error& error) {
   const nb::object type = nb::module_::import_("sunder._error").attr("Error");
-  PyErr_SetObject(type.ptr(), type(name_of(error.code()), error.place(), text_of(error)).ptr());
+  PyErr_SetObject(type.ptr(), type(std::string(name_of(error.code())), error.place(), error.text()).ptr());
 }
 
 }  // namespace
-
-std::string text_of(const Error& error) {
-  const std::string text = error.what();
-  return error.place().empty() ? text : text.substr(error.place().size() + 2);
-}
 
 void translate_errors() {
   nb::register_exception_translator([](const std::exception_ptr& thrown, void*) {
@@ -83,11 +67,6 @@ nb::object fraction_of(const Dyadic& numerator, const Dyadic& denominator) {
 
 nb::tuple fractions_of(const ExactPoint2& p) {
   return nb::make_tuple(fraction_of(p.x, p.denominator), fraction_of(p.y, p.denominator));
-}
-
-nb::bytes Answer::certificate() const {
-  const std::string text = unlocked(certificate_text);
-  return nb::bytes(text.data(), text.size());
 }
 
 void bind_answers(nb::module_& module) {

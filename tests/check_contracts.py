@@ -9,6 +9,8 @@ C2  A public header that speaks of throwing Error includes <sunder/base/error.h>
 C3  sunder/sunder.h has every front door: each public header of a folder of QUESTIONS whose name begins
     with an object (OBJECTS) and that declares a function of its own name, and each header of scene/ that begins with
     a question.
+C4  SUNDER_REQUIRE asks and does nothing, for most builds leave its words out: no assignment stands in it, and no call
+    whose name says that something changes (EFFECTS).
 
 Exit code 0: so it is. 1: not, one line for each finding. 2: no front door was found.
 """
@@ -24,6 +26,10 @@ QUESTIONS = ("pair", "line", "section", "segments", "discs", "boxes", "polygons"
 OBJECTS = r"(?:convex_)?(?:polygons?|segments?|discs?|boxes|intervals|lines?|planes?|flat|half_(?:plane|space)|" \
           r"polyhedron|polytope|round|region|linear_program|kernel)(?:_|$)"
 THROWS = re.compile(r"\b[Tt]hrows?\b(?:[^.;]|\n)*?\bError\b")
+
+REQUIRED = re.compile(r"(?<!define )\bSUNDER_REQUIRE\(([^;]*)\);")
+EFFECTS = re.compile(r"\+\+|--|[^=!<>]=[^=]|"
+                     r"\b(?:set|make|add|push|pop|insert|erase|emplace|take|read|next|step|build|clear)(?:_\w+)?\(")
 
 
 def words_above(lines, number):
@@ -67,6 +73,14 @@ def public_headers(root):
                 yield os.path.relpath(os.path.join(here, name), root).replace(os.sep, "/")
 
 
+def sources(root):
+    for here, folders, names in os.walk(os.path.join(root, "sunder")):
+        folders.sort()
+        for name in sorted(names):
+            if name.endswith((".h", ".cpp")):
+                yield os.path.relpath(os.path.join(here, name), root).replace(os.sep, "/")
+
+
 def read(root, path):
     with open(os.path.join(root, path), encoding="utf-8") as file:
         return file.read()
@@ -106,6 +120,12 @@ def check(root):
         if said and path != "sunder/base/error.h" and "sunder/base/error.h" not in INCLUDE.findall(text):
             findings.append("%s:%d: C2: says that Error is thrown; include <sunder/base/error.h>"
                             % (path, comments.count("\n", 0, said.start()) + 1))
+    for path in sources(root):
+        text = read(root, path)
+        for required in REQUIRED.finditer(text):
+            if EFFECTS.search(required.group(1)):
+                findings.append("%s:%d: C4: has an effect; take it out of SUNDER_REQUIRE"
+                                % (path, text.count("\n", 0, required.start()) + 1))
     return findings, functions
 
 

@@ -89,6 +89,14 @@ class CheckContracts(unittest.TestCase):
         findings, _ = findings_of({**TREE, **doors, **others})
         self.assertEqual(sorted(text[:text.index(":1: C3")] for text in findings), sorted(doors))
 
+    def test_a_requirement_has_no_effect(self):
+        good = "  SUNDER_REQUIRE(a <= b && c != d && is_set(e) && e == f);\n"
+        for effect in ("++n < 3", "set_exponent(b)", "(x = y)", "v.push_back(1)"):
+            with self.subTest(effect):
+                findings, _ = findings_of({**TREE, "sunder/x.cpp": good + "  SUNDER_REQUIRE(%s);\n" % effect})
+                self.assertEqual([text[:text.index("C4") + 2] for text in findings], ["sunder/x.cpp:2: C4"])
+        self.assertEqual(findings_of({**TREE, "sunder/x.cpp": good})[0], [])
+
 
 if __name__ == "__main__":
     unittest.main()

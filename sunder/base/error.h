@@ -4,8 +4,11 @@
 // A message is one line: what is wrong, and the remedy. The place says where: "FILE:LINE", "vertex 7", "pose".
 #pragma once
 
+#include <sunder/base/names.h>
+
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace sunder {
@@ -18,6 +21,11 @@ enum class ErrorCode {
   bad_call,   // an unknown option, method, or combination
 };
 
+// As JSON and Python's Error.kind have it: "bad-value" and so on.
+constexpr std::string_view name_of(ErrorCode code) noexcept {
+  return name_in<ErrorCode::bad_call>({"bad-value", "bad-shape", "bad-pose", "bad-file", "bad-call"}, code);
+}
+
 class Error : public std::runtime_error {
  public:
   // text: what is wrong and the remedy; place: where (may be empty).
@@ -26,6 +34,7 @@ class Error : public std::runtime_error {
 
   ErrorCode code() const { return code_; }
   const std::string& place() const { return place_; }
+  std::string text() const { return std::string(what()).substr(place_.empty() ? 0 : place_.size() + 2); }
 
  private:
   ErrorCode code_;

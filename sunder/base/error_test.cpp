@@ -9,6 +9,7 @@ TEST(ErrorTest, CodeTextAndPlace) {
   const Error error(ErrorCode::bad_file, "is truncated; write it again", "a.stl:7");
   EXPECT_EQ(error.code(), ErrorCode::bad_file);
   EXPECT_EQ(error.place(), "a.stl:7");
+  EXPECT_EQ(error.text(), "is truncated; write it again");
   EXPECT_STREQ(error.what(), "a.stl:7: is truncated; write it again");
 }
 
@@ -16,7 +17,16 @@ TEST(ErrorTest, WithoutPlace) {
   const Error error(ErrorCode::bad_call, "unknown method; see --help");
   EXPECT_EQ(error.code(), ErrorCode::bad_call);
   EXPECT_EQ(error.place(), "");
+  EXPECT_EQ(error.text(), error.what());
   EXPECT_STREQ(error.what(), "unknown method; see --help");
+}
+
+TEST(ErrorTest, EachCodeHasAName) {
+  EXPECT_EQ(name_of(ErrorCode::bad_value), "bad-value");
+  EXPECT_EQ(name_of(ErrorCode::bad_shape), "bad-shape");
+  EXPECT_EQ(name_of(ErrorCode::bad_pose), "bad-pose");
+  EXPECT_EQ(name_of(ErrorCode::bad_file), "bad-file");
+  EXPECT_EQ(name_of(ErrorCode::bad_call), "bad-call");
 }
 
 TEST(ErrorTest, IsCaughtAsARuntimeErrorAndSurvivesCopies) {

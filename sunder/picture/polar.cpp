@@ -94,8 +94,9 @@ std::string polar_svg(const PolarPicture& picture) {
   std::vector<std::uint32_t> largest(left.facets.size());
   std::iota(largest.begin(), largest.end(), 0u);
   std::erase_if(largest, [&](std::uint32_t f) { return left.seen_area[f] == 0 || !right.is_seen[f]; });
-  std::stable_sort(largest.begin(), largest.end(),
-                   [&](std::uint32_t f, std::uint32_t g) { return left.seen_area[f] > left.seen_area[g]; });
+  std::sort(largest.begin(), largest.end(), [&](std::uint32_t f, std::uint32_t g) {
+    return std::pair(-left.seen_area[f], f) < std::pair(-left.seen_area[g], g);
+  });
   largest.resize(std::min(largest.size(), most_numbered));
 
   Canvas canvas(2 * sheet);

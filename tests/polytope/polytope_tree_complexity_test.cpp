@@ -70,7 +70,7 @@ Work work_of(std::size_t d, std::size_t count, int pairs, bool half_spaces, bool
       work.scan += static_cast<double>(scan.cost.probes) / pairs;
     }
     work.meets += answer.meet();
-    work.scanned += answer.decided_by != DecidedBy::evidence;
+    work.scanned += answer.decided_by == DecidedBy::finishing;
     work.mean += static_cast<double>(answer.cost.probes) / pairs;
     work.most = std::max(work.most, answer.cost.probes);
     work.depth = std::max({work.depth, a.depth(), b.depth()});

@@ -16,6 +16,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -33,63 +34,48 @@ using polytope::PolytopeAnswer;
 using PolytopeMethod =
     Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>;
 
-// Trees are for many questions about the same bodies; here they are made for one.
-PolytopeAnswer by_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
-                                 const polytope::Pose& pose_b) {
-  return polytope_polytope_by_columns(polytope::HierarchicalTree(a), pose_a, polytope::HierarchicalTree(b), pose_b);
-}
+// Of trees that are made before: without a method that needs none.
+constexpr std::array<PolytopeMethod, 5> methods{{SUNDER_METHOD("automatic", polytope::polytope_polytope),
+                                                 SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
+                                                 SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
+                                                 {"columns", nullptr, "polytope::polytope_polytope_by_columns"},
+                                                 {"tree", nullptr, "polytope::polytope_polytope_by_tree"}}};
 
-// The trees of A and of B that a descent goes down: those of the faces of one, and of the polar of the other, which has
-// to be about a point inside.
-struct Descended {
-  Descended(const Polytope& first, const Polytope& second) {
-    b.emplace(second, polytope::FaceTreesOf::polar);
-    if (!b->is_full()) b.emplace(second, polytope::FaceTreesOf::faces);
-    a.emplace(first, b->is_full() ? polytope::FaceTreesOf::faces : polytope::FaceTreesOf::polar);
-  }
-
-  std::optional<polytope::FaceTrees> a, b;
-};
-
-PolytopeAnswer by_face_trees_made_now(const Polytope& a, const polytope::Pose& pose_a, const Polytope& b,
-                                      const polytope::Pose& pose_b) {
-  const Descended trees(a, b);
-  return polytope_polytope_by_tree(*trees.a, pose_a, *trees.b, pose_b);
-}
-
-constexpr std::array<PolytopeMethod, 5> methods{
-    {SUNDER_METHOD("automatic", polytope::polytope_polytope),
-     SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
-     SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
-     {"columns", by_trees_made_now, "polytope::polytope_polytope_by_columns"},
-     {"tree", by_face_trees_made_now, "polytope::polytope_polytope_by_tree"}}};
-
-// d numbers, a translation; or d + 1 a row of the linear part and the translation.
-polytope::Pose parse_polytope_pose(const PairSide& side, std::size_t d) {
-  if (side.pose.empty()) return polytope::Pose(d);
-  const std::string place = side.option("pose");
-  const std::vector<double> n = parse_numbers(side.pose, place);
-  std::vector<double> linear(d * d), translation(d);
-  if (n.size() == d) {
-    translation = n;
-    for (std::size_t c = 0; c < d; ++c) linear[c * d + c] = 1;
-  } else if (n.size() == d * (d + 1)) {
-    for (std::size_t r = 0; r < d; ++r) {
-      for (std::size_t c = 0; c < d; ++c) linear[r * d + c] = n[r * (d + 1) + c];
-      translation[r] = n[r * (d + 1) + d];
+// A and B as the method wants them: trees are made once, for all poses.
+class Prepared {
+ public:
+  Prepared(const PolytopeMethod& method, const Polytope& a, const Polytope& b) : method_(method), a_(a), b_(b) {
+    if (method.name == "columns") {
+      walks_a_.emplace(a);
+      walks_b_.emplace(b);
+    } else if (method.name == "tree") {
+      // Of the faces of one, and of the polar of the other, which has to be about a point inside.
+      faces_b_.emplace(b, polytope::FaceTreesOf::polar);
+      if (!faces_b_->is_full()) faces_b_.emplace(b, polytope::FaceTreesOf::faces);
+      faces_a_.emplace(a, faces_b_->is_full() ? polytope::FaceTreesOf::faces : polytope::FaceTreesOf::polar);
     }
-  } else {
-    throw Error(ErrorCode::bad_call,
-                fmt::format("a pose of {}; of dimension {} give {}, a translation, or {}, a matrix row by row",
-                            count_of(n.size(), "number"), d, d, d * (d + 1)),
-                place);
   }
-  try {
-    return polytope::Pose::from_matrix(d, linear, translation);
-  } catch (const Error& error) {
-    throw Error(error.code(), error.what(), place);
+
+  PolytopeAnswer ask(const polytope::Pose& pose_a, const polytope::Pose& pose_b) const {
+    if (walks_a_) return polytope_polytope_by_columns(*walks_a_, pose_a, *walks_b_, pose_b);
+    if (faces_a_) return polytope_polytope_by_tree(*faces_a_, pose_a, *faces_b_, pose_b);
+    return method_(a_, pose_a, b_, pose_b);
   }
-}
+
+  // Of an answer by trees that they are apart.
+  HyperplaneEvidence hyperplanes(const polytope::Pose& pose_a, const polytope::Pose& pose_b,
+                                 const PolytopeAnswer& answer) const {
+    if (walks_a_) return parting_hyperplanes(*walks_a_, pose_a, *walks_b_, pose_b, answer);
+    if (auto planes = hyperplanes_by_tree(*faces_a_, pose_a, *faces_b_, pose_b)) return *std::move(planes);
+    return parting_hyperplanes(faces_a_->walks(), pose_a, faces_b_->walks(), pose_b, answer);
+  }
+
+ private:
+  PolytopeMethod method_;
+  const Polytope &a_, &b_;
+  std::optional<polytope::HierarchicalTree> walks_a_, walks_b_;
+  std::optional<polytope::FaceTrees> faces_a_, faces_b_;
+};
 
 struct PolytopeInput {
   Polytope polytope;
@@ -100,7 +86,9 @@ struct PolytopeInput {
 PolytopeInput read_input(const PairSide& side, PairFiles& files) {
   const auto unnamed = side.half_spaces ? polytope::Form::half_spaces : polytope::Form::points;
   Polytope read = io::read_polytope(side.file, files.inputs(), unnamed);
-  polytope::Pose pose = parse_polytope_pose(side, read.dimension());
+  const std::string at = side.option("pose");
+  polytope::Pose pose = side.pose.empty() ? polytope::Pose(read.dimension())
+                                          : io::polytope_pose(parse_numbers(side.pose, at), read.dimension(), at);
   const std::string file = io::one_line(side.file);
   const std::string name = io::one_line(std::filesystem::path(side.file).stem().string());
   const char* const noun = read.is_of_points() ? "point" : "half-space";
@@ -165,22 +153,9 @@ class PolytopePair : public PairQuestion {
 
   void ask() {
     function_ = method_.function;
-    if (call.hyperplanes && call.method == "tree") {
-      const Descended trees(of_a_.polytope, of_b_.polytope);
-      answer_ = polytope_polytope_by_tree(*trees.a, of_a_.pose, *trees.b, of_b_.pose);
-      if (!answer_.meet()) {
-        hyperplanes_ = hyperplanes_by_tree(*trees.a, of_a_.pose, *trees.b, of_b_.pose);
-        if (!hyperplanes_) {
-          hyperplanes_ = parting_hyperplanes(trees.a->walks(), of_a_.pose, trees.b->walks(), of_b_.pose, answer_);
-        }
-      }
-    } else if (call.hyperplanes) {
-      const polytope::HierarchicalTree a(of_a_.polytope), b(of_b_.polytope);
-      answer_ = polytope_polytope_by_columns(a, of_a_.pose, b, of_b_.pose);
-      if (!answer_.meet()) hyperplanes_ = parting_hyperplanes(a, of_a_.pose, b, of_b_.pose, answer_);
-    } else {
-      answer_ = method_(of_a_.polytope, of_a_.pose, of_b_.polytope, of_b_.pose);
-    }
+    const Prepared pair(method_, of_a_.polytope, of_b_.polytope);
+    answer_ = pair.ask(of_a_.pose, of_b_.pose);
+    if (call.hyperplanes && !answer_.meet()) hyperplanes_ = pair.hyperplanes(of_a_.pose, of_b_.pose, answer_);
     const bool are_points = of_a_.polytope.is_of_points() && of_b_.polytope.is_of_points();
     const bool is_program = !are_points && answer_.decided_by == DecidedBy::finishing;
     take(answer_, is_program ? "a linear program in exact arithmetic" : decided_text(answer_.decided_by));
@@ -244,6 +219,80 @@ class PolytopePair : public PairQuestion {
   std::optional<HyperplaneEvidence> hyperplanes_;
 };
 
+// B at each of many poses.
+class PolytopeAtPoses {
+ public:
+  static constexpr const char *verb = "pair", *drawn_noun = "point";
+  const PairCall& call;
+
+  PolytopeAtPoses(const PairCall& asked, PolytopeMethod method, const PolytopeInput& a, const PolytopeInput& b,
+                  PairFiles& files)
+      : call(asked),
+        method_(method),
+        a_(a),
+        b_(b),
+        files_(files),
+        poses_(io::read_polytope_poses(call.b.poses, b.polytope.dimension(), files.inputs())) {}
+
+  static std::uint64_t drawn() { return 0; }
+  static std::string picture() { return ""; }
+
+  void ask() {
+    const Prepared pair(method_, a_.polytope, b_.polytope);
+    for (const polytope::Pose& pose : poses_) {
+      const PolytopeAnswer& answer = answers_.emplace_back(pair.ask(a_.pose, pose));
+      if (answer.meet()) meet_.push_back(answers_.size() - 1);
+      ++decided_by_[static_cast<std::size_t>(answer.decided_by)];
+      cost_.probes += answer.cost.probes;
+      cost_.iterations += answer.cost.iterations;
+      cost_.exact += answer.cost.exact;
+      cost_.proposals += answer.cost.proposals;
+    }
+  }
+
+  std::string certificate() const {
+    return claims_text(origin_of(files_.talk, files_.read, files_.left_out.texts()), [&](ClaimsWriter& file) {
+      const PairObject &a = a_.object, &b = b_.object;
+      add_claims(file, {a.name, a_.polytope, a_.pose, a.said}, {b.name, b_.polytope, b_.pose, b.said}, poses_,
+                 answers_);
+    });
+  }
+
+  Report report() const {
+    Report report{.answer = meet_.empty() ? "apart" : "meet",
+                  .code = meet_.empty() ? exit_code::no : exit_code::yes,
+                  .function = method_.function,
+                  .cost = cost_,
+                  .objects = Json::array({a_.object.json, b_.object.json})};
+    report.tell(fmt::format(
+        "{} and {}: {}\n", a_.object.file, b_.object.file,
+        meet_.empty() ? fmt::format("apart, with B at each of {}", count_of(poses_.size(), "pose"))
+                      : fmt::format("meet, with B at {} of {}", meet_.size(), count_of(poses_.size(), "pose"))));
+    report.tell(titled("A", a_.object.text) + titled("B", b_.object.text));
+    Json decided = Json::object(), meet = Json::array();
+    for (const DecidedBy by : {DecidedBy::filter, DecidedBy::evidence, DecidedBy::finishing, DecidedBy::scan}) {
+      decided[std::string(name_of(by))] = decided_by_[static_cast<std::size_t>(by)];
+    }
+    for (const std::size_t k : meet_) meet.push_back(k);
+    const std::span<const std::size_t> first(meet_.data(), std::min<std::size_t>(meet_.size(), 10));
+    std::string text = fmt::format("at pose {}", fmt::join(first, ", "));
+    if (meet_.size() > first.size()) text += fmt::format(", and {} more; --json has all", meet_.size() - first.size());
+    report.add("poses", {{"count", poses_.size()}, {"meet", meet}, {"decided_by", decided}},
+               meet_.empty() ? "" : titled("meet", text + "; the first is pose 0"));
+    return report;
+  }
+
+ private:
+  PolytopeMethod method_;
+  const PolytopeInput &a_, &b_;
+  PairFiles& files_;
+  std::vector<polytope::Pose> poses_;
+  std::vector<PolytopeAnswer> answers_;
+  std::vector<std::size_t> meet_;
+  std::array<std::uint64_t, 4> decided_by_{};  // by each DecidedBy
+  Cost cost_;
+};
+
 }  // namespace
 
 bool are_polytopes(const PairCall& call) {
@@ -253,6 +302,12 @@ bool are_polytopes(const PairCall& call) {
 Report run_polytope_pair(const PairCall& call, Talk& talk) {
   if (call.hyperplanes && call.method != "columns" && call.method != "tree") {
     throw Error(ErrorCode::bad_call, "is of --method tree or columns; give one of these, too", "--hyperplanes");
+  }
+  if (!call.b.poses.empty() && (call.hyperplanes || !call.b.pose.empty())) {
+    throw Error(
+        ErrorCode::bad_call,
+        fmt::format("asks about each pose of its file; leave out {}", call.hyperplanes ? "--hyperplanes" : "--pose-b"),
+        "--poses-b");
   }
   PolytopeMethod const method = method_by(call.method, methods, ", for polytopes");
   PairFiles files(call, talk);
@@ -266,6 +321,7 @@ Report run_polytope_pair(const PairCall& call, Talk& talk) {
     throw Error(ErrorCode::bad_call, "is of half-spaces, and --method tree of points; give --method columns",
                 io::one_line(side->file));
   }
+  if (!call.b.poses.empty()) return answer(PolytopeAtPoses(call, method, a, b, files), files.talk);
   return answer(PolytopePair(call, method, a, b, files), files.talk);
 }
 

@@ -25,6 +25,7 @@ struct PairSide {
   std::string feature;       // planar; empty: the only one
   std::string radius;        // of space: a number, by which the body is larger all around; empty: none
   std::string to{};          // of space: the pose at the end of a straight motion; empty: it rests
+  std::string poses{};       // of polytopes: a file of poses, each of which is asked about; empty: none
   std::string body{};        // of a scene file: NAME, or NAME/PART; empty: the file is the object
   bool half_spaces = false;  // of polytopes: rows without names are half-spaces
 

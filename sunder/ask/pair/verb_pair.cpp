@@ -129,6 +129,10 @@ std::vector<Option> pair_options(PairCall& call) {
       {"--half-spaces-a", &call.a.half_spaces,
        "polytopes: each row of A (CSV without column names, or NPY) is a half-space a1,..,ad,b, not a point"},
       {"--half-spaces-b", &call.b.half_spaces, "the same for the rows of B"},
+      {"--poses-b", &call.b.poses,
+       "polytopes: do A and B meet, with B at each pose of this file (CSV or NPY, a pose in each row, as in --pose-b)? "
+       "--method columns or tree prepares A and B once, for all poses. Exit code 1 if they meet at any",
+       "FILE"},
       {"--hyperplanes", &call.hyperplanes,
        "polytopes, with --method tree or columns: prove that A and B are apart by several half-spaces that contain A "
        "and several that contain B"},
@@ -161,6 +165,7 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--mixed-crs", plane},
                                                     {"--half-spaces-a", polytopes},
                                                     {"--half-spaces-b", polytopes},
+                                                    {"--poses-b", polytopes},
                                                     {"--hyperplanes", polytopes},
                                                     {"--svg", plane},
                                                     {"--body-a", space},

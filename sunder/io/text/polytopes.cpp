@@ -128,4 +128,58 @@ Polytope read_polytope(const std::filesystem::path& path, InputFiles* inputs, Fo
   return parse_polytope(read_file(path, inputs), path.string(), unnamed);
 }
 
+polytope::Pose polytope_pose(std::span<const double> numbers, std::size_t d, const std::string& place) {
+  std::vector<double> linear(d * d), translation(d);
+  const std::size_t width = numbers.size() == d ? 1 : d + 1;  // of a row
+  if (numbers.size() != d * width) {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("a pose of {}; of dimension {} give {}, a translation, or {}, a matrix row by row",
+                            count_of(numbers.size(), "number"), d, d, d * (d + 1)),
+                place);
+  }
+  for (std::size_t r = 0; r < d; ++r) {
+    for (std::size_t c = 0; c < d; ++c) linear[r * d + c] = width > 1 ? numbers[r * width + c] : r == c;
+    translation[r] = numbers[r * width + width - 1];
+  }
+  try {
+    return polytope::Pose::from_matrix(d, linear, translation);
+  } catch (const Error& error) {
+    throw Error(error.code(), error.what(), place);
+  }
+}
+
+std::vector<polytope::Pose> read_polytope_poses(const std::filesystem::path& path, std::size_t d, InputFiles* inputs) {
+  const std::string text = read_file(path, inputs), name = path.string();
+  std::vector<polytope::Pose> poses;
+  const auto add = [&](std::span<const double> row, const std::string& place) {
+    try {
+      poses.push_back(polytope_pose(row, d, ""));
+    } catch (const Error& error) {
+      throw Error(ErrorCode::bad_file, error.what(), place);
+    }
+  };
+  if (is_npy(text)) {
+    const NpyArray array = parse_npy(text, name);
+    for (std::size_t k = 0; k < array.rows; ++k) {
+      add(std::span(array.values).subspan(k * array.columns, array.columns), fmt::format("{}: row {}", name, k + 1));
+    }
+  } else {
+    refuse_foreign(text, name);
+    CsvReader reader(std::string_view(text).substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0), name);
+    while (reader.next()) {
+      const CsvReader::Fields& fields = reader.fields();
+      if (reader.is_first() && are_names(fields, fields.size())) continue;
+      std::vector<double> row;
+      for (const std::string_view field : fields) {
+        if (const char* const problem = parse_number(field, row.emplace_back())) {
+          reader.fail(fmt::format("{} {}", quote(field), problem));
+        }
+      }
+      add(row, fmt::format("{}:{}", name, reader.line()));
+    }
+  }
+  if (poses.empty()) fail_file(name, "has no poses; give one in each line");
+  return poses;
+}
+
 }  // namespace sunder::io

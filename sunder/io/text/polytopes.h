@@ -1,12 +1,16 @@
-// Polytopes of two to six dimensions out of CSV or NPY: points "x1,..,xd", or half-spaces "a1,..,ad,b", a row each.
+// Polytopes of two to six dimensions out of CSV or NPY: points "x1,..,xd", or half-spaces "a1,..,ad,b", a row each; and
+// poses of these.
 #pragma once
 
 #include <sunder/base/error.h>
 #include <sunder/certificate/origin.h>
 #include <sunder/polytope/object/polytope.h>
+#include <sunder/polytope/object/pose.h>
 
 #include <filesystem>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace sunder::io {
 
@@ -25,5 +29,13 @@ polytope::Polytope read_polytope(const std::filesystem::path& path, InputFiles* 
 // The same from memory. place: the file's name, for messages. It is NPY iff it begins as such files do.
 polytope::Polytope parse_polytope(std::string_view text, std::string_view place,
                                   polytope::Form unnamed = polytope::Form::points);
+
+// A pose of d dimensions of d numbers, a translation, or of d (d + 1), row by row of the linear part, each with its
+// number of the translation behind it. Throws Error bad_call, or bad_pose, at the place.
+polytope::Pose polytope_pose(std::span<const double> numbers, std::size_t d, const std::string& place);
+
+// Such a pose for each row of a CSV file, whose first line may have names, or of an NPY file. Throws Error bad_file.
+std::vector<polytope::Pose> read_polytope_poses(const std::filesystem::path& path, std::size_t d,
+                                                InputFiles* inputs = nullptr);
 
 }  // namespace sunder::io

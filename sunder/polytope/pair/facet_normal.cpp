@@ -1,3 +1,4 @@
+#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/facet_normal.h>
 #include <sunder/polytope/pair/null_vector_internal.h>
 #include <sunder/polytope/pair/orthogonal_complement.h>
@@ -82,7 +83,7 @@ class FacetSearch {
       largest = std::max(largest, size);
       return NearestStep::take;
     };
-    simplex.search(complement_.coordinates(inner.at), most_normal_steps, &candidates, probe);
+    simplex.search(complement_.coordinates(inner.at), most_normal_steps, candidates, probe);
     if (is_filled || simplex.is_full() || !simplex.is_at_origin(4 * largest)) return is_filled;
     take(simplex, part_matters);
     return complement_.dimension() < m;

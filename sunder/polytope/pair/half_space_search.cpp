@@ -64,7 +64,7 @@ class HalfSpaceSearch {
     if (!simplex_.add(point(height, 0))) return std::nullopt;
     CandidateRowsOfBoth candidates(a_.body(), b_.body());
     std::optional<ExactDecision> held;
-    simplex_.search({}, most_directions, &candidates, [&](const ColumnNumbers& y, DifferencePoint& next) {
+    simplex_.search({}, most_directions, candidates, [&](const ColumnNumbers& y, DifferencePoint& next) {
       if (simplex_.is_at_origin()) return NearestStep::stop;
       ColumnNumbers x{};
       for (std::size_t c = 0; c < d_; ++c) x[c] = y[c] * unit_;
@@ -215,7 +215,7 @@ class HalfSpaceSearch {
     if (!simplex.add(projected(height, 0))) return std::nullopt;
     CandidateRowsOfBoth candidates(a_.body(), b_.body());
     std::optional<ExactDecision> held;
-    simplex.search({}, most_directions, &candidates, [&](const ColumnNumbers& direction, DifferencePoint& next) {
+    simplex.search({}, most_directions, candidates, [&](const ColumnNumbers& direction, DifferencePoint& next) {
       if (simplex.is_at_origin(1)) return NearestStep::stop;
       const ColumnNumbers y = complement.vector(direction);
       ColumnNumbers x{};

@@ -145,7 +145,7 @@ std::optional<ExactFraction> bound_along(const Polytope& body, const Pose& pose,
 
 HyperplaneEvidence parting_hyperplanes(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
                                        const Pose& pose_b, const PolytopeAnswer& answer) {
-  const ExactEvidence& exact = *std::get<ExactParting>(answer.evidence).exact;
+  const ExactEvidence exact = exact_evidence(a.body(), pose_a, b.body(), pose_b, answer);
   const std::size_t d = a.body().dimension();
   const ExactVector opposite = negated(exact.numbers);
   Enclosure around_a(0, a, pose_a), around_b(1, b, pose_b);

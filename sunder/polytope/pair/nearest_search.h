@@ -3,7 +3,6 @@
 // Source: Wolfe 1976; Gilbert, Johnson & Keerthi 1988.
 #pragma once
 
-#include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
@@ -47,10 +46,10 @@ class NearestSimplex {
 
   // The loop of the search: at most so many points come in, each the furthest towards the origin, until the simplex is
   // full or there is no way on. An empty simplex begins with the direction from `from`.
-  //   candidates              the points that are looked at; nullptr: always all
+  //   candidates              which points are looked at: bool widen(), narrow() (candidate_rows.h)
   //   probe(direction, next)  finds the next point, and decides: a NearestStep
-  template <class Probe>
-  void search(const ColumnNumbers& from, int steps, CandidateRowsOfBoth* candidates, const Probe& probe) {
+  template <class Candidates, class Probe>
+  void search(const ColumnNumbers& from, int steps, Candidates& candidates, const Probe& probe) {
     ColumnNumbers direction{};
     if (!towards_origin(from, d_, direction)) direction[0] = 1;
     for (int step = 0; step < steps; ++step) {
@@ -60,11 +59,11 @@ class NearestSimplex {
       if (what == NearestStep::stop) return;
       if (what == NearestStep::again) continue;
       if (has(next.a, next.b)) {
-        if (candidates == nullptr || !candidates->widen()) return;
+        if (!candidates.widen()) return;
         continue;
       }
       if (!add(next) || is_full()) return;
-      if (candidates != nullptr) candidates->narrow();
+      candidates.narrow();
     }
   }
 

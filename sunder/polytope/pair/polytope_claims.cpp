@@ -1,3 +1,4 @@
+#include <sunder/base/contract.h>
 #include <sunder/polytope/pair/polytope_claims.h>
 
 #include <span>
@@ -12,9 +13,7 @@ void begin_entry(ClaimsWriter& file, const std::string& name) {
   file.text("name", name.empty() ? "unnamed" : cut_text(name));
 }
 
-// The polytope, and where its pose is another one than the identity, its image. Returns the number of the last of them;
-// `first` is that of the first.
-std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_polytope, std::uint32_t first) {
+void add_body(ClaimsWriter& file, const NamedPolytope& of, bool as_polytope) {
   file.say(of.said);
   begin_entry(file, of.name);
   const Polytope& p = of.polytope;
@@ -23,12 +22,22 @@ std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_po
   for (std::uint32_t k = 0; k < p.size(); ++k) file.add_row(p.row(k));
   file.end_list();
   file.end_entry();
-  if (of.pose.is_identity()) return first;
-  begin_entry(file, of.name);
-  file.index("of", first);
-  file.doubles("linear", of.pose.linear());
-  file.doubles("translation", of.pose.translation());
+}
+
+void add_image(ClaimsWriter& file, const std::string& name, std::uint32_t of, const Pose& pose) {
+  begin_entry(file, name);
+  file.index("of", of);
+  file.doubles("linear", pose.linear());
+  file.doubles("translation", pose.translation());
   file.end_entry();
+}
+
+// The polytope, and where its pose is another one than the identity, its image. Returns the number of the last of them;
+// `first` is that of the first.
+std::uint32_t add_placed(ClaimsWriter& file, const NamedPolytope& of, bool as_polytope, std::uint32_t first) {
+  add_body(file, of, as_polytope);
+  if (of.pose.is_identity()) return first;
+  add_image(file, of.name, first, of.pose);
   return first + 1;
 }
 
@@ -58,14 +67,9 @@ void add_holds(ClaimsWriter& file, const Weights& weights) {
   file.end_claim();
 }
 
-}  // namespace
-
-void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer) {
-  const bool as_polytopes = !a.polytope.is_of_points() || !b.polytope.is_of_points();
-  file.begin_table(as_polytopes ? "polytopes" : "bodies");
-  const std::uint32_t index_a = add_placed(file, a, as_polytopes, 0);
-  const std::uint32_t index_b = add_placed(file, b, as_polytopes, index_a + 1);
-  file.end_table();
+// Of a and b in the table, with these numbers.
+void add_statement(ClaimsWriter& file, const NamedPolytope& a, std::uint32_t index_a, const NamedPolytope& b,
+                   std::uint32_t index_b, const PolytopeAnswer& answer, bool as_polytopes) {
   const ExactEvidence evidence = exact_evidence(a.polytope, a.pose, b.polytope, b.pose, answer);
   file.begin_statement(as_polytopes ? "polytopes" : "pair");
   file.index("a", index_a);
@@ -92,6 +96,38 @@ void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope&
     file.end_claim();
   }
   file.end_statement();
+}
+
+bool are_half_spaces(const NamedPolytope& a, const NamedPolytope& b) {
+  return !a.polytope.is_of_points() || !b.polytope.is_of_points();
+}
+
+}  // namespace
+
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer) {
+  const bool as_polytopes = are_half_spaces(a, b);
+  file.begin_table(as_polytopes ? "polytopes" : "bodies");
+  const std::uint32_t index_a = add_placed(file, a, as_polytopes, 0);
+  const std::uint32_t index_b = add_placed(file, b, as_polytopes, index_a + 1);
+  file.end_table();
+  add_statement(file, a, index_a, b, index_b, answer, as_polytopes);
+}
+
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, std::span<const Pose> poses,
+                std::span<const PolytopeAnswer> answers) {
+  SUNDER_REQUIRE(poses.size() == answers.size());
+  const bool as_polytopes = are_half_spaces(a, b);
+  file.begin_table(as_polytopes ? "polytopes" : "bodies");
+  const std::uint32_t index_a = add_placed(file, a, as_polytopes, 0), first_b = index_a + 1;
+  add_body(file, b, as_polytopes);
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    add_image(file, (b.name.empty() ? "unnamed" : b.name) + " at pose " + std::to_string(k), first_b, poses[k]);
+  }
+  file.end_table();
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    add_statement(file, a, index_a, {b.name, b.polytope, poses[k]}, first_b + 1 + static_cast<std::uint32_t>(k),
+                  answers[k], as_polytopes);
+  }
 }
 
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b,

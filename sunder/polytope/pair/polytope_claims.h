@@ -9,6 +9,7 @@
 #include <sunder/polytope/pair/hyperplanes.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
 
+#include <span>
 #include <string>
 
 namespace sunder::polytope {
@@ -23,6 +24,11 @@ struct NamedPolytope {
 // The table, and the statement: all of a file but its origin and its end. Requires the answer to be about these.
 // Cost: linear, and exact_evidence().
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer);
+
+// The same of B at each of these poses (that of `b` does not count), a statement and an answer each: A and B are written
+// once. In the table, B at pose k has the name of B, and "at pose k".
+void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, std::span<const Pose> poses,
+                std::span<const PolytopeAnswer> answers);
 
 // The same by several hyperplanes, as a statement `polytopes` `apart_by_hyperplanes`. Requires the evidence to be about
 // these.

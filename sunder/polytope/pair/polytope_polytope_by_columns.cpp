@@ -1,74 +1,52 @@
 #include <sunder/base/contract.h>
 #include <sunder/polytope/pair/exact_simplex.h>
-#include <sunder/polytope/pair/nearest_search.h>
-#include <sunder/polytope/pair/placed.h>
+#include <sunder/polytope/pair/points_search_internal.h>
 #include <sunder/polytope/pair/polytope_polytope.h>
-#include <sunder/polytope/pair/support.h>
 
-#include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace sunder::polytope {
 
 namespace {
 
-constexpr int most_column_steps = 64;
+// By walks: first to the cone of the root, whose apex is of its net; then, each time that this does not do, to the leaf;
+// and after that among the rows of this leaf.
+class WalkedEnds {
+  using Reach = TreeWalk::Reach;
 
-// The search of by_gjk, with walks to the leaves for scans. What a walk finds is the end of its body, exactly: so two
-// of them tell whether their direction parts the bodies.
-class ColumnSearch {
  public:
-  ColumnSearch(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b, const Pose& pose_b)
-      : a_(a, pose_a), b_(b, pose_b), d_(pose_a.dimension()), simplex_(d_) {
+  WalkedEnds(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b, const Pose& pose_b)
+      : a_(a, pose_a), b_(b, pose_b), walk_a_(a), walk_b_(b) {
     for (Placed* const body : {&a_, &b_}) {
       while (body->deepen()) continue;
     }
   }
 
-  // True where a direction parts the bodies: it is written down. Else they may meet.
-  bool parts(PolytopeAnswer& answer) {
-    bool are_apart = false;
-    simplex_.search(
-        difference(0, 0).at, most_column_steps, nullptr, [&](const Vector& direction, DifferencePoint& next) {
-          ExactVector along(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d_));
-          const ExactFurthest of_a = a_.furthest(along, answer.cost), of_b = b_.furthest(negated(along), answer.cost);
-          ++answer.cost.iterations;
-          ++answer.cost.proposals;
-          are_apart = (of_a.product + of_b.product).sign() == Sign::negative;
-          if (are_apart) {
-            answer.evidence =
-                ExactParting{std::make_shared<const ExactEvidence>(ExactEvidence{.numbers = std::move(along)})};
-            return NearestStep::stop;
-          }
-          next = difference(of_a.index, of_b.index);
-          return NearestStep::take;
-        });
-    return are_apart;
+  WalkedEnds& candidates() { return *this; }
+  bool are_all() const { return reach_ == Reach::leaf; }
+  bool widen() { return std::exchange(reach_, Reach::leaf) != Reach::leaf; }
+  void narrow() {
+    if (are_all()) reach_ = Reach::last_leaf;
   }
 
-  // The points of the simplex, of A or of B, each once.
-  std::vector<std::uint32_t> named(std::uint32_t DifferencePoint::* of) const {
-    std::vector<std::uint32_t> rows;
-    for (std::size_t k = 0; k < simplex_.size(); ++k) {
-      if (std::find(rows.begin(), rows.end(), simplex_[k].*of) == rows.end()) rows.push_back(simplex_[k].*of);
-    }
-    return rows;
+  BothEnds along(const Vector& direction, Cost& cost) {
+    return {likely_support(walk_a_, a_.pose(), direction, 1, reach_, cost),
+            likely_support(walk_b_, b_.pose(), direction, -1, reach_, cost)};
   }
+  bool are_ends(const Vector& direction, Cost& cost) const {
+    return is_sure(walk_a_, a_.pose(), direction, 1, cost) && is_sure(walk_b_, b_.pose(), direction, -1, cost);
+  }
+  ExactFurthest exact_a(const ExactVector& y, Cost& cost) { return a_.furthest(y, cost); }
+  ExactFurthest exact_b(const ExactVector& y, Cost& cost) { return b_.furthest(y, cost); }
 
-  std::uint32_t scans() const { return a_.scans() + b_.scans(); }
+  std::uint32_t scans() const { return a_.scans() + b_.scans() + walk_a_.scans() + walk_b_.scans(); }
 
  private:
-  DifferencePoint difference(std::uint32_t i, std::uint32_t j) const {
-    return rounded_difference(a_.body(), a_.pose(), i, b_.body(), b_.pose(), j);
-  }
-
-  Placed a_, b_;
-  std::size_t d_;
-  NearestSimplex simplex_;
+  Placed a_, b_;  // where floating point is not sure
+  TreeWalk walk_a_, walk_b_;
+  Reach reach_ = Reach::net;
 };
 
 }  // namespace
@@ -80,17 +58,19 @@ PolytopeAnswer polytope_polytope_by_columns(const HierarchicalTree& a, const Pos
   SUNDER_REQUIRE(pose_b.dimension() == a.body().dimension());
   PolytopeAnswer answer;
   std::uint32_t scans = 0;
-  std::vector<std::uint32_t> of_a, of_b;
+  CommonPoints named;
   if (a.body().is_of_points() && b.body().is_of_points()) {
-    ColumnSearch search(a, pose_a, b, pose_b);
-    const bool are_apart = search.parts(answer);
-    scans = search.scans();
-    answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
-    if (are_apart) return answer;
-    of_a = search.named(&DifferencePoint::a);
-    of_b = search.named(&DifferencePoint::b);
+    WalkedEnds ends(a, pose_a, b, pose_b);
+    PointsSearch search(a.body(), pose_a, b.body(), pose_b, ends, answer.cost);
+    const bool is_decided = search.search();
+    scans = ends.scans();
+    answer.decided_by = scans == 0 ? search.decided_by() : DecidedBy::finishing;
+    answer.evidence = search.evidence();
+    if (is_decided) return answer;
+    named = search.collected();
   }
-  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, of_a, of_b, answer.cost, &scans);
+  ExactDecision decision = decide_exactly({a, pose_a}, {b, pose_b}, std::span(named.of_a).first(named.count_a),
+                                          std::span(named.of_b).first(named.count_b), answer.cost, &scans);
   answer.evidence = evidence_of(decision.verdict, std::move(decision.evidence));
   answer.decided_by = scans == 0 ? DecidedBy::evidence : DecidedBy::finishing;
   return answer;

@@ -60,6 +60,17 @@ FurthestPoint likely_support(CandidateRows& candidates, const Pose& pose, const 
   return result;
 }
 
+FurthestPoint likely_support(TreeWalk& walk, const Pose& pose, const Vector& direction, double side,
+                             TreeWalk::Reach reach, Cost& cost) {
+  FurthestPoint result = walk.likely_furthest(pulled_back(pose, direction, side), reach, cost);
+  result.product = moved(pose, direction, side, result.product);
+  return result;
+}
+
+bool is_sure(const TreeWalk& walk, const Pose& pose, const Vector& direction, double side, Cost& cost) {
+  return walk.was_to_the_end(pulled_back(pose, direction, side), cost);
+}
+
 Vector rounded_image(const Polytope& body, const Pose& pose, std::uint32_t k) {
   const std::size_t d = body.dimension();
   const std::span<const double> row = body.row(k);

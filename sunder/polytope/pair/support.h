@@ -7,6 +7,7 @@
 #include <sunder/polytope/object/pose.h>
 #include <sunder/polytope/pair/candidate_rows.h>
 #include <sunder/polytope/pair/nearest_search.h>
+#include <sunder/polytope/represent/hierarchical_tree.h>
 #include <sunder/predicate/filter/along_columns.h>
 
 #include <array>
@@ -28,6 +29,12 @@ Support support(const Polytope& body, const Pose& pose, const Vector& direction,
 // The same of those points that are looked at, and without a bound.
 FurthestPoint likely_support(CandidateRows& candidates, const Pose& pose, const Vector& direction, double side,
                              Cost& cost);
+
+// The same by a walk down the tree of the body. After one to a leaf: is no point further, surely, but for the error
+// below?
+FurthestPoint likely_support(TreeWalk& walk, const Pose& pose, const Vector& direction, double side,
+                             TreeWalk::Reach reach, Cost& cost);
+bool is_sure(const TreeWalk& walk, const Pose& pose, const Vector& direction, double side, Cost& cost);
 
 // A bound on the error of the products of support points.
 double support_error(const Polytope& body, const Pose& pose, const Vector& direction);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -78,6 +79,8 @@ class TreeBuilder {
     share_ = options_.share == 0 ? share_of_dimension[d_] : options_.share;
     tree_.nodes_.emplace_back();
     grow(0, std::move(rows), nullptr, 0);
+    list_net();
+    list_steps();
   }
 
  private:
@@ -135,9 +138,9 @@ class TreeBuilder {
     for (std::uint32_t k = 0; k < split->cones.size(); ++k) {
       Rows list = std::move(split->lists[k]);
       if (split->conflicts[k] > most) ++tree_.unverified_;
-      tree_.children_[first + k] = static_cast<std::uint32_t>(tree_.nodes_.size());
+      children_[first + k] = static_cast<std::uint32_t>(tree_.nodes_.size());
       tree_.nodes_.emplace_back();
-      const std::uint32_t child = tree_.children_[first + k];
+      const std::uint32_t child = children_[first + k];
       if (list.size() > std::max<std::size_t>(most, leaf_)) {  // no progress: a large leaf
         add_leaf(child, list);
       } else {
@@ -319,20 +322,54 @@ class TreeBuilder {
   }
 
   void add_cones(std::uint32_t node, const Split& split) {
-    const auto first = static_cast<std::uint32_t>(tree_.children_.size());
+    const auto first = static_cast<std::uint32_t>(children_.size());
     const auto first_ray = static_cast<std::uint32_t>(tree_.rays_.size() / d_);
     tree_.nodes_[node].first_cone = first;
     tree_.nodes_[node].cones = static_cast<std::uint32_t>(split.cones.size());
     tree_.rays_.insert(tree_.rays_.end(), split.rays.begin(), split.rays.end());
     for (const Cone& cone : split.cones) {
-      tree_.children_.push_back(none);
+      children_.push_back(none);
       tree_.apexes_.push_back(cone.apex);
       tree_.slacks_.push_back(cone.slack);
       tree_.inverses_.insert(tree_.inverses_.end(), cone.inverse.begin(), cone.inverse.end());
       for (std::size_t i = 0; i < d_; ++i) {
-        tree_.across_.push_back(cone.across[i] == none ? none : first + cone.across[i]);
+        across_.push_back(cone.across[i] == none ? none : first + cone.across[i]);
         tree_.cone_rays_.push_back(first_ray + cone.rays[i]);
       }
+    }
+  }
+
+  // The apexes of the root's cones.
+  void list_net() {
+    const HierarchicalTree::Node& root = tree_.nodes_[0];
+    std::vector<std::uint32_t> net;
+    for (std::uint32_t cone = 0; root.cones > 0 && cone < root.cones; ++cone) {
+      const std::uint32_t row = tree_.apexes_[root.first_cone + cone];
+      if (std::find(net.begin(), net.end(), row) != net.end()) continue;
+      net.push_back(row);
+      tree_.net_cones_.push_back(root.first_cone + cone);
+    }
+    tree_.net_stride_ = (net.size() + PointColumns::block - 1) / PointColumns::block * PointColumns::block;
+    for (std::size_t c = 0; c < d_; ++c) {
+      for (std::size_t k = 0; k < tree_.net_stride_; ++k) {
+        tree_.net_.push_back(tree_.point(net[std::min(k, net.size() - 1)])[c]);
+      }
+    }
+  }
+
+  void list_steps() {
+    const std::size_t square = d_ * d_;
+    for (std::size_t cone = 0; cone < children_.size(); ++cone) {
+      for (std::size_t i = 0; i < d_; ++i) {
+        const std::span<const double> row = std::span(tree_.inverses_).subspan(cone * square + i * d_, d_);
+        double size = 0;
+        for (const double x : row) size = std::max(size, std::fabs(x));
+        for (const double x : row) {
+          tree_.steps_.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(size > 0 ? x / size : x)));
+        }
+      }
+      for (std::size_t i = 0; i < d_; ++i) tree_.steps_.push_back(across_[cone * d_ + i]);
+      tree_.steps_.push_back(children_[cone]);
     }
   }
 
@@ -380,6 +417,7 @@ class TreeBuilder {
 
   HierarchicalTree& tree_;
   const Polytope& body_;
+  std::vector<std::uint32_t> children_, across_;  // of cones
   std::size_t d_ = 0;
   TreeOptions options_;
   Random random_;
@@ -390,6 +428,7 @@ class TreeBuilder {
 
 HierarchicalTree::HierarchicalTree(Polytope body, const TreeOptions& options) : body_(std::move(body)) {
   SUNDER_REQUIRE(options.share >= 0 && options.share < 1);
+  SUNDER_REQUIRE(options.levels <= TreeOptions::most_levels);
   TreeBuilder(*this, options).build();
 }
 
@@ -405,8 +444,8 @@ std::vector<std::size_t> HierarchicalTree::columns() const {
 
 std::size_t HierarchicalTree::memory() const {
   const auto bytes = [](const auto& list) { return list.size() * sizeof(list[0]); };
-  return bytes(nodes_) + bytes(rows_) + bytes(children_) + bytes(apexes_) + bytes(slacks_) + bytes(inverses_) +
-         bytes(across_) + bytes(cone_rays_) + bytes(rays_) + bytes(points_);
+  return bytes(nodes_) + bytes(rows_) + bytes(steps_) + bytes(apexes_) + bytes(slacks_) + bytes(inverses_) +
+         bytes(cone_rays_) + bytes(rays_) + bytes(points_);
 }
 
 }  // namespace sunder::polytope

@@ -30,6 +30,7 @@
 #include <sunder/polytope/represent/affine_columns.h>
 #include <sunder/predicate/filter/along_columns.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -40,11 +41,13 @@ namespace sunder::polytope {
 // Of the first three, 0 is what serves rows of this dimension: 8, 16, 32, 16, 12, 11 for 2 to 7 dimensions; 8, 16, 48,
 // 40, 56, 64; and 1/2 up to 4 dimensions, then 3/4, 0.85, 0.9.
 struct TreeOptions {
-  std::uint32_t net = 0;       // rows of a net; at least d + 2, of half-spaces d + 3
-  std::uint32_t leaf = 0;      // rows of a leaf
-  double share = 0;            // of a node's rows, at most so many are in conflict with a cone; below 1
-  std::uint32_t levels = 32;   // of cones, at most; leaves may be large then
-  std::uint32_t samples = 64;  // that a node takes at most, until one is good
+  static constexpr std::uint32_t most_levels = 32;
+
+  std::uint32_t net = 0;               // rows of a net; at least d + 2, of half-spaces d + 3
+  std::uint32_t leaf = 0;              // rows of a leaf
+  double share = 0;                    // of a node's rows, at most so many are in conflict with a cone; below 1
+  std::uint32_t levels = most_levels;  // of cones, at most; leaves may be large then
+  std::uint32_t samples = 64;          // that a node takes at most, until one is good
   std::size_t most_bytes = std::size_t{1} << 30;  // of memory
   std::uint64_t most_looks = 60'000'000;          // that it takes to make the tree (looks())
   std::uint64_t seed = 20150615;
@@ -74,7 +77,7 @@ class HierarchicalTree {
   bool is_flat() const { return d_ < body_.columns().dimension; }
   std::uint32_t depth() const { return depth_; }
   std::size_t node_count() const { return nodes_.size(); }
-  std::size_t cone_count() const { return children_.size(); }
+  std::size_t cone_count() const { return apexes_.size(); }
   std::size_t row_count() const { return rows_.size(); }  // of all nodes
   std::size_t leaf_count() const { return leaf_count_; }
   std::uint32_t largest_leaf() const { return largest_leaf_; }
@@ -96,16 +99,22 @@ class HierarchicalTree {
   std::span<const std::uint32_t> rows(const Node& node) const {
     return std::span(rows_).subspan(node.first_row, node.rows);
   }
-  std::uint32_t child(std::uint32_t cone) const { return children_[cone]; }
+  std::uint32_t child(std::uint32_t cone) const { return step(cone)[d_ * d_ + d_]; }
   std::uint32_t apex(std::uint32_t cone) const { return apexes_[cone]; }
   double slack(std::uint32_t cone) const { return slacks_[cone]; }
-  std::uint32_t across(std::uint32_t cone, std::size_t ray) const { return across_[cone * d_ + ray]; }
+  std::uint32_t across(std::uint32_t cone, std::size_t ray) const { return step(cone)[d_ * d_ + ray]; }
   std::span<const double> inverse(std::uint32_t cone) const {
     return std::span(inverses_).subspan(cone * d_ * d_, d_ * d_);
   }
   std::span<const double> ray(std::uint32_t cone, std::size_t k) const {
     return std::span(rays_).subspan(cone_rays_[cone * d_ + k] * d_, d_);
   }
+  // What a walk in floating point looks at, of a cone: d^2 numbers of single precision, each row of the inverse times a
+  // positive number; d cones across; the child.
+  const std::uint32_t* step(std::uint32_t cone) const { return &steps_[cone * (d_ * d_ + d_ + 1)]; }
+  // The points of the root's net, in columns, and of each a cone whose apex it is. Empty where the root is a leaf.
+  PointColumns net() const { return {net_.data(), net_stride_, static_cast<std::uint32_t>(net_cones_.size()), d_, {}}; }
+  std::uint32_t net_cone(std::uint32_t k) const { return net_cones_[k]; }
 
  private:
   friend class TreeBuilder;
@@ -116,10 +125,12 @@ class HierarchicalTree {
   std::vector<double> points_;  // of a flat set: d_ each
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> rows_;
-  std::vector<std::uint32_t> children_, apexes_;
+  std::vector<std::uint32_t> apexes_;
   std::vector<double> slacks_, inverses_;
-  std::vector<std::uint32_t> across_, cone_rays_;
-  std::vector<double> rays_;
+  std::vector<std::uint32_t> cone_rays_;
+  std::vector<double> rays_, net_;
+  std::vector<std::uint32_t> steps_, net_cones_;
+  std::size_t net_stride_ = 0;
   std::uint32_t depth_ = 0, largest_leaf_ = 0;
   std::size_t leaf_count_ = 0, samples_ = 0, unverified_ = 0, estimate_ = 0, root_conflicts_ = 0;
   std::uint64_t looks_ = 0;
@@ -138,14 +149,38 @@ class TreeWalk {
 
   bool deepen();
 
+  // How far a walk in floating point goes: to a row of the net of the root; to the rows of a leaf; or no further than
+  // to those that the last walk looked at.
+  enum class Reach : std::uint8_t { net, leaf, last_leaf };
+
+  // A row that is about the furthest one along the direction, as floating point has it. Of rows in a flat, by exact
+  // numbers and of a leaf, always.
+  FurthestPoint likely_furthest(const ColumnNumbers& direction, Reach reach, Cost& cost);
+  // After a walk to a leaf along this direction: is no row further than what it found, surely, but for the error of
+  // products of floating point (product_error())?
+  bool was_to_the_end(const ColumnNumbers& direction, Cost& cost) const;
+
   // The cones of the last walk, from the root on: their shell-simplices are all that proves where the body ends.
-  std::span<const std::uint32_t> path() const { return path_; }
+  std::span<const std::uint32_t> path() const { return std::span(path_.cones).first(path_.size); }
   // Nodes of which all rows were looked at although they are no leaves: no cone was found in floating point.
   std::uint32_t scans() const { return scans_; }
 
  private:
+  struct Path {
+    std::array<std::uint32_t, TreeOptions::most_levels> cones;
+    std::size_t size = 0;
+  };
+
   std::uint32_t cone_of(const HierarchicalTree::Node& node, std::uint32_t from, std::span<const Dyadic> direction,
                         std::span<const double> rounded, Cost& cost) const;
+  // Down to the node whose rows have the end, or to a level: cone_of(node, from) finds the next cone.
+  template <class ConeOf>
+  const HierarchicalTree::Node& walk(std::size_t levels, const ConeOf& cone_of);
+  template <std::size_t d>
+  std::uint32_t likely_cone_of(const HierarchicalTree::Node& node, std::uint32_t from,
+                               std::span<const double> direction, Cost& cost) const;
+  template <std::size_t d>
+  FurthestPoint likely_of_leaf(const ColumnNumbers& direction, bool of_last, Cost& cost);
   std::uint32_t furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,
                             std::span<const double> rounded, Cost& cost);
 
@@ -153,7 +188,8 @@ class TreeWalk {
 
   const HierarchicalTree* tree_;
   std::uint32_t level_ = 1, scans_ = 0;
-  std::vector<std::uint32_t> path_, last_path_;
+  Path path_, last_path_;
+  const HierarchicalTree::Node* last_leaf_ = nullptr;
   std::vector<BoundedProduct> products_;
 };
 

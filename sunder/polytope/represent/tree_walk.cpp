@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -63,7 +65,7 @@ std::array<Sign, most_columns> exact_signs(const HierarchicalTree& tree, std::ui
 
 }  // namespace
 
-TreeWalk::TreeWalk(const HierarchicalTree& tree) : tree_(&tree) { products_.resize(tree.largest_leaf()); }
+TreeWalk::TreeWalk(const HierarchicalTree& tree) : tree_(&tree) {}
 
 bool TreeWalk::deepen() {
   if (level_ > tree_->depth()) return false;
@@ -150,17 +152,37 @@ ExactFurthest TreeWalk::named(std::uint32_t row, std::span<const Dyadic> directi
   return {row, product_of(direction, tree_->body().row(row))};
 }
 
+template <class ConeOf>
+const HierarchicalTree::Node& TreeWalk::walk(std::size_t levels, const ConeOf& cone_of) {
+  const HierarchicalTree::Node* node = &tree_->node(0);
+  last_path_ = path_;
+  path_.size = 0;
+  bool is_as_before = true;
+  while (node->cones > 0 && path_.size < levels) {
+    is_as_before = is_as_before && path_.size < last_path_.size;
+    const std::uint32_t from = is_as_before ? last_path_.cones[path_.size] : node->first_cone;
+    const std::uint32_t cone = cone_of(*node, from);
+    if (cone == no_child) {
+      ++scans_;
+      break;
+    }
+    is_as_before = is_as_before && cone == from;
+    path_.cones[path_.size++] = cone;
+    node = &tree_->node(tree_->child(cone));
+  }
+  return *node;
+}
+
 ExactFurthest TreeWalk::furthest(std::span<const Dyadic> given, Cost& cost) {
   SUNDER_REQUIRE(given.size() == tree_->body().columns().dimension);
   const std::vector<Dyadic> direction = tree_->reduced(given);
   std::array<double, most_columns> numbers{};
   const std::span<double> rounded(numbers.data(), direction.size());
-  const HierarchicalTree::Node* node = &tree_->node(0);
-  std::swap(path_, last_path_);
-  path_.clear();
   if (!round(direction, rounded)) {
-    scans_ += node->cones > 0;
-    const std::span<const std::uint32_t> rows = tree_->rows(*node);
+    const HierarchicalTree::Node& root = tree_->node(0);
+    scans_ += root.cones > 0;
+    path_.size = 0;
+    const std::span<const std::uint32_t> rows = tree_->rows(root);
     cost.probes += rows.size();
     cost.exact += static_cast<std::uint32_t>(rows.size());
     ExactFurthest best = named(rows[0], given);
@@ -170,25 +192,96 @@ ExactFurthest TreeWalk::furthest(std::span<const Dyadic> given, Cost& cost) {
     }
     return best;
   }
-  bool is_as_before = true;
-  while (node->cones > 0) {
-    const std::size_t level = path_.size();
-    is_as_before = is_as_before && level < last_path_.size();
-    const std::uint32_t from = is_as_before ? last_path_[level] : node->first_cone;
-    const std::uint32_t cone = cone_of(*node, from, direction, rounded, cost);
-    if (cone == no_child) {
-      ++scans_;
-      break;
-    }
-    is_as_before = is_as_before && cone == from;
-    path_.push_back(cone);
-    if (path_.size() == level_) {
-      ++cost.probes;
-      return named(tree_->apex(cone), given);
-    }
-    node = &tree_->node(tree_->child(cone));
+  const HierarchicalTree::Node& end = walk(level_, [&](const HierarchicalTree::Node& node, std::uint32_t from) {
+    return cone_of(node, from, direction, rounded, cost);
+  });
+  if (path_.size == level_) {
+    ++cost.probes;
+    return named(tree_->apex(path_.cones[level_ - 1]), given);
   }
-  return named(furthest_of(tree_->rows(*node), direction, rounded, cost), given);
+  return named(furthest_of(tree_->rows(end), direction, rounded, cost), given);
+}
+
+// Goes across the facet beyond which the direction is furthest. Where that leads back or out, it takes what it has.
+template <std::size_t d>
+std::uint32_t TreeWalk::likely_cone_of(const HierarchicalTree::Node& node, std::uint32_t from,
+                                       std::span<const double> direction, Cost& cost) const {
+  std::array<float, d> along;
+  for (std::size_t c = 0; c < d; ++c) along[c] = static_cast<float>(direction[c]);
+  std::uint32_t cone = from;
+  for (std::uint32_t k = 0; k < node.cones; ++k) {
+    ++cost.probes;
+    const std::uint32_t* const step = tree_->step(cone);
+    float least = 0;
+    std::uint32_t next = no_child;
+    for (std::size_t i = 0; i < d; ++i) {
+      float weight = 0;
+      for (std::size_t c = 0; c < d; ++c) weight += std::bit_cast<float>(step[i * d + c]) * along[c];
+      if (weight >= least || step[d * d + i] == no_child) continue;
+      least = weight;
+      next = step[d * d + i];
+    }
+    if (next == no_child) break;
+    cone = next;
+  }
+  return cone;
+}
+
+template <std::size_t d>
+FurthestPoint TreeWalk::likely_of_leaf(const ColumnNumbers& direction, bool of_last, Cost& cost) {
+  if (!of_last || last_leaf_ == nullptr) {
+    last_leaf_ = &walk(TreeOptions::most_levels, [&](const HierarchicalTree::Node& node, std::uint32_t from) {
+      return likely_cone_of<d>(node, from, direction, cost);
+    });
+  }
+  const std::span<const std::uint32_t> rows = tree_->rows(*last_leaf_);
+  cost.probes += rows.size();
+  FurthestPoint best{rows[0], -std::numeric_limits<double>::infinity()};
+  for (const std::uint32_t row : rows) {
+    const double* const point = tree_->point(row).data();
+    double product = direction[0] * point[0];
+    for (std::size_t c = 1; c < d; ++c) product += direction[c] * point[c];
+    if (product > best.product) best = {row, product};
+  }
+  return best;
+}
+
+FurthestPoint TreeWalk::likely_furthest(const ColumnNumbers& direction, Reach reach, Cost& cost) {
+  const std::size_t d = tree_->body().columns().dimension;
+  if (tree_->is_flat()) {
+    level_ = tree_->depth() + 1;
+    const auto end = direction.begin() + static_cast<std::ptrdiff_t>(d);
+    const ExactFurthest exact = furthest(std::vector<Dyadic>(direction.begin(), end), cost);
+    return {exact.index, exact.product.nearest()};
+  }
+  if (tree_->node(0).cones > 0 && (reach == Reach::net || path_.size == 0)) {
+    const PointColumns net = tree_->net();
+    cost.probes += net.count;
+    const FurthestPoint of_net = furthest_along(net, direction);
+    path_.cones[0] = tree_->net_cone(of_net.index);
+    path_.size = 1;
+    if (reach == Reach::net) return {tree_->apex(path_.cones[0]), of_net.product};
+  }
+  const bool of_last = reach == Reach::last_leaf;
+  switch (d) {
+    case 2: return likely_of_leaf<2>(direction, of_last, cost);
+    case 3: return likely_of_leaf<3>(direction, of_last, cost);
+    case 4: return likely_of_leaf<4>(direction, of_last, cost);
+    case 5: return likely_of_leaf<5>(direction, of_last, cost);
+    case 6: return likely_of_leaf<6>(direction, of_last, cost);
+    default: return likely_of_leaf<7>(direction, of_last, cost);
+  }
+}
+
+bool TreeWalk::was_to_the_end(const ColumnNumbers& direction, Cost& cost) const {
+  if (tree_->is_flat()) return true;
+  const std::size_t d = tree_->dimension();
+  cost.probes += path_.size;
+  return std::all_of(path().begin(), path().end(), [&](std::uint32_t cone) {
+    const auto& signs = cone_weights(tree_->inverse(cone), tree_->slack(cone), std::span(direction).first(d), d).sign;
+    return std::all_of(signs.begin(), signs.begin() + static_cast<std::ptrdiff_t>(d),
+                       [](Guess sign) { return sign == Guess::positive; });
+  });
 }
 
 }  // namespace sunder::polytope
