@@ -222,7 +222,7 @@ def calls():
                 yield cells[4].strip("`").split()[1:], cells[2] != "nothing is asked"
 
 
-WITH_VALUE = ("plane", "method", "feature_a", "feature_b", "pose_a", "pose_b", "allow", "group", "clearance", "maximize", "feature",
+WITH_VALUE = ("plane", "method", "feature_a", "feature_b", "pose_a", "pose_b", "poses_b", "allow", "group", "clearance", "maximize", "feature",
               "of", "project", "srdf", "radius_a", "radius_b", "to_a", "to_b", "joints",
               "placements", "margin")
 
