@@ -37,7 +37,7 @@ OPTIONAL = {
     "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut support planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
-    "objects[]": "why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
+    "objects[]": "surface why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
                  "proved",
     "objects[].against": "why",
     "objects[].links[].shapes[]": "file",

@@ -90,9 +90,12 @@
 #include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/line/polyhedron_ray.h>
 #include <sunder/solid/line/polyhedron_segment.h>
+#include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/mesh/mesh_claims.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
 #include <sunder/solid/mesh/mesh_departure.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/frame.h>
 #include <sunder/solid/object/hull_claims.h>

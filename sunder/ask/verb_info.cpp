@@ -17,6 +17,8 @@
 #include <sunder/io/text/text.h>
 #include <sunder/io/text/triples.h>
 
+#include <sunder/solid/mesh/mesh.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -252,6 +254,49 @@ Info describe_scene(const std::string& file, std::string_view bytes) {
   return info;
 }
 
+// Is the mesh closed, and if so, how?
+void add_surface(Info& info, const io::Mesh& mesh) {
+  const solid::Mesh given(solid::MeshView{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices});
+  std::array<std::uint64_t, 3> of_kind{};  // by each PieceKind
+  std::uint64_t open_edges = 0, t_junctions = 0;
+  for (const solid::Mesh::Piece& piece : given.pieces()) {
+    ++of_kind[static_cast<std::size_t>(piece.kind)];
+    open_edges += piece.open_edges;
+    t_junctions += piece.t_junctions;
+  }
+  const auto [oriented, unoriented, open] = of_kind;
+  const std::size_t pieces = given.pieces().size();
+  info.json["surface"] = {{"closed", given.is_closed()},
+                          {"pieces", pieces},
+                          {"oriented", oriented},
+                          {"unoriented", unoriented},
+                          {"open", open},
+                          {"open_edges", open_edges},
+                          {"t_junctions", t_junctions},
+                          {"crossing_faces", given.crossing_faces().size()}};
+  const std::string of_pieces = pieces == 1 ? "1 piece" : fmt::format("{} pieces", pieces);
+  info.add("closed", open == 0
+                         ? "yes, " + of_pieces
+                         : fmt::format("no: {}{} belong to an odd number of triangles", count_of(open_edges, "edge"),
+                                       pieces > 1 ? fmt::format(", of {} of {},", open, of_pieces) : ""));
+  if (unoriented > 0) {
+    info.add("", fmt::format("{} of {}, not turned the same way everywhere: inside is where a ray crosses the mesh an "
+                             "odd number of times",
+                             unoriented, of_pieces));
+  }
+  if (t_junctions > 0) {
+    info.add("",
+             fmt::format("{} inside edges of other triangles (T-junctions), exactly", count_of(t_junctions, "corner")));
+  }
+  if (!given.crossing_faces().empty()) {
+    info.add("", fmt::format("{} itself, the first is polygon {}",
+                             given.crossing_faces().size() == 1
+                                 ? "1 polygon crosses"
+                                 : fmt::format("{} polygons cross", given.crossing_faces().size()),
+                             given.crossing_faces()[0]));
+  }
+}
+
 Info describe_mesh(const std::string& file, std::string_view bytes) {
   io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
   const std::uint64_t inner = io::drop_inner_vertices(mesh);
@@ -275,6 +320,7 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
                     : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
                                                           : "a set of points");
   if (object.departure) info.add("", departure_text(object));
+  if (mesh.polygon_count() > 0) add_surface(info, mesh);
   if (!left_out.empty()) info.add("", "not read: " + left_out.text());
   info.add("hull", fmt::format("{}, {} vertices, {}", dimension_name(object.hull.dimension()),
                                object.hull.vertices().size(), count_of(object.hull.facet_count(), "facet")));

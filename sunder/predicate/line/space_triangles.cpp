@@ -1,0 +1,180 @@
+#include <sunder/predicate/line/space_triangles.h>
+#include <sunder/predicate/point/orient.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace sunder {
+
+namespace {
+
+// What the corners of a triangle span: three, two or one of them.
+struct Spanned {
+  PosedTriangle corners;
+  std::size_t count = 3;
+  int axis = 2;  // of a triangle with area: along it the projection has area, too
+};
+
+bool are_equal(const Posed3& p, const Posed3& q, StageTally* tally) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (compare_coordinate(axis, p, q, tally) != Sign::zero) return false;
+  }
+  return true;
+}
+
+// Of points on one line: is p before q, by the first coordinate that is not equal?
+bool is_before(const Posed3& p, const Posed3& q, StageTally* tally) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign sign = compare_coordinate(axis, p, q, tally);
+    if (sign != Sign::zero) return sign == Sign::positive;
+  }
+  return false;
+}
+
+std::optional<int> axis_with_area(const Posed3& a, const Posed3& b, const Posed3& c, StageTally* tally) {
+  for (int axis = 2; axis >= 0; --axis) {
+    if (orient_2d_along(axis, a, b, c, tally) != Sign::zero) return axis;
+  }
+  return std::nullopt;
+}
+
+Spanned spanned(const PosedTriangle& t, StageTally* tally) {
+  Spanned result{t, 3, 2};
+  if (const auto axis = axis_with_area(t[0], t[1], t[2], tally)) {
+    result.axis = *axis;
+    return result;
+  }
+  // On one line: its ends.
+  std::sort(result.corners.begin(), result.corners.end(),
+            [&](const Posed3& p, const Posed3& q) { return is_before(p, q, tally); });
+  result.corners[1] = result.corners[2];
+  result.count = are_equal(result.corners[0], result.corners[1], tally) ? 1 : 2;
+  return result;
+}
+
+// Of three points on one line: is p between a and b, ends included?
+bool is_between(const Posed3& a, const Posed3& b, const Posed3& p, StageTally* tally) {
+  const bool forward = !is_before(b, a, tally);
+  const Posed3 &low = forward ? a : b, &high = forward ? b : a;
+  return !is_before(p, low, tally) && !is_before(high, p, tally);
+}
+
+bool are_collinear_posed(const Posed3& a, const Posed3& b, const Posed3& c, StageTally* tally) {
+  return !axis_with_area(a, b, c, tally);
+}
+
+// Of p in the plane of the triangle, which has area.
+bool holds_in_plane(const Spanned& t, const Posed3& p, StageTally* tally) {
+  bool some_left = false, some_right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign sign = orient_2d_along(t.axis, t.corners[k], t.corners[k == 2 ? 0 : k + 1], p, tally);
+    some_left = some_left || sign == Sign::positive;
+    some_right = some_right || sign == Sign::negative;
+  }
+  return !some_left || !some_right;
+}
+
+// Two segments of one plane, of which the projection along the axis is one to one.
+bool segments_meet_in_plane(int axis, const Posed3& p, const Posed3& q, const Posed3& r, const Posed3& s,
+                            StageTally* tally) {
+  const Sign of_r = orient_2d_along(axis, p, q, r, tally), of_s = orient_2d_along(axis, p, q, s, tally);
+  if (of_r == Sign::zero && of_s == Sign::zero) {
+    return is_between(p, q, r, tally) || is_between(p, q, s, tally) || is_between(r, s, p, tally);
+  }
+  if (of_r == of_s) return false;
+  const Sign of_p = orient_2d_along(axis, r, s, p, tally), of_q = orient_2d_along(axis, r, s, q, tally);
+  return of_p != of_q || of_p == Sign::zero;
+}
+
+// A segment in the plane of the triangle.
+bool meets_in_plane(const Spanned& t, const Posed3& p, const Posed3& q, StageTally* tally) {
+  if (holds_in_plane(t, p, tally) || holds_in_plane(t, q, tally)) return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (segments_meet_in_plane(t.axis, t.corners[k], t.corners[k == 2 ? 0 : k + 1], p, q, tally)) return true;
+  }
+  return false;
+}
+
+// A segment whose ends are on these sides of the plane of the triangle, which has area.
+bool meets(const Spanned& t, const Posed3& p, Sign of_p, const Posed3& q, Sign of_q, StageTally* tally) {
+  if (of_p == Sign::zero && of_q == Sign::zero) return meets_in_plane(t, p, q, tally);
+  if (of_p == of_q) return false;
+  if (of_p == Sign::zero) return holds_in_plane(t, p, tally);
+  if (of_q == Sign::zero) return holds_in_plane(t, q, tally);
+  bool some_left = false, some_right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign sign = orient_3d(p, q, t.corners[k], t.corners[k == 2 ? 0 : k + 1], tally);
+    some_left = some_left || sign == Sign::positive;
+    some_right = some_right || sign == Sign::negative;
+  }
+  return !some_left || !some_right;
+}
+
+std::array<Sign, 3> sides(const Spanned& of, const Spanned& corners, StageTally* tally) {
+  std::array<Sign, 3> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result[k] = orient_3d(of.corners[0], of.corners[1], of.corners[2], corners.corners[k], tally);
+  }
+  return result;
+}
+
+// Do edges of u meet t, which has area?
+bool edges_meet(const Spanned& t, const Spanned& u, const std::array<Sign, 3>& sides_of_u, StageTally* tally) {
+  const std::size_t edges = u.count == 3 ? 3 : 1;
+  for (std::size_t k = 0; k < edges; ++k) {
+    const std::size_t next = k == 2 ? 0 : k + 1;
+    if (meets(t, u.corners[k], sides_of_u[k], u.corners[next], sides_of_u[next], tally)) return true;
+  }
+  return false;
+}
+
+// Segments and points.
+bool thin_meet(const Spanned& t, const Spanned& u, StageTally* tally) {
+  const Posed3 &p = t.corners[0], &q = t.corners[1], &r = u.corners[0], &s = u.corners[1];
+  if (t.count == 1) {
+    return u.count == 1 ? are_equal(p, r, tally) : are_collinear_posed(r, s, p, tally) && is_between(r, s, p, tally);
+  }
+  if (u.count == 1) return are_collinear_posed(p, q, r, tally) && is_between(p, q, r, tally);
+  if (orient_3d(p, q, r, s, tally) != Sign::zero) return false;
+  auto axis = axis_with_area(p, q, r, tally);
+  if (!axis) axis = axis_with_area(p, q, s, tally);
+  // All on one line: any axis along which it is no point, by the ends alone.
+  if (!axis) return is_between(p, q, r, tally) || is_between(p, q, s, tally) || is_between(r, s, p, tally);
+  return segments_meet_in_plane(*axis, p, q, r, s, tally);
+}
+
+bool all_are(const std::array<Sign, 3>& signs, Sign sign) { return signs == std::array{sign, sign, sign}; }
+
+}  // namespace
+
+bool triangles_meet(const PosedTriangle& first, const PosedTriangle& second, StageTally* tally) {
+  const Spanned t = spanned(first, tally), u = spanned(second, tally);
+  if (t.count < 3 && u.count < 3) return thin_meet(t, u, tally);
+  if (t.count < 3) return edges_meet(u, t, sides(u, t, tally), tally);
+  const std::array<Sign, 3> of_u = sides(t, u, tally);
+  if (all_are(of_u, Sign::positive) || all_are(of_u, Sign::negative)) return false;
+  if (edges_meet(t, u, of_u, tally)) return true;
+  if (u.count < 3) return false;
+  const std::array<Sign, 3> of_t = sides(u, t, tally);
+  return edges_meet(u, t, of_t, tally);
+}
+
+TriangleCrossing crossing_of(const Posed3& p, const Posed3& q, const PosedTriangle& t, StageTally* tally) {
+  const Sign of_p = orient_3d(t[0], t[1], t[2], p, tally), of_q = orient_3d(t[0], t[1], t[2], q, tally);
+  if (of_p == of_q && of_p != Sign::zero) return TriangleCrossing::none;
+  if (of_p == Sign::zero || of_q == Sign::zero) {
+    return triangles_meet({p, q, q}, t, tally) ? TriangleCrossing::touch : TriangleCrossing::none;
+  }
+  bool some_left = false, some_right = false, some_zero = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign sign = orient_3d(p, q, t[k], t[k == 2 ? 0 : k + 1], tally);
+    some_left = some_left || sign == Sign::positive;
+    some_right = some_right || sign == Sign::negative;
+    some_zero = some_zero || sign == Sign::zero;
+  }
+  if (some_left && some_right) return TriangleCrossing::none;
+  if (some_zero) return TriangleCrossing::touch;
+  return of_q == Sign::positive ? TriangleCrossing::positive : TriangleCrossing::negative;
+}
+
+}  // namespace sunder

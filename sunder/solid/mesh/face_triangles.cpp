@@ -1,0 +1,139 @@
+#include <sunder/solid/mesh/face_triangles.h>
+
+#include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/predicate/point/orient.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sunder::solid {
+
+namespace {
+
+// The axis on which the normal is greatest, in floating point, which may choose any: of those on which it is not zero.
+int widest_axis(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
+  Point3 normal;
+  const Point3& first = points[corners[0]];
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    const Point3 &p = points[corners[k]], &q = points[corners[k + 1]];
+    const Point3 u{p.x - first.x, p.y - first.y, p.z - first.z}, v{q.x - first.x, q.y - first.y, q.z - first.z};
+    normal = {normal.x + u.y * v.z - u.z * v.y, normal.y + u.z * v.x - u.x * v.z, normal.z + u.x * v.y - u.y * v.x};
+  }
+  const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
+  return z >= x && z >= y ? 2 : y >= x ? 1 : 0;
+}
+
+class EarClipping {
+ public:
+  EarClipping(std::span<const Point3> points, std::span<const std::uint32_t> corners)
+      : points_(points), ring_(corners.begin(), corners.end()), axis_(widest_axis(points, corners)) {}
+
+  FaceTriangles run() {
+    FaceTriangles result;
+    if (ring_.size() > 3) {
+      is_left_ = area_sign() != Sign::negative;
+      const bool is_convex = is_star_of_first();
+      result.crosses_itself = !is_convex && crosses_itself();
+      if (!is_convex) cut_ears(result.triangles);
+    }
+    for (std::size_t k = 1; k + 1 < ring_.size(); ++k) result.triangles.push_back({ring_[0], ring_[k], ring_[k + 1]});
+    return result;
+  }
+
+ private:
+  const Point3& at(std::size_t k) const { return points_[ring_[k]]; }
+  std::size_t after(std::size_t k) const { return k + 1 < ring_.size() ? k + 1 : 0; }
+  std::size_t before(std::size_t k) const { return k > 0 ? k - 1 : ring_.size() - 1; }
+  // As turned as the face is: positive.
+  Sign turn(const Point3& a, const Point3& b, const Point3& c) const {
+    const Sign sign = orient_2d_along(axis_, a, b, c);
+    return is_left_ ? sign : -sign;
+  }
+
+  // Twice the area as it is looked at, its sign, exactly.
+  Sign area_sign() const {
+    const std::size_t u = axis_ == 2 ? 0 : axis_ == 1 ? 2 : 1, v = axis_ == 2 ? 1 : axis_ == 1 ? 0 : 2;
+    Dyadic sum;
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+      const Point3 &p = at(k), &q = at(after(k));
+      sum = sum + Dyadic(p[u]) * Dyadic(q[v]) - Dyadic(p[v]) * Dyadic(q[u]);
+    }
+    return sum.sign();
+  }
+
+  // Do the triangles from the first corner turn as the face, all of them, and does no edge turn away? Then it is
+  // convex, and goes around once.
+  bool is_star_of_first() const {
+    for (std::size_t k = 0; k < ring_.size(); ++k) {
+      if (turn(at(before(k)), at(k), at(after(k))) == Sign::negative) return false;
+      if (k > 0 && after(k) > 0 && turn(at(0), at(k), at(k + 1)) != Sign::positive) return false;
+    }
+    return true;
+  }
+
+  bool crosses_itself() const {
+    for (std::size_t i = 0; i < ring_.size(); ++i) {
+      may_be_interrupted(static_cast<std::uint32_t>(ring_.size()));
+      for (std::size_t j = i + 2; j < ring_.size(); ++j) {
+        if (after(j) == i) continue;
+        const Point3 &a = at(i), &b = at(after(i)), &c = at(j), &d = at(after(j));
+        const Sign of_c = turn(a, b, c), of_d = turn(a, b, d);
+        if (of_c == Sign::zero || of_d == Sign::zero || of_c == of_d) continue;
+        const Sign of_a = turn(c, d, a), of_b = turn(c, d, b);
+        if (of_a != Sign::zero && of_b != Sign::zero && of_a != of_b) return true;
+      }
+    }
+    return false;
+  }
+
+  // Until three corners are left, or no corner can be cut off.
+  void cut_ears(std::vector<std::array<std::uint32_t, 3>>& triangles) {
+    std::size_t k = 0;
+    for (std::size_t refused = 0; ring_.size() > 3;) {
+      may_be_interrupted(static_cast<std::uint32_t>(ring_.size()));
+      if (k >= ring_.size()) k = 0;
+      // Twice around without an ear: then those between their neighbours, then any that turns as the face.
+      if (is_ear(k) || (refused > ring_.size() && is_between(k)) || refused > 2 * ring_.size()) {
+        triangles.push_back({ring_[before(k)], ring_[k], ring_[after(k)]});
+        ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(k));
+        k = k > 0 ? k - 1 : ring_.size() - 1;
+        refused = 0;
+      } else {
+        ++k;
+        ++refused;
+      }
+    }
+  }
+
+  bool is_ear(std::size_t k) const {
+    const Point3 &a = at(before(k)), &b = at(k), &c = at(after(k));
+    if (turn(a, b, c) != Sign::positive) return false;
+    for (std::size_t j = 0; j < ring_.size(); ++j) {
+      const Point3& p = at(j);
+      if (p == a || p == b || p == c) continue;
+      if (turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative && turn(c, a, p) != Sign::negative) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_between(std::size_t k) const { return turn(at(before(k)), at(k), at(after(k))) == Sign::zero; }
+
+  std::span<const Point3> points_;
+  std::vector<std::uint32_t> ring_;
+  int axis_;
+  bool is_left_ = true;
+};
+
+}  // namespace
+
+FaceTriangles face_triangles(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
+  SUNDER_REQUIRE(corners.size() >= 3);
+  return EarClipping(points, corners).run();
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,220 @@
+#include <sunder/solid/mesh/mesh.h>
+
+#include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
+#include <sunder/base/names.h>
+#include <sunder/near/box_tree.h>
+#include <sunder/predicate/point/orient.h>
+#include <sunder/solid/mesh/face_triangles.h>
+#include <sunder/solid/mesh/mesh_sides.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace sunder::solid {
+
+namespace {
+
+// Which numbers belong together. Also called: union-find.
+class Joined {
+ public:
+  explicit Joined(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t i, std::uint32_t j) {
+    i = find(i);
+    j = find(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+// An edge, or a part of one: how often triangles go from its lower to its higher end, and back.
+struct EdgeCount {
+  std::uint32_t low = 0, high = 0;
+  std::int64_t there = 0, back = 0;
+
+  std::pair<std::uint32_t, std::uint32_t> ends() const { return {low, high}; }
+  bool is_balanced() const { return there == back; }
+  bool is_even() const { return (there + back) % 2 == 0; }
+};
+
+// Those of equal ends as one.
+void merge(std::vector<EdgeCount>& edges) {
+  std::sort(edges.begin(), edges.end(), [](const EdgeCount& e, const EdgeCount& f) { return e.ends() < f.ends(); });
+  std::size_t kept = 0;
+  for (const EdgeCount& e : edges) {
+    if (kept > 0 && edges[kept - 1].ends() == e.ends()) {
+      edges[kept - 1].there += e.there;
+      edges[kept - 1].back += e.back;
+    } else {
+      edges[kept++] = e;
+    }
+  }
+  edges.resize(kept);
+}
+
+std::vector<EdgeCount> edges_of(std::span<const Mesh::Triangle> triangles) {
+  std::vector<EdgeCount> edges;
+  for (const Mesh::Triangle& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t from = t[k], to = t[k == 2 ? 0 : k + 1];
+      if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : 0, from < to ? 0 : 1});
+    }
+  }
+  merge(edges);
+  return edges;
+}
+
+Box3 box_of(const Point3& p, const Point3& q) {
+  return {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
+          {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
+}
+
+struct EdgeCut {
+  std::uint32_t edge, point;
+};
+
+// Of edges that are not balanced, at the ends of others.
+std::vector<EdgeCut> cuts_of(std::span<const Point3> points, std::span<const EdgeCount> edges) {
+  std::vector<std::uint32_t> ends;
+  std::vector<Box3> boxes;
+  for (const EdgeCount& e : edges) {
+    ends.push_back(e.low);
+    ends.push_back(e.high);
+    boxes.push_back(box_of(points[e.low], points[e.high]));
+  }
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<EdgeCut> cuts;
+  if (edges.empty()) return cuts;
+  const BoxTree tree(boxes);
+  for (const std::uint32_t p : ends) {
+    may_be_interrupted(100);
+    tree.for_each_meeting({points[p], points[p]}, BoxTree::no_group, [&](std::uint32_t k) {
+      const EdgeCount& e = edges[k];
+      if (p == e.low || p == e.high || !are_collinear(points[e.low], points[e.high], points[p])) return;
+      cuts.push_back({k, p});  // on its line and in its box: inside it
+    });
+  }
+  return cuts;
+}
+
+// The parts of the edges between their cuts, merged.
+std::vector<EdgeCount> cut_edges(std::span<const Point3> points, std::span<const EdgeCount> edges,
+                                 std::vector<EdgeCut> cuts) {
+  const auto is_before = [&](const Point3& from, const Point3& p, const Point3& q) {  // on one line, from its end
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (p[c] != q[c]) return (p[c] < q[c]) == (from[c] <= p[c]);
+    }
+    return false;
+  };
+  std::sort(cuts.begin(), cuts.end(), [&](const EdgeCut& a, const EdgeCut& b) {
+    if (a.edge != b.edge) return a.edge < b.edge;
+    return is_before(points[edges[a.edge].low], points[a.point], points[b.point]);
+  });
+  std::vector<EdgeCount> parts;
+  std::size_t next = 0;
+  for (std::uint32_t k = 0; k < edges.size(); ++k) {
+    std::uint32_t from = edges[k].low;
+    const auto add = [&](std::uint32_t to) {
+      const bool is_same = from < to;
+      parts.push_back({std::min(from, to), std::max(from, to), is_same ? edges[k].there : edges[k].back,
+                       is_same ? edges[k].back : edges[k].there});
+      from = to;
+    };
+    for (; next < cuts.size() && cuts[next].edge == k; ++next) add(cuts[next].point);
+    add(edges[k].high);
+  }
+  merge(parts);
+  return parts;
+}
+
+}  // namespace
+
+std::string_view name_of(PieceKind kind) { return name_in<PieceKind::open>({"oriented", "unoriented", "open"}, kind); }
+
+Mesh::Mesh(const MeshView& given) {
+  if (given.polygon_count() == 0) throw Error(ErrorCode::bad_shape, "the mesh has no face; give one that has");
+  const MeshSides sides(given);
+  std::vector<std::uint32_t> number(given.vertices.size(), 0);  // of a point, plus 1; 0: not a corner yet
+  const auto point_of = [&](std::uint32_t vertex) {
+    if (number[vertex] == 0) {
+      points_.push_back(given.vertices[vertex]);
+      number[vertex] = static_cast<std::uint32_t>(points_.size());
+    }
+    return number[vertex] - 1;
+  };
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t face = 0; face < given.polygon_count(); ++face) {
+    may_be_interrupted(10);
+    corners.clear();
+    for (const std::uint32_t v : sides.corners_of(face)) corners.push_back(point_of(v));
+    if (corners.size() < 3) {
+      triangles_.push_back({corners.front(), corners.back(), corners.back()});
+    } else {
+      const FaceTriangles of_face = face_triangles(points_, corners);
+      triangles_.insert(triangles_.end(), of_face.triangles.begin(), of_face.triangles.end());
+      if (of_face.crosses_itself) crossing_faces_.push_back(face);
+    }
+    face_of_.resize(triangles_.size(), face);
+  }
+  box_ = box_of(points_[0], points_[0]);
+  for (const Point3& p : points_) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      box_.low[c] = std::min(box_.low[c], p[c]);
+      box_.high[c] = std::max(box_.high[c], p[c]);
+    }
+  }
+
+  // Pieces, by their points; then what kind each is.
+  const std::vector<EdgeCount> edges = edges_of(triangles_);
+  std::vector<EdgeCount> others;
+  for (const EdgeCount& e : edges) {
+    if (!e.is_balanced()) others.push_back(e);
+  }
+  const std::vector<EdgeCut> cuts = cuts_of(points_, others);
+  Joined joined(points_.size());
+  for (const Triangle& t : triangles_) {
+    joined.join(t[0], t[1]);
+    joined.join(t[0], t[2]);
+  }
+  for (const EdgeCut& cut : cuts) joined.join(others[cut.edge].low, cut.point);
+  constexpr std::uint32_t none = 0xffffffff;
+  std::vector<std::uint32_t> piece_of_root(points_.size(), none);
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    std::uint32_t& piece = piece_of_root[joined.find(triangles_[t][0])];
+    if (piece == none) {
+      piece = static_cast<std::uint32_t>(pieces_.size());
+      pieces_.push_back({PieceKind::oriented, t, 0, 0, 0});
+    }
+    piece_of_.push_back(piece);
+    ++pieces_[piece].triangles;
+  }
+  const auto piece_at = [&](std::uint32_t point) -> Piece& { return pieces_[piece_of_root[joined.find(point)]]; };
+  for (const EdgeCut& cut : cuts) ++piece_at(cut.point).t_junctions;
+  for (const EdgeCount& e : cut_edges(points_, others, cuts)) {
+    Piece& piece = piece_at(e.low);
+    if (!e.is_even()) ++piece.open_edges;
+    if (!e.is_balanced()) piece.kind = std::max(piece.kind, e.is_even() ? PieceKind::unoriented : PieceKind::open);
+  }
+  is_by_winding_ = std::none_of(pieces_.begin(), pieces_.end(),
+                                [](const Piece& piece) { return piece.kind == PieceKind::unoriented; });
+}
+
+bool Mesh::is_closed() const {
+  return std::none_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.kind == PieceKind::open; });
+}
+
+bool Mesh::has_inside() const {
+  return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.kind != PieceKind::open; });
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,75 @@
+// A mesh as it is: triangles over points, in pieces, each of which bounds a part of space or does not.
+// Also called: triangle soup, polygon mesh; watertight, manifold, orientable mesh; boundary representation.
+#pragma once
+
+#include <sunder/base/error.h>
+#include <sunder/predicate/point.h>
+#include <sunder/solid/mesh/mesh_convexity.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace sunder::solid {
+
+// Does a piece bound a part of space?
+enum class PieceKind : std::uint8_t {
+  oriented,    // each directed edge occurs as often as its opposite: a winding number tells what is inside
+  unoriented,  // else, each edge is that of an even number of triangles: only a parity tells what is inside
+  open,        // else: it is a surface
+};
+std::string_view name_of(PieceKind kind);  // "oriented", "unoriented", "open"
+
+// Immutable; any number of threads may use it. Coordinates are exact, in any unit.
+//   M1. No two points are equal, and each is a corner of a triangle.
+//   M2. Faces of more corners are triangulated (face_triangles.h). Corners of a face that repeat the one before count
+//       once; a face that has less than three then is a triangle that repeats a corner. Triangles may have no area.
+//   M3. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the other.
+//   M4. An edge that does not occur as often as its opposite is cut at the ends of other such edges that lie inside it,
+//       exactly (T-junctions); what is left then tells the kind of its piece.
+class Mesh {
+ public:
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  struct Piece {
+    PieceKind kind = PieceKind::open;
+    std::uint32_t first = 0;        // its first triangle, in the order of the faces
+    std::uint32_t triangles = 0;    // how many it has
+    std::uint64_t open_edges = 0;   // parts of edges that are of an odd number of triangles
+    std::uint64_t t_junctions = 0;  // ends of edges inside others, at which these were cut
+  };
+
+  // Throws Error bad_shape where it has no face. Requires fewer than 2^31 points. Cost: n log n, and what faces of many
+  // corners take.
+  explicit Mesh(const MeshView& given);
+
+  std::span<const Point3> points() const { return points_; }
+  std::span<const Triangle> triangles() const { return triangles_; }
+  std::uint32_t face_of(std::uint32_t triangle) const { return face_of_[triangle]; }
+  std::uint32_t piece_of(std::uint32_t triangle) const { return piece_of_[triangle]; }
+  std::span<const Piece> pieces() const { return pieces_; }  // in the order of their first triangles
+  // Faces that cross themselves, as their triangulation looks at them.
+  std::span<const std::uint32_t> crossing_faces() const { return crossing_faces_; }
+
+  // Is each piece closed? Is there a closed one?
+  bool is_closed() const;
+  bool has_inside() const;
+  // What is inside of the closed pieces: by the winding number of all together, if all of them are oriented; by the
+  // number of times that a ray crosses them, if it is odd, where one is not.
+  bool is_by_winding() const { return is_by_winding_; }
+
+  // A point of the box is -0 nowhere. Requires nothing.
+  const Box3& box() const { return box_; }
+
+ private:
+  std::vector<Point3> points_;
+  std::vector<Triangle> triangles_;
+  std::vector<std::uint32_t> face_of_, piece_of_, crossing_faces_;
+  std::vector<Piece> pieces_;
+  bool is_by_winding_ = true;
+  Box3 box_{};
+};
+
+}  // namespace sunder::solid

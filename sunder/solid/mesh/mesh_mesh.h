@@ -1,0 +1,45 @@
+// Do two meshes meet, as they are? Each is the solid that its closed pieces bound, and the surface of its open ones.
+// Also called: mesh collision, mesh-mesh intersection; interference, clash detection.
+//
+// They meet iff two of their triangles do, or the surfaces are apart and a piece of one is inside of the other (then
+// each of its points is). Touching is meeting. That a body is inside of an open piece has no meaning.
+#pragma once
+
+#include <sunder/certificate/pair_answer.h>
+#include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/object/pose.h>
+
+#include <cstdint>
+#include <variant>
+
+namespace sunder::solid {
+
+// No triangle of one meets one of the other, and no piece of one is inside of the other.
+struct MeshesApart {
+  static constexpr Verdict verdict = Verdict::apart;
+};
+
+// These two triangles have a common point.
+struct MeetingTriangles {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::uint32_t of_a = 0, of_b = 0;
+};
+
+// The surfaces are apart, and this point, a corner of a triangle of A (or of B), is inside of the other mesh.
+struct PointWithin {
+  static constexpr Verdict verdict = Verdict::meet;
+  bool is_of_a = true;
+  std::uint32_t point = 0;
+};
+
+using MeshEvidence = std::variant<MeshesApart, MeetingTriangles, PointWithin>;
+using MeshAnswer = Answer<MeshEvidence>;  // probes: boxes and triangles that were looked at
+
+// Exact, under poses. Cost: a tree over the triangles of B in the world, the pairs of triangles whose boxes meet, and
+// where no two meet, all triangles of the other mesh for each piece.
+MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
+
+// Each triangle with each.
+MeshAnswer mesh_mesh_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
+
+}  // namespace sunder::solid

@@ -1,0 +1,206 @@
+#include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_point.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace sunder::solid {
+namespace {
+
+struct Given {
+  std::vector<Point3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+
+  Mesh mesh() const {
+    std::vector<std::uint32_t> begin{0}, corners;
+    for (const auto& face : faces) {
+      corners.insert(corners.end(), face.begin(), face.end());
+      begin.push_back(static_cast<std::uint32_t>(corners.size()));
+    }
+    return Mesh(MeshView{points, begin, corners});
+  }
+  // With another one's points and faces.
+  Given& add(const Given& other) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), other.points.begin(), other.points.end());
+    for (std::vector<std::uint32_t> face : other.faces) {
+      for (std::uint32_t& corner : face) corner += first;
+      faces.push_back(face);
+    }
+    return *this;
+  }
+};
+
+// A box whose faces are turned outwards, or inwards.
+Given box(const Point3& low, const Point3& high, bool outwards = true) {
+  Given given;
+  for (std::uint32_t k = 0; k < 8; ++k) {
+    given.points.push_back({(k & 1 ? high : low).x, (k & 2 ? high : low).y, (k & 4 ? high : low).z});
+  }
+  given.faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  if (!outwards) {
+    for (auto& face : given.faces) face = {face.rbegin(), face.rend()};
+  }
+  return given;
+}
+
+MeshPlace place_of(const Mesh& mesh, const Point3& p) { return mesh_point(mesh, Pose(), p).place; }
+
+TEST(Mesh, ABoxIsOnePieceThatIsClosed) {
+  const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).mesh();
+  EXPECT_EQ(mesh.points().size(), 8u);
+  EXPECT_EQ(mesh.triangles().size(), 12u);
+  ASSERT_EQ(mesh.pieces().size(), 1u);
+  EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
+  EXPECT_EQ(mesh.pieces()[0].triangles, 12u);
+  EXPECT_TRUE(mesh.is_closed() && mesh.has_inside() && mesh.is_by_winding());
+  EXPECT_EQ(mesh.face_of(3), 1u);
+}
+
+TEST(Mesh, EqualPointsAreOne) {
+  Given given = box({0, 0, 0}, {1, 1, 1}), soup;
+  for (const auto& face : given.faces) {
+    Given one;
+    for (const std::uint32_t corner : face) one.points.push_back(given.points[corner]);
+    one.faces = {{0, 1, 2, 3}};
+    soup.add(one);
+  }
+  soup.points.push_back({5, 5, 5});  // in no face
+  soup.faces.push_back({0, 0, 1, 1, 0});
+  const Mesh mesh = soup.mesh();
+  EXPECT_EQ(mesh.points().size(), 8u);
+  EXPECT_EQ(mesh.triangles().size(), 13u);
+  EXPECT_TRUE(mesh.is_closed());
+  EXPECT_EQ(mesh.box().high, (Point3{1, 1, 1}));
+}
+
+TEST(Mesh, WithoutAFaceItIsOpen) {
+  Given given = box({0, 0, 0}, {1, 1, 1});
+  given.faces.pop_back();
+  const Mesh mesh = given.mesh();
+  ASSERT_EQ(mesh.pieces().size(), 1u);
+  EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::open);
+  EXPECT_EQ(mesh.pieces()[0].open_edges, 4u);
+  EXPECT_FALSE(mesh.is_closed() || mesh.has_inside());
+  EXPECT_EQ(place_of(mesh, {0.5, 0.5, 0.5}), MeshPlace::outside);
+  EXPECT_EQ(place_of(mesh, {0.5, 0.5, 0}), MeshPlace::on);
+}
+
+TEST(Mesh, OneFaceTurnedInwardsLeavesAParity) {
+  Given given = box({0, 0, 0}, {1, 1, 1});
+  given.faces[2] = {given.faces[2].rbegin(), given.faces[2].rend()};
+  const Mesh mesh = given.mesh();
+  EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::unoriented);
+  EXPECT_TRUE(mesh.is_closed() && mesh.has_inside());
+  EXPECT_FALSE(mesh.is_by_winding());
+  EXPECT_EQ(place_of(mesh, {0.5, 0.5, 0.5}), MeshPlace::inside);
+  EXPECT_EQ(place_of(mesh, {1.5, 0.5, 0.5}), MeshPlace::outside);
+}
+
+// A side of the top is cut in three, and the top is not; on one line a corner more.
+TEST(Mesh, TJunctionsAreClosed) {
+  Given given = box({0, 0, 0}, {3, 3, 3});
+  given.points.push_back({1, 0, 3});
+  given.points.push_back({2, 0, 3});
+  given.faces[2] = {0, 1, 5, 9, 8, 4};
+  const Mesh mesh = given.mesh();
+  ASSERT_EQ(mesh.pieces().size(), 1u);
+  EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
+  EXPECT_EQ(mesh.pieces()[0].t_junctions, 2u);
+  EXPECT_EQ(place_of(mesh, {1, 1, 1}), MeshPlace::inside);
+  given.points.back().y = 0x1p-52;  // off the line by a last bit
+  EXPECT_EQ(given.mesh().pieces()[0].kind, PieceKind::open);
+}
+
+// The lower half of a box has the four sides as they are, the upper one in halves.
+TEST(Mesh, PiecesAreConnectedWhereCornersCutEdges) {
+  Given given;
+  given.points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 0}};
+  given.faces = {{0, 2, 1}, {0, 3, 2}, {1, 2, 3}, {0, 4, 3}, {4, 1, 3}};
+  const Mesh mesh = given.mesh();
+  ASSERT_EQ(mesh.pieces().size(), 1u);
+  EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
+  EXPECT_EQ(mesh.pieces()[0].t_junctions, 1u);
+}
+
+TEST(Mesh, PiecesShareNoPoint) {
+  Given given = box({0, 0, 0}, {1, 1, 1});
+  given.add(box({2, 0, 0}, {3, 1, 1}));
+  given.add({{{5, 0, 0}, {6, 0, 0}, {5, 1, 0}}, {{0, 1, 2}}});
+  const Mesh mesh = given.mesh();
+  ASSERT_EQ(mesh.pieces().size(), 3u);
+  EXPECT_EQ(mesh.pieces()[2].kind, PieceKind::open);
+  EXPECT_EQ(mesh.pieces()[2].triangles, 1u);
+  EXPECT_EQ(mesh.piece_of(12), 1u);
+  EXPECT_TRUE(mesh.has_inside());
+  EXPECT_FALSE(mesh.is_closed());
+}
+
+TEST(Mesh, FacesWithoutAreaAreBalanced) {
+  Given given = box({0, 0, 0}, {1, 1, 1});
+  given.points.push_back({0.5, 0, 0});
+  given.faces.push_back({0, 8, 1});
+  EXPECT_TRUE(given.mesh().is_closed());
+}
+
+TEST(Mesh, AFaceThatCrossesItselfIsNamed) {
+  Given given;
+  given.points = {{0, 0, 0}, {4, 4, 0}, {4, 0, 0}, {0, 5, 0}};
+  given.faces = {{0, 1, 2}, {0, 1, 2, 3}};
+  const Mesh mesh = given.mesh();
+  ASSERT_EQ(mesh.crossing_faces().size(), 1u);
+  EXPECT_EQ(mesh.crossing_faces()[0], 1u);
+}
+
+TEST(Mesh, WithoutFacesIsRefused) {
+  Given given;
+  given.points = {{0, 0, 0}};
+  EXPECT_THROW(given.mesh(), Error);
+}
+
+TEST(MeshPoint, WindingsOfCavitiesAndOfTwoBoxesInOne) {
+  Given hollow = box({0, 0, 0}, {4, 4, 4}), twice = hollow;
+  const Mesh with_cavity = hollow.add(box({1, 1, 1}, {3, 3, 3}, false)).mesh();
+  const Mesh of_two = twice.add(box({1, 1, 1}, {3, 3, 3})).mesh();
+  EXPECT_EQ(mesh_point(with_cavity, Pose(), Point3{2, 2, 2}).winding, 0);
+  EXPECT_EQ(mesh_point(with_cavity, Pose(), Point3{0.5, 2, 2}).winding, 1);
+  EXPECT_EQ(mesh_point(of_two, Pose(), Point3{2, 2, 2}).winding, 2);
+  EXPECT_EQ(mesh_point(of_two, Pose(), Point3{2, 2, 5}).winding, 0);
+  EXPECT_FALSE(mesh_point(of_two, Pose(), Point3{2, 2, 4}).winding.has_value());
+}
+
+// A mirrored box winds the other way around its points, and has the same inside.
+TEST(MeshPoint, UnderPoses) {
+  const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).mesh();
+  const Pose mirrored = Pose::from_matrix({-1, 0, 0, 0, 1, 0, 0, 0, 1}, {10, 0, 0});
+  EXPECT_EQ(mesh_point(mesh, mirrored, Point3{9.5, 0.5, 0.5}).winding, -1);
+  EXPECT_EQ(mesh_point(mesh, mirrored, Point3{10.5, 0.5, 0.5}).winding, 0);
+  for (const double size : {0x1p-900, 0x1p-300, 0x1p300, 0x1p900}) {
+    const Mesh scaled = box({0, 0, 0}, {size, size, size}).mesh();
+    EXPECT_EQ(place_of(scaled, {size / 2, size / 3, size / 5}), MeshPlace::inside) << size;
+    EXPECT_EQ(place_of(scaled, {size * 2, size / 3, size / 5}), MeshPlace::outside) << size;
+    EXPECT_EQ(place_of(scaled, {size, size / 3, size / 5}), MeshPlace::on) << size;
+  }
+}
+
+TEST(MeshMesh, InsideOfEachOther) {
+  Given given = box({0, 0, 0}, {4, 4, 4});
+  const Mesh outer = given.mesh(), small = box({1, 1, 1}, {2, 2, 2}).mesh(),
+             hollow = given.add(box({0.5, 0.5, 0.5}, {3, 3, 3}, false)).mesh();
+  const MeshAnswer within = mesh_mesh(outer, Pose(), small, Pose());
+  ASSERT_TRUE(within.meet());
+  EXPECT_FALSE(std::get<PointWithin>(within.evidence).is_of_a);
+  EXPECT_FALSE(mesh_mesh(hollow, Pose(), small, Pose()).meet());  // in its cavity
+  EXPECT_FALSE(mesh_mesh_by_scan(small, Pose(), hollow, Pose()).meet());
+  const MeshAnswer touch = mesh_mesh(hollow, Pose(), small, Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0}));
+  EXPECT_TRUE(std::holds_alternative<MeetingTriangles>(touch.evidence));
+  EXPECT_EQ(name_of(MeshPlace::on), "on");
+  EXPECT_EQ(name_of(PieceKind::unoriented), "unoriented");
+}
+
+}  // namespace
+}  // namespace sunder::solid
