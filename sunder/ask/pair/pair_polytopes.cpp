@@ -41,18 +41,26 @@ constexpr std::array<PolytopeMethod, 5> methods{{SUNDER_METHOD("automatic", poly
                                                  {"columns", nullptr, "polytope::polytope_polytope_by_columns"},
                                                  {"tree", nullptr, "polytope::polytope_polytope_by_tree"}}};
 
+struct PolytopeInput {
+  Polytope polytope;
+  polytope::Pose pose;
+  PairObject object;
+};
+
 // A and B as the method wants them: trees are made once, for all poses.
 class Prepared {
  public:
-  Prepared(const PolytopeMethod& method, const Polytope& a, const Polytope& b) : method_(method), a_(a), b_(b) {
+  Prepared(const PolytopeMethod& method, const PolytopeInput& a, const PolytopeInput& b)
+      : method_(method), a_(a.polytope), b_(b.polytope) {
     if (method.name == "columns") {
-      walks_a_.emplace(a);
-      walks_b_.emplace(b);
+      prepare(walks_a_, a);
+      prepare(walks_b_, b);
     } else if (method.name == "tree") {
       // Of the faces of one, and of the polar of the other, which has to be about a point inside.
-      faces_b_.emplace(b, polytope::FaceTreesOf::polar);
-      if (!faces_b_->is_full()) faces_b_.emplace(b, polytope::FaceTreesOf::faces);
-      faces_a_.emplace(a, faces_b_->is_full() ? polytope::FaceTreesOf::faces : polytope::FaceTreesOf::polar);
+      prepare(faces_b_, b, polytope::FaceTreesOf::polar);
+      const bool is_full = faces_b_->is_full();
+      if (!is_full) prepare(faces_b_, b, polytope::FaceTreesOf::faces);
+      prepare(faces_a_, a, is_full ? polytope::FaceTreesOf::faces : polytope::FaceTreesOf::polar);
     }
   }
 
@@ -71,16 +79,20 @@ class Prepared {
   }
 
  private:
+  // Refused with the name of the file.
+  template <class Tree, class... Options>
+  static void prepare(std::optional<Tree>& tree, const PolytopeInput& of, Options... options) {
+    try {
+      tree.emplace(of.polytope, options...);
+    } catch (const Error& error) {
+      throw Error(error.code(), error.text(), of.object.file);
+    }
+  }
+
   PolytopeMethod method_;
   const Polytope &a_, &b_;
   std::optional<polytope::HierarchicalTree> walks_a_, walks_b_;
   std::optional<polytope::FaceTrees> faces_a_, faces_b_;
-};
-
-struct PolytopeInput {
-  Polytope polytope;
-  polytope::Pose pose;
-  PairObject object;
 };
 
 PolytopeInput read_input(const PairSide& side, PairFiles& files) {
@@ -153,7 +165,7 @@ class PolytopePair : public PairQuestion {
 
   void ask() {
     function_ = method_.function;
-    const Prepared pair(method_, of_a_.polytope, of_b_.polytope);
+    const Prepared pair(method_, of_a_, of_b_);
     answer_ = pair.ask(of_a_.pose, of_b_.pose);
     if (call.hyperplanes && !answer_.meet()) hyperplanes_ = pair.hyperplanes(of_a_.pose, of_b_.pose, answer_);
     const bool are_points = of_a_.polytope.is_of_points() && of_b_.polytope.is_of_points();
@@ -238,7 +250,7 @@ class PolytopeAtPoses {
   static std::string picture() { return ""; }
 
   void ask() {
-    const Prepared pair(method_, a_.polytope, b_.polytope);
+    const Prepared pair(method_, a_, b_);
     for (const polytope::Pose& pose : poses_) {
       const PolytopeAnswer& answer = answers_.emplace_back(pair.ask(a_.pose, pose));
       if (answer.meet()) meet_.push_back(answers_.size() - 1);
@@ -269,6 +281,7 @@ class PolytopeAtPoses {
         meet_.empty() ? fmt::format("apart, with B at each of {}", count_of(poses_.size(), "pose"))
                       : fmt::format("meet, with B at {} of {}", meet_.size(), count_of(poses_.size(), "pose"))));
     report.tell(titled("A", a_.object.text) + titled("B", b_.object.text));
+    if (call.proves()) report.not_proved = {"that these are all poses of the file"};
     Json decided = Json::object(), meet = Json::array();
     for (const DecidedBy by : {DecidedBy::filter, DecidedBy::evidence, DecidedBy::finishing, DecidedBy::scan}) {
       decided[std::string(name_of(by))] = decided_by_[static_cast<std::size_t>(by)];
@@ -278,7 +291,7 @@ class PolytopeAtPoses {
     std::string text = fmt::format("at pose {}", fmt::join(first, ", "));
     if (meet_.size() > first.size()) text += fmt::format(", and {} more; --json has all", meet_.size() - first.size());
     report.add("poses", {{"count", poses_.size()}, {"meet", meet}, {"decided_by", decided}},
-               meet_.empty() ? "" : titled("meet", text + "; the first is pose 0"));
+               meet_.empty() ? "" : titled("meet", text + ", counted from 0"));
     return report;
   }
 

@@ -144,7 +144,7 @@ polytope::Pose polytope_pose(std::span<const double> numbers, std::size_t d, con
   try {
     return polytope::Pose::from_matrix(d, linear, translation);
   } catch (const Error& error) {
-    throw Error(error.code(), error.what(), place);
+    throw Error(error.code(), error.text(), place);
   }
 }
 
@@ -161,14 +161,16 @@ std::vector<polytope::Pose> read_polytope_poses(const std::filesystem::path& pat
   if (is_npy(text)) {
     const NpyArray array = parse_npy(text, name);
     for (std::size_t k = 0; k < array.rows; ++k) {
-      add(std::span(array.values).subspan(k * array.columns, array.columns), fmt::format("{}: row {}", name, k + 1));
+      add(std::span(array.values).subspan(k * array.columns, array.columns), fmt::format("{}: row {}", name, k));
     }
   } else {
     refuse_foreign(text, name);
     CsvReader reader(std::string_view(text).substr(text.starts_with("\xef\xbb\xbf") ? 3 : 0), name);
     while (reader.next()) {
       const CsvReader::Fields& fields = reader.fields();
-      if (reader.is_first() && are_names(fields, fields.size())) continue;
+      if (reader.is_first() && are_names(fields, fields.size())) {
+        reader.fail("has names, and a pose is numbers alone; leave the names out");
+      }
       std::vector<double> row;
       for (const std::string_view field : fields) {
         if (const char* const problem = parse_number(field, row.emplace_back())) {

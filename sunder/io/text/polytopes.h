@@ -15,8 +15,8 @@
 namespace sunder::io {
 
 // Is it an NPY file, by its ending, or a CSV file whose first line names the columns of points, x1 to xd, or of
-// half-spaces, a1 to ad and b, for some d from 2 to 6, in this order, small letters or large? False where it is no
-// regular file, or cannot be read.
+// half-spaces, a1 to ad and b, for some d from 2 to 6, in this order, small letters or large? Empty lines before it do
+// not count. False for a CSV file that is no regular file, or cannot be read.
 bool names_polytope(const std::filesystem::path& path);
 
 // All rows of the file are one polytope. Without names in the first line, and in NPY, they are of the form `unnamed`,
@@ -30,11 +30,12 @@ polytope::Polytope read_polytope(const std::filesystem::path& path, InputFiles* 
 polytope::Polytope parse_polytope(std::string_view text, std::string_view place,
                                   polytope::Form unnamed = polytope::Form::points);
 
-// A pose of d dimensions of d numbers, a translation, or of d (d + 1), row by row of the linear part, each with its
-// number of the translation behind it. Throws Error bad_call, or bad_pose, at the place.
+// A pose of d dimensions, of d numbers: a translation; or of d (d + 1) numbers: d rows, each a row of the linear part
+// and one number of the translation. Throws Error bad_call, or bad_pose, at the place.
 polytope::Pose polytope_pose(std::span<const double> numbers, std::size_t d, const std::string& place);
 
-// Such a pose for each row of a CSV file, whose first line may have names, or of an NPY file. Throws Error bad_file.
+// Such a pose for each row of a CSV or NPY file; some may be translations, others matrices. A first line of names is
+// refused, as names would tell which number is which, and they are not asked. Throws Error bad_file.
 std::vector<polytope::Pose> read_polytope_poses(const std::filesystem::path& path, std::size_t d,
                                                 InputFiles* inputs = nullptr);
 

@@ -25,8 +25,9 @@ struct ExactEvidence {
   // meet: a common point x in the world.
   std::vector<Dyadic> numbers{};
   Dyadic denominator{1.0};
-  // meet, points: weights of rows that sum to 1. apart, half-spaces: multipliers. Else empty. Two bodies of points name d + 2
-  // points at most, in total; half-spaces with multipliers are d + 1 at most, in total, where both are of half-spaces.
+  // meet, points: weights of rows that sum to 1. apart, half-spaces: multipliers. Else empty. Two bodies of points name
+  // d + 2 points at most, in total; half-spaces with multipliers are d + 1 at most, in total, where both are of
+  // half-spaces.
   Weights of_a{}, of_b{};
   // meet, half-spaces: the point in the frame of the body, over its own denominator. Else empty.
   ExactPointN in_a{}, in_b{};

@@ -35,8 +35,8 @@ struct HyperplaneEvidence {
   }
 };
 
-// Requires that the answer is of polytope_polytope_by_columns or polytope_polytope_by_tree about these, and apart. Cost:
-// a walk for each plane, and a linear program of some pivots in exact arithmetic.
+// Requires that the answer is of polytope_polytope_by_columns or polytope_polytope_by_tree about these, and apart.
+// Cost: a walk for each plane, and a linear program of some pivots in exact arithmetic.
 HyperplaneEvidence parting_hyperplanes(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,
                                        const Pose& pose_b, const PolytopeAnswer& answer);
 

@@ -34,8 +34,8 @@ void add_multiple(ExactVector& sum, const Dyadic& weight, const Numbers& v) {
   for (std::size_t c = 0; c < sum.size(); ++c) sum[c] = sum[c] + weight * v[c];
 }
 
-// The sum of weights times rows, each of at least `size` numbers; nothing where a weight is negative or names no row, or
-// their denominator is not positive.
+// The sum of weights times rows, each of at least `size` numbers; nothing where a weight is negative or names no row,
+// or their denominator is not positive.
 template <class Rows>
 std::optional<ExactVector> weighted_sum(const Weights& weights, const Rows& row, std::size_t rows, std::size_t size) {
   if (weights.denominator.sign() != Sign::positive) return std::nullopt;

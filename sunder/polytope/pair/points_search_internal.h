@@ -1,7 +1,7 @@
-// The search of two bodies of points for a proof: the nearest point of the difference A - B to the origin is searched in
-// floating point, each direction is a proposal to part the bodies, a simplex of differences one that they meet. Filters
-// check these, and exact numbers where filters are not sure. What finds the ends of the bodies along a direction, all
-// rows or a walk down a tree, is a parameter.
+// The search of two bodies of points for a proof: the nearest point of the difference A - B to the origin is searched
+// in floating point, each direction is a proposal to part the bodies, a simplex of differences one that they meet.
+// Filters check these, and exact numbers where filters are not sure. What finds the ends of the bodies along a
+// direction, all rows or a walk down a tree, is a parameter.
 // Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976.
 #pragma once
 
@@ -29,7 +29,8 @@ struct BothEnds {
 // Ends:
 //   candidates()            which rows are looked at: widen(), narrow(), are_all() (candidate_rows.h)
 //   along(direction, cost)  BothEnds
-//   are_ends(direction, cost)   after a look at all rows along it: is none further, surely, but for support_error()?
+//   are_ends(direction, cost)   after along(direction) with all rows: is surely no row of A, and none of B, further
+//                               than what was found by more than support_error()?
 //   exact_a(y, cost), exact_b(y, cost)   the furthest point of all, exactly
 template <class Ends>
 class PointsSearch {

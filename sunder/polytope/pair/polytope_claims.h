@@ -25,8 +25,8 @@ struct NamedPolytope {
 // Cost: linear, and exact_evidence().
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, const PolytopeAnswer& answer);
 
-// The same of B at each of these poses (that of `b` does not count), a statement and an answer each: A and B are written
-// once. In the table, B at pose k has the name of B, and "at pose k".
+// The same of B at each of these poses (that of `b` does not count), a statement and an answer each: A and B are
+// written once. In the table, B at pose k has the name of B, and "at pose k".
 void add_claims(ClaimsWriter& file, const NamedPolytope& a, const NamedPolytope& b, std::span<const Pose> poses,
                 std::span<const PolytopeAnswer> answers);
 

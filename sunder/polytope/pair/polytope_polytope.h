@@ -29,15 +29,16 @@ PolytopeAnswer polytope_polytope(const Polytope& a, const Pose& pose_a, const Po
 // Source: Gilbert, Johnson & Keerthi 1988; Wolfe 1976, "Finding the nearest point in a polytope".
 PolytopeAnswer polytope_polytope_by_gjk(const Polytope& a, const Pose& pose_a, const Polytope& b, const Pose& pose_b);
 
-// By a simplex method whose columns walks down trees find, of trees that were made before, each by itself. Two bodies of
-// points: first the search of by_gjk with walks
-// to the leaves for scans; since walks are exact, so is each direction. Where that ends in no direction, and where a
-// body is of half-spaces: down both at once, by small linear programs in integers, from the simplex of the search on.
+// By a simplex method whose columns walks down trees find, of trees that were made before, each by itself. Two bodies
+// of points: first the search of by_gjk with walks for scans, in floating point; its filters and exact walks check what
+// it proposes. Where nothing holds, and where a body is of half-spaces: down both at once, by small linear programs in
+// integers, from the simplex of the search on.
 // At each level the program is solved over the apexes of the cones that the directions come to, A's of points inside of
 // A, of half-spaces around it; then both trees go a level down, the program goes on with what pays there; at the leaves
 // nothing that was pruned can pay (H1). So the shell-simplices along both last paths, some log n hyperplanes each,
 // prove where the bodies end; the answer is one direction, or one common point, that stands by itself.
-// decided_by: `evidence`; `finishing` where a node had to be looked at whole that is no leaf.
+// decided_by: as of by_gjk, but the simplex method is `evidence`, too; `finishing` where a node that is no leaf had to
+// be looked at whole.
 // Cost: probes are rows, and cones. Some d + 2 to 5 d walks down each tree, whose depth is at most log n (H3).
 // Source: BL15 section 6 has the trees; the search and the method are others.
 PolytopeAnswer polytope_polytope_by_columns(const HierarchicalTree& a, const Pose& pose_a, const HierarchicalTree& b,

@@ -11,8 +11,8 @@ namespace sunder::polytope {
 
 namespace {
 
-// By walks: first to the cone of the root, whose apex is of its net; then, each time that this does not do, to the leaf;
-// and after that among the rows of this leaf.
+// By walks. First only to the root's net; where its ends lead no further, to the leaves; after that, as long as they
+// lead further, among the rows of the last leaves, and so on.
 class WalkedEnds {
   using Reach = TreeWalk::Reach;
 

@@ -1,5 +1,6 @@
-// Half-spaces and points whose numbers differ by more than a double's exponents do: the search of half_space_point_game.h in
-// long floating point (wide_game.h). It names the few half-spaces and points that matter; their exact weights prove.
+// Half-spaces and points whose numbers differ by more than a double's exponents do: the search of
+// half_space_point_game.h in long floating point (wide_game.h). It names the few half-spaces and points that matter;
+// their exact weights prove.
 #pragma once
 
 #include <sunder/polytope/pair/exact_simplex.h>

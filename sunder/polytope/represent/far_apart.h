@@ -9,8 +9,9 @@
 
 namespace sunder::polytope {
 
-// d + 1 of the points, given d after d: the first one, or else the furthest from the origin; then each the furthest from
-// the flat of those before it. Fewer where the square of that distance is not above `least`. Cost: d passes over all.
+// d + 1 of the points, given d after d: the first one, or else the furthest from the origin; then each the furthest
+// from the flat of those before it. Fewer where the square of that distance is not above `least`. Cost: d passes over
+// all.
 std::vector<std::uint32_t> far_apart(std::size_t d, std::vector<double> points, std::optional<std::uint32_t> first,
                                      double least);
 

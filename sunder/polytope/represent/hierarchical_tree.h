@@ -38,8 +38,11 @@
 
 namespace sunder::polytope {
 
-// Of the first three, 0 is what serves rows of this dimension: 8, 16, 32, 16, 12, 11 for 2 to 7 dimensions; 8, 16, 48,
-// 40, 56, 64; and 1/2 up to 4 dimensions, then 3/4, 0.85, 0.9.
+// For net, leaf and share 0 stands for what serves rows of this dimension:
+//   dimensions    2    3    4     5     6    7
+//   net           8   16   32    16    12   11
+//   leaf          8   16   48    40    56   64
+//   share       1/2  1/2  1/2   3/4  0.85  0.9
 struct TreeOptions {
   static constexpr std::uint32_t most_levels = 32;
 
@@ -153,8 +156,8 @@ class TreeWalk {
   // to those that the last walk looked at.
   enum class Reach : std::uint8_t { net, leaf, last_leaf };
 
-  // A row that is about the furthest one along the direction, as floating point has it. Of rows in a flat, by exact
-  // numbers and of a leaf, always.
+  // A row that is about the furthest one along the direction, as floating point has it. Where the rows are in a flat,
+  // exact numbers find it, always among those of a leaf.
   FurthestPoint likely_furthest(const ColumnNumbers& direction, Reach reach, Cost& cost);
   // After a walk to a leaf along this direction: is no row further than what it found, surely, but for the error of
   // products of floating point (product_error())?
@@ -178,7 +181,7 @@ class TreeWalk {
   const HierarchicalTree::Node& walk(std::size_t levels, const ConeOf& cone_of);
   template <std::size_t d>
   std::uint32_t likely_cone_of(const HierarchicalTree::Node& node, std::uint32_t from,
-                               std::span<const double> direction, Cost& cost) const;
+                               const std::array<float, d>& along, Cost& cost) const;
   template <std::size_t d>
   FurthestPoint likely_of_leaf(const ColumnNumbers& direction, bool of_last, Cost& cost);
   std::uint32_t furthest_of(std::span<const std::uint32_t> rows, std::span<const Dyadic> direction,

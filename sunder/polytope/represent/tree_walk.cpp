@@ -202,12 +202,11 @@ ExactFurthest TreeWalk::furthest(std::span<const Dyadic> given, Cost& cost) {
   return named(furthest_of(tree_->rows(end), direction, rounded, cost), given);
 }
 
-// Goes across the facet beyond which the direction is furthest. Where that leads back or out, it takes what it has.
+// Goes across the facet beyond which the direction is furthest, as long as there is one, at most as often as there are
+// cones.
 template <std::size_t d>
 std::uint32_t TreeWalk::likely_cone_of(const HierarchicalTree::Node& node, std::uint32_t from,
-                                       std::span<const double> direction, Cost& cost) const {
-  std::array<float, d> along;
-  for (std::size_t c = 0; c < d; ++c) along[c] = static_cast<float>(direction[c]);
+                                       const std::array<float, d>& along, Cost& cost) const {
   std::uint32_t cone = from;
   for (std::uint32_t k = 0; k < node.cones; ++k) {
     ++cost.probes;
@@ -230,8 +229,14 @@ std::uint32_t TreeWalk::likely_cone_of(const HierarchicalTree::Node& node, std::
 template <std::size_t d>
 FurthestPoint TreeWalk::likely_of_leaf(const ColumnNumbers& direction, bool of_last, Cost& cost) {
   if (!of_last || last_leaf_ == nullptr) {
+    // In single precision, times a power of two, as the direction may be of any length.
+    double size = 0x1p-1000;
+    for (std::size_t c = 0; c < d; ++c) size = std::max(size, std::fabs(direction[c]));
+    const double unit = std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 0;
+    std::array<float, d> along;
+    for (std::size_t c = 0; c < d; ++c) along[c] = static_cast<float>(direction[c] * unit);
     last_leaf_ = &walk(TreeOptions::most_levels, [&](const HierarchicalTree::Node& node, std::uint32_t from) {
-      return likely_cone_of<d>(node, from, direction, cost);
+      return likely_cone_of<d>(node, from, along, cost);
     });
   }
   const std::span<const std::uint32_t> rows = tree_->rows(*last_leaf_);

@@ -26,7 +26,8 @@ std::string_view name_of(PieceKind kind);  // "oriented", "unoriented", "open"
 //   M1. No two points are equal, and each is a corner of a triangle.
 //   M2. Faces of more corners are triangulated (face_triangles.h). Corners of a face that repeat the one before count
 //       once; a face that has less than three then is a triangle that repeats a corner. Triangles may have no area.
-//   M3. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the other.
+//   M3. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the
+//       other.
 //   M4. An edge that does not occur as often as its opposite is cut at the ends of other such edges that lie inside it,
 //       exactly (T-junctions); what is left then tells the kind of its piece.
 class Mesh {
