@@ -2,10 +2,10 @@
 // doors, evidence in exact numbers included; bench/polytopes.py runs it, and asks HiGHS, GLPK, Clp and SciPy about the
 // same inputs.
 //
-//   bench_polytopes [--write FILE | --trees | --descents]
+//   bench_polytopes [--write FILE | --trees | --columns | --descents]
 //
-// With --trees: what hierarchical trees take and cost, in counts, for docs/design/polytope.md; with --descents: what
-// those of faces do.
+// With --trees: what hierarchical trees take and cost, in counts, for docs/design/polytope.md; with --columns: the times
+// of the method that walks down them, and of the front door; with --descents: what trees of faces take and cost.
 //
 // Writes what it asks about, and its answers, to the file: doubles of this machine, in the order in which the script
 // reads them. Inputs are points on spheres, and half-spaces that touch spheres: pairs whose gap, or depth, is some part
@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fstream>
@@ -280,6 +281,41 @@ void print_trees() {
   }
 }
 
+// The times of columns and of the front door, of the same bodies at poses that turn in a plane and move away, from deep
+// in each other to apart.
+void print_columns() {
+  std::printf("| d | n | columns, us | front door, us |\n|---|---|---|---|\n");
+  for (const auto& [d, n] :
+       {std::pair<std::size_t, std::size_t>{2, 10000}, {3, 1000}, {3, 10000}, {4, 300}, {4, 1000}}) {
+    Random random(d * 1000 + n);
+    const HierarchicalTree a(Polytope::from_points(d, sphere_of(random, d, n, 0))),
+        b(Polytope::from_points(d, sphere_of(random, d, n, 0)));
+    const Pose here(d);
+    const std::size_t count = 256;
+    std::vector<Pose> poses;
+    for (std::size_t k = 0; k < count; ++k) {
+      std::vector<double> linear(d * d), translation = sphere_of(random, d, 1, 0);
+      for (std::size_t c = 0; c < d; ++c) linear[c * d + c] = 1;
+      const double angle = random.uniform(0, 6.28);
+      linear[0] = linear[d + 1] = std::cos(angle);
+      linear[d] = std::sin(angle);
+      linear[1] = -linear[d];
+      for (double& x : translation) x *= 0.7 + 1.8 * static_cast<double>(k) / (count - 1);
+      poses.push_back(Pose::from_matrix(d, linear, translation));
+    }
+    int meets = 0;
+    const double by_columns = microseconds(count, [&] {
+      for (const Pose& there : poses) meets += polytope_polytope_by_columns(a, here, b, there).meet();
+    });
+    const double front = microseconds(count, [&] {
+      for (const Pose& there : poses) meets -= polytope_polytope(a.body(), here, b.body(), there).meet();
+    });
+    if (meets != 0) std::exit(3);
+    std::printf("| %zu | %zu | %.1f | %.1f |\n", d, n, by_columns, front);
+    std::fflush(stdout);
+  }
+}
+
 // One descent down the tree of the faces of a body and that of the faces of another's polar.
 void print_descents() {
   std::printf(
@@ -339,7 +375,7 @@ void print_descents() {
       for (const Pose& there : poses) meets += polytope_polytope(body, here, other, there).meet();
     });
     char line[200];
-    std::snprintf(line, sizeof line, "| %zu | %zu | %.1f | %.0f | %.0f | %.0f | %.0f | %.1f |", d, n, rounds, looks,
+    std::snprintf(line, sizeof line, "| %zu | %zu | %.1f | %.0f | %.0f | %.0f | %.1f | %.1f |", d, n, rounds, looks,
                   front_looks, by_tree, by_columns, front);
     pairs.emplace_back(line);
   }
@@ -354,6 +390,10 @@ void print_descents() {
 int main(int count, char** words) {
   if (count == 2 && std::string(words[1]) == "--trees") {
     print_trees();
+    return 0;
+  }
+  if (count == 2 && std::string(words[1]) == "--columns") {
+    print_columns();
     return 0;
   }
   if (count == 2 && std::string(words[1]) == "--descents") {

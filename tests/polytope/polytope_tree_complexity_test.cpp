@@ -127,14 +127,16 @@ TEST(PolytopeTreeComplexity, SizesGrowNoFasterThanThePaperSays) {
   struct Sizes {
     std::size_t d;
     std::vector<std::size_t> counts;
-    double most;  // of the exponent
+    double most;         // of the exponent
+    std::uint32_t leaf;  // small, so that there are levels
   };
-  for (const auto& [d, counts, most] :
-       {Sizes{2, {100, 1000, 10000}, 1.25}, Sizes{3, {100, 1000, 10000}, 1.5}, Sizes{4, {100, 300, 900}, 2.5}}) {
+  for (const auto& [d, counts, most, leaf] :
+       {Sizes{2, {100, 1000, 10000}, 1.25, 8}, Sizes{3, {100, 1000, 10000}, 1.5, 16},
+        Sizes{4, {100, 300, 900}, 2.5, 48}}) {
     Random random(20150617 + d);
     std::vector<double> x, y;
     for (const std::size_t n : counts) {
-      const HierarchicalTree tree(round_body(random, d, n, true));
+      const HierarchicalTree tree(round_body(random, d, n, true), {.leaf = leaf});
       x.push_back(std::log(static_cast<double>(n)));
       y.push_back(std::log(static_cast<double>(tree.row_count())));
       EXPECT_LE(tree.depth(), std::log2(static_cast<double>(n)));

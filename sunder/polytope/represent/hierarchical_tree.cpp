@@ -24,7 +24,7 @@ using Rows = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t none = HierarchicalTree::none;
 constexpr std::array<std::uint32_t, most_columns + 1> net_of_dimension{0, 0, 8, 16, 32, 16, 12, 11};
-constexpr std::array<std::uint32_t, most_columns + 1> leaf_of_dimension{0, 0, 8, 16, 48, 40, 56, 64};
+constexpr std::array<std::uint32_t, most_columns + 1> leaf_of_dimension{0, 0, 8, 24, 96, 40, 56, 64};
 constexpr std::array<double, most_columns + 1> share_of_dimension{0, 0, 0.5, 0.5, 0.5, 0.75, 0.85, 0.9};
 
 // A cone with its rays and the inverse of their matrix.

@@ -41,7 +41,7 @@ namespace sunder::polytope {
 // For net, leaf and share 0 stands for what serves rows of this dimension:
 //   dimensions    2    3    4     5     6    7
 //   net           8   16   32    16    12   11
-//   leaf          8   16   48    40    56   64
+//   leaf          8   24   96    40    56   64
 //   share       1/2  1/2  1/2   3/4  0.85  0.9
 struct TreeOptions {
   static constexpr std::uint32_t most_levels = 32;
