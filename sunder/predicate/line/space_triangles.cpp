@@ -83,12 +83,12 @@ bool segments_meet_in_plane(int axis, const Posed3& p, const Posed3& q, const Po
   }
   if (of_r == of_s) return false;
   const Sign of_p = orient_2d_along(axis, r, s, p, tally), of_q = orient_2d_along(axis, r, s, q, tally);
-  return of_p != of_q || of_p == Sign::zero;
+  return of_p != of_q;
 }
 
 // A segment in the plane of the triangle.
 bool meets_in_plane(const Spanned& t, const Posed3& p, const Posed3& q, StageTally* tally) {
-  if (holds_in_plane(t, p, tally) || holds_in_plane(t, q, tally)) return true;
+  if (holds_in_plane(t, p, tally)) return true;  // if only q is in it, the segment meets an edge
   for (std::size_t k = 0; k < 3; ++k) {
     if (segments_meet_in_plane(t.axis, t.corners[k], t.corners[k == 2 ? 0 : k + 1], p, q, tally)) return true;
   }
@@ -99,8 +99,6 @@ bool meets_in_plane(const Spanned& t, const Posed3& p, const Posed3& q, StageTal
 bool meets(const Spanned& t, const Posed3& p, Sign of_p, const Posed3& q, Sign of_q, StageTally* tally) {
   if (of_p == Sign::zero && of_q == Sign::zero) return meets_in_plane(t, p, q, tally);
   if (of_p == of_q) return false;
-  if (of_p == Sign::zero) return holds_in_plane(t, p, tally);
-  if (of_q == Sign::zero) return holds_in_plane(t, q, tally);
   bool some_left = false, some_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Sign sign = orient_3d(p, q, t.corners[k], t.corners[k == 2 ? 0 : k + 1], tally);

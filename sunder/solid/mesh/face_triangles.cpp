@@ -89,14 +89,14 @@ class EarClipping {
     return false;
   }
 
-  // Until three corners are left, or no corner can be cut off.
+  // Until three corners are left.
   void cut_ears(std::vector<std::array<std::uint32_t, 3>>& triangles) {
     std::size_t k = 0;
     for (std::size_t refused = 0; ring_.size() > 3;) {
       may_be_interrupted(static_cast<std::uint32_t>(ring_.size()));
       if (k >= ring_.size()) k = 0;
-      // Twice around without an ear: then those between their neighbours, then any that turns as the face.
-      if (is_ear(k) || (refused > ring_.size() && is_between(k)) || refused > 2 * ring_.size()) {
+      // Once around without an ear: then any.
+      if (is_ear(k) || refused > ring_.size()) {
         triangles.push_back({ring_[before(k)], ring_[k], ring_[after(k)]});
         ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(k));
         k = k > 0 ? k - 1 : ring_.size() - 1;
@@ -120,8 +120,6 @@ class EarClipping {
     }
     return true;
   }
-
-  bool is_between(std::size_t k) const { return turn(at(before(k)), at(k), at(after(k))) == Sign::zero; }
 
   std::span<const Point3> points_;
   std::vector<std::uint32_t> ring_;

@@ -15,7 +15,7 @@ namespace sunder::solid {
 //
 // The face is looked at along the axis on which its normal (Newell's) has its greatest component. There ears are cut
 // off one by one: a corner is an ear if the turn at it is that of the face, and the triangle with its neighbours holds
-// no other corner. Where no corner is one, one that lies between its neighbours is cut off: its triangle has no area.
+// no other corner. Where no corner is one, as of a face without area or one that crosses itself, any is cut off.
 //   F1. A face of k corners gives k - 2 triangles. Each edge of the face is that of one, in its direction, and each
 //       other edge is that of two, once in each direction.
 //   F2. If the face does not cross itself as it is looked at, the triangles with area do not overlap there.

@@ -113,11 +113,12 @@ TEST(FaceTriangles, OfFacesWithoutArea) {
 
 // Along each axis, and turned so that only one projection has area.
 TEST(FaceTriangles, LooksAlongTheGreatestComponentOfTheNormal) {
-  const Ring arrow{{0, 0, 0}, {4, -4, 0}, {1, 0, 0}, {4, 4, 0}};
-  const FaceTriangles flat = triangles_of(arrow);
+  Ring comb{{0, -2, 0}, {21, -2, 0}};
+  for (int k = 20; k >= 0; --k) comb.push_back({static_cast<double>(k) + 0.5, k % 2 == 0 ? 8.0 : 0.0, 0});
+  const FaceTriangles flat = triangles_of(comb);
   for (const bool is_x : {false, true}) {
     Ring turned;
-    for (const Point3& p : arrow) turned.push_back(is_x ? Point3{0, p.x, p.y} : Point3{p.y, 0, p.x});
+    for (const Point3& p : comb) turned.push_back(is_x ? Point3{0, p.x, p.y} : Point3{p.y, 0, p.x});
     EXPECT_EQ(triangles_of(turned).triangles, flat.triangles);
   }
 }

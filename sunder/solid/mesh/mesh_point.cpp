@@ -60,40 +60,43 @@ class PointsBeyond {
 
 std::string_view name_of(MeshPlace place) { return name_in<MeshPlace::inside>({"outside", "on", "inside"}, place); }
 
+std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to,
+                                            Cost& cost) {
+  const Mesh& mesh = placed.mesh();
+  std::int64_t sum = 0;
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+    may_be_interrupted(1);
+    if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
+    ++cost.probes;
+    switch (crossing_of(from, to, placed.triangle(t))) {
+      case TriangleCrossing::none: break;
+      case TriangleCrossing::positive: ++sum; break;
+      case TriangleCrossing::negative: --sum; break;
+      case TriangleCrossing::touch: return std::nullopt;
+    }
+  }
+  return sum;
+}
+
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
-  const auto size = static_cast<std::uint32_t>(mesh.triangles().size());
   MeshPoint result;
-  result.cost.probes += size;
-  for (std::uint32_t t = 0; t < size; ++t) {
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
     may_be_interrupted(1);
+    ++result.cost.probes;
     if (!triangles_meet({point, point, point}, placed.triangle(t))) continue;
     result.place = MeshPlace::on;
     return result;
   }
   const Affine3 identity;
   PointsBeyond beyond(placed);
-  while (true) {
-    const Posed3 end = posed(beyond.next(), identity);
-    std::int64_t winding = 0;
-    bool touches = false;
+  while (!result.winding) {
     ++result.cost.proposals;
-    for (std::uint32_t t = 0; t < size && !touches; ++t) {
-      if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
-      ++result.cost.probes;
-      switch (crossing_of(point, end, placed.triangle(t))) {
-        case TriangleCrossing::none: break;
-        case TriangleCrossing::positive: ++winding; break;
-        case TriangleCrossing::negative: --winding; break;
-        case TriangleCrossing::touch: touches = true;
-      }
-    }
-    if (touches) continue;
-    if (!mesh.is_by_winding()) winding = winding % 2 == 0 ? 0 : 1;
-    result.winding = winding;
-    result.place = winding == 0 ? MeshPlace::outside : MeshPlace::inside;
-    return result;
+    result.winding = crossings_along(placed, point, posed(beyond.next(), identity), result.cost);
   }
+  if (!mesh.is_by_winding()) result.winding = *result.winding % 2 == 0 ? 0 : 1;
+  result.place = *result.winding == 0 ? MeshPlace::outside : MeshPlace::inside;
+  return result;
 }
 
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Point3& point) {

@@ -32,6 +32,11 @@ struct MeshPoint {
   Cost cost;  // probes: triangles that were looked at
 };
 
+// The segment from one point to another crosses the closed pieces so often: once up and once down (predicate/line/
+// space_triangles.h) cancel. Nothing where it touches a triangle of them elsewhere than in an inner point of both.
+// Exact. cost.probes grows by the triangles that are looked at.
+std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to, Cost& cost);
+
 // Exact. Both in the world. Cost: all triangles, some one to three times.
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point);
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Point3& point);

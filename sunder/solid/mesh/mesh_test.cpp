@@ -97,8 +97,12 @@ TEST(Mesh, OneFaceTurnedInwardsLeavesAParity) {
   EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::unoriented);
   EXPECT_TRUE(mesh.is_closed() && mesh.has_inside());
   EXPECT_FALSE(mesh.is_by_winding());
-  EXPECT_EQ(place_of(mesh, {0.5, 0.5, 0.5}), MeshPlace::inside);
-  EXPECT_EQ(place_of(mesh, {1.5, 0.5, 0.5}), MeshPlace::outside);
+  for (int k = 0; k < 7 * 7 * 7; ++k) {  // from all sides, so that some segments go through that face
+    const Point3 p{0.375 * (k % 7) - 0.6, 0.375 * (k / 7 % 7) - 0.6, 0.375 * (k / 49) - 0.6};
+    const auto is_within = [](double x) { return x > 0 && x < 1; };
+    const bool is_inside = is_within(p.x) && is_within(p.y) && is_within(p.z);
+    EXPECT_EQ(place_of(mesh, p), is_inside ? MeshPlace::inside : MeshPlace::outside) << k;
+  }
 }
 
 // A side of the top is cut in three, and the top is not; on one line a corner more.
@@ -112,6 +116,9 @@ TEST(Mesh, TJunctionsAreClosed) {
   EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
   EXPECT_EQ(mesh.pieces()[0].t_junctions, 2u);
   EXPECT_EQ(place_of(mesh, {1, 1, 1}), MeshPlace::inside);
+  Given mirrored = given;  // the edge that is cut goes the other way
+  for (Point3& p : mirrored.points) p.x = -p.x;
+  EXPECT_EQ(mirrored.mesh().pieces()[0].kind, PieceKind::oriented);
   given.points.back().y = 0x1p-52;  // off the line by a last bit
   EXPECT_EQ(given.mesh().pieces()[0].kind, PieceKind::open);
 }
@@ -125,6 +132,15 @@ TEST(Mesh, PiecesAreConnectedWhereCornersCutEdges) {
   ASSERT_EQ(mesh.pieces().size(), 1u);
   EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
   EXPECT_EQ(mesh.pieces()[0].t_junctions, 1u);
+}
+
+TEST(Mesh, OnePieceByASingleCorner) {
+  const Given last{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 0}, {6, 5, 0}}, {{0, 1, 2}, {3, 4, 2}}};
+  EXPECT_EQ(last.mesh().pieces().size(), 1u);
+  // The edge of one lies within that of the other, and no corner is common.
+  const Given cut{{{0, 0, 0}, {3, 0, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {1, 0, 1}}, {{0, 1, 2}, {3, 4, 5}}};
+  ASSERT_EQ(cut.mesh().pieces().size(), 1u);
+  EXPECT_EQ(cut.mesh().pieces()[0].t_junctions, 2u);
 }
 
 TEST(Mesh, PiecesShareNoPoint) {
@@ -173,6 +189,24 @@ TEST(MeshPoint, WindingsOfCavitiesAndOfTwoBoxesInOne) {
   EXPECT_FALSE(mesh_point(of_two, Pose(), Point3{2, 2, 4}).winding.has_value());
 }
 
+TEST(MeshPoint, SegmentsThatTouchTellNothing) {
+  const Mesh mesh = box({0, 0, 0}, {2, 2, 2}).mesh();
+  const Pose pose;
+  const PlacedMesh placed(mesh, pose);
+  const auto along = [&](const Point3& from, const Point3& to) {
+    Cost cost;
+    return crossings_along(placed, posed(from, pose.affine()), posed(to, pose.affine()), cost);
+  };
+  const Point3 inner{1, 1.25, 0.5};
+  EXPECT_EQ(along(inner, {1.25, 1.5, 9}), 1);
+  EXPECT_EQ(along({1.25, 1.5, 9}, inner), -1);
+  EXPECT_EQ(along({1.25, 1.5, 9}, {1.5, 1.375, -9}), 0);
+  EXPECT_FALSE(along(inner, {9, 1.25, 12.5}));  // the edge x = z = 2
+  EXPECT_FALSE(along(inner, {2, 2, 2}));        // a corner
+  EXPECT_FALSE(along({2, 0.5, 0.25}, inner));   // from a face
+  EXPECT_FALSE(along({-1, 0, 1}, {3, 0, 1}));   // in a face
+}
+
 // A mirrored box winds the other way around its points, and has the same inside.
 TEST(MeshPoint, UnderPoses) {
   const Mesh mesh = box({0, 0, 0}, {1, 1, 1}).mesh();
@@ -198,6 +232,10 @@ TEST(MeshMesh, InsideOfEachOther) {
   EXPECT_FALSE(mesh_mesh_by_scan(small, Pose(), hollow, Pose()).meet());
   const MeshAnswer touch = mesh_mesh(hollow, Pose(), small, Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {1, 0, 0}));
   EXPECT_TRUE(std::holds_alternative<MeetingTriangles>(touch.evidence));
+  Given two = box({9, 9, 9}, {10, 10, 10});  // the second piece is inside
+  const Mesh of_two = two.add(box({1, 1, 1}, {2, 2, 2})).mesh();
+  EXPECT_TRUE(mesh_mesh(of_two, Pose(), outer, Pose()).meet());
+  EXPECT_TRUE(mesh_mesh(outer, Pose(), of_two, Pose()).meet());
   EXPECT_EQ(name_of(MeshPlace::on), "on");
   EXPECT_EQ(name_of(PieceKind::unoriented), "unoriented");
 }
