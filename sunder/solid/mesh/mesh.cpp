@@ -166,13 +166,8 @@ Mesh::Mesh(const MeshView& given) {
     }
     face_of_.resize(triangles_.size(), face);
   }
-  box_ = box_of(points_[0], points_[0]);
-  for (const Point3& p : points_) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      box_.low[c] = std::min(box_.low[c], p[c]);
-      box_.high[c] = std::max(box_.high[c], p[c]);
-    }
-  }
+  tree_ = MeshTree(points_, triangles_);
+  sizes_ = size_range(points_);
 
   // Pieces, by their points; then what kind each is.
   const std::vector<EdgeCount> edges = edges_of(triangles_);

@@ -4,7 +4,9 @@
 
 #include <sunder/base/error.h>
 #include <sunder/predicate/point.h>
+#include <sunder/predicate/posed.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_tree.h>
 
 #include <array>
 #include <cstdint>
@@ -61,8 +63,10 @@ class Mesh {
   // number of times that a ray crosses them, if it is odd, where one is not.
   bool is_by_winding() const { return is_by_winding_; }
 
-  // A point of the box is -0 nowhere. Requires nothing.
-  const Box3& box() const { return box_; }
+  // The box of all triangles, and what searches walk on.
+  const Box3& box() const { return tree_.box(1); }
+  const MeshTree& tree() const { return tree_; }
+  const SizeRange& sizes() const { return sizes_; }  // of the coordinates
 
  private:
   std::vector<Point3> points_;
@@ -70,7 +74,8 @@ class Mesh {
   std::vector<std::uint32_t> face_of_, piece_of_, crossing_faces_;
   std::vector<Piece> pieces_;
   bool is_by_winding_ = true;
-  Box3 box_{};
+  MeshTree tree_;
+  SizeRange sizes_;
 };
 
 }  // namespace sunder::solid

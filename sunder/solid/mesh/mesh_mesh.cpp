@@ -1,12 +1,12 @@
 #include <sunder/solid/mesh/mesh_mesh.h>
 
 #include <sunder/base/interruption.h>
-#include <sunder/near/box_tree.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
-#include <vector>
 
 namespace sunder::solid {
 
@@ -25,19 +25,59 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const Mesh& othe
   return std::nullopt;
 }
 
-std::optional<MeetingTriangles> first_pair_by_tree(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
-                                                   StageTally& tally) {
-  std::vector<Box3> boxes;
-  for (std::uint32_t u = 0; u < b.mesh().triangles().size(); ++u) boxes.push_back(b.box(u));
-  const BoxTree tree(boxes);
-  std::optional<MeetingTriangles> found;
-  for (std::uint32_t t = 0; t < a.mesh().triangles().size() && !found; ++t) {
-    may_be_interrupted(10);
-    cost.probes += tree.for_each_meeting(a.box(t), BoxTree::no_group, [&](std::uint32_t u) {
-      if (!found && triangles_meet(a.triangle(t), b.triangle(u), &tally)) found = MeetingTriangles{t, u};
-    });
+struct NodePair {
+  std::size_t a = 1, b = 1;
+  Box3 box_a{}, box_b{};
+
+  bool are_parted() const { return solid::are_parted(box_a, box_b); }
+};
+
+double size_of(const Box3& box) {
+  return std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+}
+
+std::optional<MeetingTriangles> first_pair_of_leaves(const PlacedMesh& a, const PlacedMesh& b, const NodePair& leaves,
+                                                     Cost& cost, StageTally& tally) {
+  for (const std::uint32_t t : a.mesh().tree().triangles(leaves.a)) {
+    const Box3 box = a.box(t);
+    ++cost.probes;
+    if (solid::are_parted(box, leaves.box_b)) continue;
+    for (const std::uint32_t u : b.mesh().tree().triangles(leaves.b)) {
+      ++cost.probes;
+      if (solid::are_parted(box, b.box(u))) continue;
+      ++cost.iterations;
+      if (triangles_meet(a.triangle(t), b.triangle(u), &tally)) return MeetingTriangles{t, u};
+    }
   }
-  return found;
+  return std::nullopt;
+}
+
+// Down both trees at once: of two nodes whose boxes meet the larger one is split.
+std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
+                                                    StageTally& tally) {
+  const MeshTree &tree_a = a.mesh().tree(), &tree_b = b.mesh().tree();
+  std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {1, 1, a.node_box(1), b.node_box(1)};
+  while (count > 0) {
+    may_be_interrupted(1);
+    const NodePair here = waiting[--count];
+    ++cost.probes;
+    if (here.are_parted()) continue;
+    const bool leaf_a = tree_a.is_leaf(here.a), leaf_b = tree_b.is_leaf(here.b);
+    if (leaf_a && leaf_b) {
+      if (const auto found = first_pair_of_leaves(a, b, here, cost, tally)) return found;
+      continue;
+    }
+    const bool of_a = !leaf_a && (leaf_b || size_of(here.box_a) >= size_of(here.box_b));
+    for (const std::size_t k : {1u, 0u}) {
+      NodePair& child = waiting[count++] = here;
+      std::size_t& node = of_a ? child.a : child.b;
+      node = 2 * node + k;
+      (of_a ? child.box_a : child.box_b) = (of_a ? a : b).node_box(node);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<MeetingTriangles> first_pair_by_scan(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
@@ -71,7 +111,7 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
 }  // namespace
 
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
-  return answer_by(first_pair_by_tree, a, pose_a, b, pose_b);
+  return answer_by(first_pair_by_trees, a, pose_a, b, pose_b);
 }
 
 MeshAnswer mesh_mesh_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {

@@ -33,10 +33,11 @@ struct PointWithin {
 };
 
 using MeshEvidence = std::variant<MeshesApart, MeetingTriangles, PointWithin>;
-using MeshAnswer = Answer<MeshEvidence>;  // probes: boxes and triangles that were looked at
+// probes: boxes of the trees and of triangles that were compared; iterations: pairs of triangles whose boxes meet
+using MeshAnswer = Answer<MeshEvidence>;
 
-// Exact, under poses. Cost: a tree over the triangles of B in the world, the pairs of triangles whose boxes meet, and
-// where no two meet, all triangles of the other mesh for each piece.
+// Exact, under poses. Cost: the pairs of nodes of both trees (mesh_tree.h) whose boxes in the world meet; where no two
+// triangles meet, for each piece what is near a segment from it out of the other mesh. Allocates nothing.
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
 // Each triangle with each.

@@ -5,54 +5,65 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/point/orient.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace sunder::solid {
 
 namespace {
 
-// Points of the world beyond a placed mesh: surely, as all corners of its box are before them along an axis.
+// Points of the world beyond a placed mesh: surely, as all corners of its box are before them along an axis. They are
+// about straight before or behind a point, on the side where the mesh ends first, so that few boxes are between.
 class PointsBeyond {
  public:
-  explicit PointsBeyond(const PlacedMesh& placed) {
+  PointsBeyond(const PlacedMesh& placed, const Posed3& from) : from_(enclosure(from)), mesh_(placed.node_box(1)) {
     const auto [low, high] = placed.mesh().box();
     for (std::size_t k = 0; k < 8; ++k) {
       corners_[k] = placed.at({(k & 1 ? low : high).x, (k & 2 ? low : high).y, (k & 4 ? low : high).z});
     }
-    for (std::size_t k = 0; k < 8; ++k) {
-      for (std::size_t r = 0; r < 3; ++r) {
-        const auto& [m, move] = *corners_[k].pose;
-        const Point3& p = corners_[k].point;
-        const double image = m[3 * r] * p.x + m[3 * r + 1] * p.y + m[3 * r + 2] * p.z + move[r];
-        most_ = std::max(most_, std::fabs(image));
-      }
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double before = from_.high[c] - mesh_.low[c], behind = mesh_.high[c] - from_.low[c];
+      if (std::min(before, behind) >= least) continue;
+      least = std::min(before, behind);
+      axis_ = c;
+      is_up_ = behind <= before;
     }
   }
 
-  // From a seed on, another one each time. Its coordinates are some two to four times as large as those of the mesh.
+  // Another one each time, further and further away.
   Point3 next() {
-    for (double times = 2;; times *= 2) {
+    while (true) {
       Point3 q;
-      for (std::size_t r = 0; r < 3; ++r) q[r] = most_ * random_.uniform(-1, 1);
-      const std::size_t axis = random_.below(3);
-      q[axis] = std::min(times * std::max(most_, 0x1p-1000) * random_.uniform(1, 2), 0x1.fffffp+1023);
-      if (is_beyond(static_cast<int>(axis), q)) return q;
+      double size = 0x1p-1000;
+      for (std::size_t c = 0; c < 3; ++c) size = std::max(size, mesh_.high[c] / 2 - mesh_.low[c] / 2);
+      for (std::size_t c = 0; c < 3; ++c) q[c] = from_.low[c] + 0x1p-8 * size * random_.uniform(-1, 1);
+      const double end = is_up_ ? mesh_.high[axis_] : mesh_.low[axis_];
+      const double step = times_ * std::max(size, std::fabs(end) * 0x1p-40) * random_.uniform(0.5, 1);
+      q[axis_] = is_up_ ? std::max(end, from_.high[axis_]) + step : std::min(end, from_.low[axis_]) - step;
+      for (std::size_t c = 0; c < 3; ++c) q[c] = std::clamp(q[c], -0x1.fffffp+1023, 0x1.fffffp+1023);
+      times_ *= 2;
+      if (is_beyond(q)) return q;
     }
   }
 
  private:
-  bool is_beyond(int axis, const Point3& q) const {
+  bool is_beyond(const Point3& q) const {
     const Affine3 identity;
     const Posed3 end = posed(q, identity);
-    for (const Posed3& corner : corners_) {
-      if (compare_coordinate(axis, corner, end) != Sign::positive) return false;
-    }
-    return true;
+    const Sign wanted = is_up_ ? Sign::positive : Sign::negative;
+    return std::all_of(corners_.begin(), corners_.end(), [&](const Posed3& corner) {
+      return compare_coordinate(static_cast<int>(axis_), corner, end) == wanted;
+    });
   }
 
+  Box3 from_, mesh_;
   std::array<Posed3, 8> corners_{};
-  double most_ = 0;
+  std::size_t axis_ = 0;
+  bool is_up_ = true;
+  double times_ = 0x1p-4;
   Random random_{20261130};
 };
 
@@ -64,32 +75,27 @@ std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Pose
                                             Cost& cost) {
   const Mesh& mesh = placed.mesh();
   std::int64_t sum = 0;
-  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
-    may_be_interrupted(1);
-    if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
-    ++cost.probes;
-    switch (crossing_of(from, to, placed.triangle(t))) {
-      case TriangleCrossing::none: break;
-      case TriangleCrossing::positive: ++sum; break;
-      case TriangleCrossing::negative: --sum; break;
-      case TriangleCrossing::touch: return std::nullopt;
-    }
-  }
-  return sum;
+  const bool touches =
+      any_triangle_near(placed, joined(enclosure(from), enclosure(to)), cost.probes, [&](std::uint32_t t) {
+        may_be_interrupted(1);
+        if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
+        const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t));
+        sum += crossing == TriangleCrossing::positive ? 1 : crossing == TriangleCrossing::negative ? -1 : 0;
+        return crossing == TriangleCrossing::touch;
+      });
+  return touches ? std::nullopt : std::optional(sum);
 }
 
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
   MeshPoint result;
-  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
-    may_be_interrupted(1);
-    ++result.cost.probes;
-    if (!triangles_meet({point, point, point}, placed.triangle(t))) continue;
+  if (any_triangle_near(placed, enclosure(point), result.cost.probes,
+                        [&](std::uint32_t t) { return triangles_meet({point, point, point}, placed.triangle(t)); })) {
     result.place = MeshPlace::on;
     return result;
   }
   const Affine3 identity;
-  PointsBeyond beyond(placed);
+  PointsBeyond beyond(placed, point);
   while (!result.winding) {
     ++result.cost.proposals;
     result.winding = crossings_along(placed, point, posed(beyond.next(), identity), result.cost);

@@ -1,4 +1,4 @@
-// A mesh under its pose, as predicates look at it.
+// A mesh under its pose, as predicates and searches look at it.
 #pragma once
 
 #include <sunder/number/interval.h>
@@ -8,20 +8,43 @@
 #include <sunder/solid/object/pose.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
-#include <span>
+#include <limits>
 
 namespace sunder::solid {
+
+// A box that holds the image of the point.
+inline Box3 enclosure(const Posed3& p) {
+  Box3 box{};
+  const auto& [m, move] = *p.pose;
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Interval image = Interval(m[3 * r]) * Interval(p.point.x) + Interval(m[3 * r + 1]) * Interval(p.point.y) +
+                           Interval(m[3 * r + 2]) * Interval(p.point.z) + Interval(move[r]);
+    box.low[r] = image.low;
+    box.high[r] = image.high;
+  }
+  return box;
+}
+
+inline Box3 joined(const Box3& a, const Box3& b) {
+  Box3 box{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    box.low[c] = std::min(a.low[c], b.low[c]);
+    box.high[c] = std::max(a.high[c], b.high[c]);
+  }
+  return box;
+}
 
 // Keeps references to both.
 class PlacedMesh {
  public:
-  PlacedMesh(const Mesh& mesh, const Pose& pose) : mesh_(mesh), pose_(pose) {
-    const SizeRange sizes = size_range(mesh.points());
-    const SizeRange &linear = pose.linear_range(), &translation = pose.translation_range();
-    tame_ = images_are_tame(linear, translation, sizes);
-    reach_ = std::max(linear.greatest * sizes.greatest, translation.greatest);
-  }
+  PlacedMesh(const Mesh& mesh, const Pose& pose)
+      : mesh_(mesh),
+        pose_(pose),
+        tame_(images_are_tame(pose.linear_range(), pose.translation_range(), mesh.sizes())),
+        reach_(std::max(pose.linear_range().greatest * mesh.sizes().greatest, pose.translation_range().greatest)) {}
   PlacedMesh(const Mesh&, const Pose&&) = delete;
   PlacedMesh(const Mesh&&, const Pose&) = delete;
 
@@ -36,16 +59,34 @@ class PlacedMesh {
 
   // A box that holds the image of the triangle.
   Box3 box(std::uint32_t t) const {
-    Box3 box{};
+    const PosedTriangle corners = triangle(t);
+    return joined(joined(enclosure(corners[0]), enclosure(corners[1])), enclosure(corners[2]));
+  }
+
+  // A box that holds the image of all triangles below a node of the tree. Its middle and half its size are mapped; a
+  // sum of four products and what went before have less than 12 roundings, each of a part in 2^53 of the sum of sizes.
+  // Where that is beyond the range of doubles, the box is all of the axis.
+  Box3 node_box(std::size_t node) const {
+    const Box3& of = mesh_.tree().box(node);
+    std::array<double, 3> middle{}, half{};
+    for (std::size_t c = 0; c < 3; ++c) {
+      middle[c] = of.low[c] / 2 + of.high[c] / 2;
+      half[c] = of.high[c] / 2 - of.low[c] / 2;
+    }
     const auto& [m, move] = pose_.affine();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point3& p = mesh_.points()[mesh_.triangles()[t][k]];
-      for (std::size_t r = 0; r < 3; ++r) {
-        const Interval image = Interval(m[3 * r]) * Interval(p.x) + Interval(m[3 * r + 1]) * Interval(p.y) +
-                               Interval(m[3 * r + 2]) * Interval(p.z) + Interval(move[r]);
-        box.low[r] = k == 0 ? image.low : std::min(box.low[r], image.low);
-        box.high[r] = k == 0 ? image.high : std::max(box.high[r], image.high);
+    Box3 box{};
+    for (std::size_t r = 0; r < 3; ++r) {
+      double at = move[r], reach = 0, sizes = std::fabs(move[r]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double entry = m[3 * r + c];
+        at += entry * middle[c];
+        reach += std::fabs(entry) * half[c];
+        sizes += std::fabs(entry * middle[c]);
       }
+      const double error = (sizes + reach) * 0x1p-48 + 0x1p-1020;
+      const bool is_in_range = sizes + reach + error <= std::numeric_limits<double>::max();
+      box.low[r] = is_in_range ? at - reach - error : -std::numeric_limits<double>::infinity();
+      box.high[r] = is_in_range ? at + reach + error : std::numeric_limits<double>::infinity();
     }
     return box;
   }
@@ -56,5 +97,38 @@ class PlacedMesh {
   bool tame_;
   double reach_;
 };
+
+// Have they no common point?
+inline bool are_parted(const Box3& a, const Box3& b) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (a.high[c] < b.low[c] || b.high[c] < a.low[c]) return true;
+  }
+  return false;
+}
+
+// Calls of_triangle(t) with each triangle whose leaf's box meets this box of the world, until it returns true. Returns
+// whether it did. Cost: looks grows by boxes and triangles.
+template <class OfTriangle>
+bool any_triangle_near(const PlacedMesh& placed, const Box3& box, std::uint64_t& looks, const OfTriangle& of_triangle) {
+  const MeshTree& tree = placed.mesh().tree();
+  std::array<std::size_t, 2 * MeshTree::deepest> waiting;
+  std::size_t count = 0;
+  waiting[count++] = 1;
+  while (count > 0) {
+    const std::size_t node = waiting[--count];
+    ++looks;
+    if (are_parted(placed.node_box(node), box)) continue;
+    if (!tree.is_leaf(node)) {
+      waiting[count++] = 2 * node + 1;
+      waiting[count++] = 2 * node;
+      continue;
+    }
+    for (const std::uint32_t t : tree.triangles(node)) {
+      ++looks;
+      if (of_triangle(t)) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace sunder::solid

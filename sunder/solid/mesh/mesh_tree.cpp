@@ -1,0 +1,72 @@
+#include <sunder/base/contract.h>
+#include <sunder/solid/mesh/mesh_tree.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <numeric>
+
+namespace sunder::solid {
+
+namespace {
+
+Box3 box_of_none() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+}
+
+void include(Box3& box, const Box3& other) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    box.low[c] = std::min(box.low[c], other.low[c]);
+    box.high[c] = std::max(box.high[c], other.high[c]);
+  }
+}
+
+}  // namespace
+
+MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles)
+    : order_(triangles.size()) {
+  SUNDER_REQUIRE(triangles.size() < std::size_t{1} << 31);
+  std::iota(order_.begin(), order_.end(), 0u);
+  std::vector<Box3> boxes(triangles.size(), box_of_none());
+  std::vector<Point3> middles(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const std::uint32_t corner : triangles[t]) include(boxes[t], {points[corner], points[corner]});
+    for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
+  }
+  nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)),
+                box_of_none());
+  split(middles, 0, leaves());
+  for (std::size_t node = nodes_.size() - 1; node > 0; --node) {
+    if (is_leaf(node)) {
+      for (const std::uint32_t t : this->triangles(node)) include(nodes_[node], boxes[t]);
+    } else {
+      include(nodes_[node], nodes_[2 * node]);
+      include(nodes_[node], nodes_[2 * node + 1]);
+    }
+  }
+}
+
+void MeshTree::split(std::span<const Point3> middles, std::size_t first_leaf, std::size_t leaves) {
+  const auto at = [&](std::size_t leaf) { return order_.begin() + static_cast<std::ptrdiff_t>(begin_of(leaf)); };
+  if (leaves < 2) return;
+  const auto begin = at(first_leaf), middle = at(first_leaf + leaves / 2), end = at(first_leaf + leaves);
+  if (end - begin < 2) return;
+  std::size_t axis = 0;
+  double most = -1;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto less = [&](std::uint32_t s, std::uint32_t t) { return middles[s][c] < middles[t][c]; };
+    const auto [least, greatest] = std::minmax_element(begin, end, less);
+    const double spread = middles[*greatest][c] / 2 - middles[*least][c] / 2;  // halves do not overflow
+    if (spread > most) most = spread, axis = c;
+  }
+  if (middle != end) {
+    std::nth_element(begin, middle, end, [&](std::uint32_t s, std::uint32_t t) {
+      return middles[s][axis] != middles[t][axis] ? middles[s][axis] < middles[t][axis] : s < t;
+    });
+  }
+  split(middles, first_leaf, leaves / 2);
+  split(middles, first_leaf + leaves / 2, leaves / 2);
+}
+
+}  // namespace sunder::solid
