@@ -27,7 +27,7 @@ using solid::MeshAnswer;
 using solid::MeshView;
 using solid::Pose;
 
-Mesh mesh_of(const json& given) {
+Mesh mesh_of_case(const json& given) {
   std::vector<Point3> points;
   for (const json& v : given.at("v")) {
     points.push_back({v.at(0).get<double>(), v.at(1).get<double>(), v.at(2).get<double>()});
@@ -68,7 +68,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
     const json cases = json::parse(std::ifstream(std::filesystem::path(cases_folder()) / "assemblies" / file));
     for (const json& c : cases) {
       SCOPED_TRACE(c.at("name").get<std::string>());
-      const Mesh a = mesh_of(c.at("A")), b = mesh_of(c.at("B"));
+      const Mesh a = mesh_of_case(c.at("A")), b = mesh_of_case(c.at("B"));
       ASSERT_TRUE(has_status(a, c.at("A").at("status")));
       ASSERT_TRUE(has_status(b, c.at("B").at("status")));
       const std::string relation = c.at("relation");

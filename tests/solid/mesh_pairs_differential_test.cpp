@@ -72,7 +72,7 @@ Soup some_soup(Random& random) {
   return soup;
 }
 
-Pose some_pose(Random& random, int i) {
+Pose soup_pose(Random& random, int i) {
   const auto whole = [&] { return static_cast<double>(random.between(-5, 5)); };
   std::array<double, 3> shift{whole(), whole(), whole()};
   if (i % 3 == 1) shift[random.below(3)] += std::ldexp(random.below(2) == 0 ? 1.0 : -1.0, -50);
@@ -83,7 +83,7 @@ Pose some_pose(Random& random, int i) {
 }
 
 // A 64th as large, somewhere.
-Pose small(Random& random) {
+Pose small_pose(Random& random) {
   return Pose::from_matrix({0x1p-6, 0, 0, 0, 0x1p-6, 0, 0, 0, 0x1p-6},
                            {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)});
 }
@@ -94,8 +94,8 @@ TEST(MeshPairsDifferential, TreesAgreeWithTheScan) {
   int meet = 0, within = 0;
   for (int i = 0; i < times; ++i) {
     const Mesh a = some_soup(random).mesh(), b = some_soup(random).mesh();
-    const Pose pose_a = i % 2 == 0 ? Pose() : some_pose(random, i),
-               pose_b = i % 2 == 0 ? small(random) : some_pose(random, i);
+    const Pose pose_a = i % 2 == 0 ? Pose() : soup_pose(random, i),
+               pose_b = i % 2 == 0 ? small_pose(random) : soup_pose(random, i);
     const MeshAnswer answer = mesh_mesh(a, pose_a, b, pose_b), scan = mesh_mesh_by_scan(a, pose_a, b, pose_b);
     ASSERT_EQ(answer.evidence.index(), scan.evidence.index()) << i;
     ASSERT_EQ(mesh_mesh(b, pose_b, a, pose_a).evidence.index(), scan.evidence.index()) << i;
@@ -107,7 +107,7 @@ TEST(MeshPairsDifferential, TreesAgreeWithTheScan) {
   EXPECT_GT(within, times / 400);
 }
 
-Mesh mesh_of(const ConvexPolyhedron& body) {
+Mesh mesh_of_body(const ConvexPolyhedron& body) {
   Soup soup;
   soup.points.assign(body.vertices().begin(), body.vertices().end());
   for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
@@ -121,8 +121,8 @@ Mesh mesh_of(const ConvexPolyhedron& body) {
 TEST(MeshPairsDifferential, LooksGrowAsALogarithmOrNearContactAsARoot) {
   Random random(chosen_seed(4013));
   for (const std::size_t n : {100u, 1000u, 10000u, 50000u}) {
-    const Mesh a = mesh_of(ConvexPolyhedron(solid_shapes::sphere(n, random))),
-               b = mesh_of(ConvexPolyhedron(solid_shapes::sphere(n, random)));
+    const Mesh a = mesh_of_body(ConvexPolyhedron(solid_shapes::sphere(n, random))),
+               b = mesh_of_body(ConvexPolyhedron(solid_shapes::sphere(n, random)));
     const int times = 20;
     double near = 0, deep = 0, within = 0;
     for (int i = 0; i < times; ++i) {

@@ -249,7 +249,7 @@ std::vector<std::uint32_t> beyond(const Hierarchy& h, Along& along, std::uint32_
 }
 
 // Directions that tie, too: axes, and small whole numbers.
-Point3 some_direction(Random& random, int i) {
+Point3 tying_direction(Random& random, int i) {
   if (i % 2 == 0) return on_sphere(random);
   const auto part = [&] { return static_cast<double>(random.between(-2, 2)); };
   return {part(), part(), part()};
@@ -269,7 +269,7 @@ TEST(SolidHierarchyComplexity, Lemma42AtMostOneVertexIsBeyondAndANeighbour) {
       const int times = scaled_count(40);
       for (int i = 0; i < times; ++i) {
         const Affine3 identity;
-        const WorldDirection direction(some_direction(random, i));
+        const WorldDirection direction(tying_direction(random, i));
         Along along(direction, identity, false);
         std::uint32_t v = 0;  // extreme in the level before; of those that tie any
         for (std::uint32_t w = 1; w < h.level_end.front(); ++w) {

@@ -40,7 +40,7 @@ Corners some_triangle(Random& random, int range) {
   return corners;
 }
 
-Pose some_pose(Random& random) {
+Pose triangle_pose(Random& random) {
   if (random.below(2) == 0) return {};
   while (true) {
     std::array<double, 9> linear;
@@ -60,7 +60,7 @@ PosedTriangle posed_of(const Corners& corners, const Pose& pose) {
 
 using Exact = std::array<Fraction, 3>;
 
-Exact image(const Point3& p, const Pose& pose) {
+Exact image_of(const Point3& p, const Pose& pose) {
   Exact result;
   for (std::size_t r = 0; r < 3; ++r) {
     result[r] = Fraction(pose.affine().translation[r]);
@@ -69,7 +69,7 @@ Exact image(const Point3& p, const Pose& pose) {
   return result;
 }
 
-int turn(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
+int turn_of(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
   std::array<Exact, 3> v{};
   for (std::size_t k = 0; k < 3; ++k) v[k] = {b[k] - a[k], c[k] - a[k], d[k] - a[k]};
   const Fraction det = (v[1][0] * v[2][1] - v[2][0] * v[1][1]) * v[0][2] +
@@ -89,7 +89,7 @@ TEST(SpaceTrianglesDifferential, MeetAsBodiesOfTheirCornersDo) {
       for (Point3& p : t) p.z = 1;
       for (Point3& p : u) p.z = 1;
     }
-    const Pose pose_t = some_pose(random), pose_u = i % 2 == 0 ? pose_t : some_pose(random);
+    const Pose pose_t = triangle_pose(random), pose_u = i % 2 == 0 ? pose_t : triangle_pose(random);
     const ConvexPolyhedron a{std::vector<Point3>(t.begin(), t.end())}, b{std::vector<Point3>(u.begin(), u.end())};
     const bool expected = polyhedron_polyhedron_by_scan(a, pose_t, b, pose_u).meet();
     ASSERT_EQ(triangles_meet(posed_of(t, pose_t), posed_of(u, pose_u)), expected) << i;
@@ -109,14 +109,14 @@ TEST(SpaceTrianglesDifferential, SegmentsCrossAsTurnsSay) {
   std::array<int, 4> seen{};
   for (int i = 0; i < times; ++i) {
     const Corners t = some_triangle(random, 2), ends = some_triangle(random, 2);
-    const Pose pose_t = some_pose(random), pose_s = some_pose(random);
+    const Pose pose_t = triangle_pose(random), pose_s = triangle_pose(random);
     const PosedTriangle segment = posed_of(ends, pose_s);
     const TriangleCrossing found = crossing_of(segment[0], segment[1], posed_of(t, pose_t));
     ++seen[static_cast<std::size_t>(found)];
-    const Exact p = image(ends[0], pose_s), q = image(ends[1], pose_s), a = image(t[0], pose_t),
-                b = image(t[1], pose_t), c = image(t[2], pose_t);
-    const int of_p = turn(a, b, c, p), of_q = turn(a, b, c, q);
-    const std::array around{turn(p, q, a, b), turn(p, q, b, c), turn(p, q, c, a)};
+    const Exact p = image_of(ends[0], pose_s), q = image_of(ends[1], pose_s), a = image_of(t[0], pose_t),
+                b = image_of(t[1], pose_t), c = image_of(t[2], pose_t);
+    const int of_p = turn_of(a, b, c, p), of_q = turn_of(a, b, c, q);
+    const std::array around{turn_of(p, q, a, b), turn_of(p, q, b, c), turn_of(p, q, c, a)};
     const bool is_inner = of_p * of_q < 0 && around[0] != 0 && around[0] == around[1] && around[1] == around[2];
     const ConvexPolyhedron body{std::vector<Point3>(t.begin(), t.end())}, line{std::vector<Point3>{ends[0], ends[1]}};
     const bool meet = polyhedron_polyhedron_by_scan(body, pose_t, line, pose_s).meet();
