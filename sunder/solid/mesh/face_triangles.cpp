@@ -13,7 +13,7 @@ namespace sunder::solid {
 
 namespace {
 
-// The axis on which the normal is greatest, in floating point, which may choose any: of those on which it is not zero.
+// The axis on which the normal is greatest, as floating point has it.
 int widest_axis(std::span<const Point3> points, std::span<const std::uint32_t> corners) {
   Point3 normal;
   const Point3& first = points[corners[0]];
@@ -23,7 +23,15 @@ int widest_axis(std::span<const Point3> points, std::span<const std::uint32_t> c
     normal = {normal.x + u.y * v.z - u.z * v.y, normal.y + u.z * v.x - u.x * v.z, normal.z + u.x * v.y - u.y * v.x};
   }
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
-  return z >= x && z >= y ? 2 : y >= x ? 1 : 0;
+  if (x + y + z > 0) return z >= x && z >= y ? 2 : y >= x ? 1 : 0;
+  // Its parts cancel, or floating point has no number: an axis along which some corners are not on one line.
+  for (const int axis : {2, 1, 0}) {
+    for (std::size_t k = 2; k < corners.size(); ++k) {
+      const Point3 &a = points[corners[k - 2]], &b = points[corners[k - 1]], &c = points[corners[k]];
+      if (orient_2d_along(axis, a, b, c) != Sign::zero) return axis;
+    }
+  }
+  return 2;
 }
 
 class EarClipping {
@@ -33,13 +41,16 @@ class EarClipping {
 
   FaceTriangles run() {
     FaceTriangles result;
+    is_left_ = area_sign() != Sign::negative;
     if (ring_.size() > 3) {
-      is_left_ = area_sign() != Sign::negative;
       const bool is_convex = is_star_of_first();
       result.crosses_itself = !is_convex && crosses_itself();
       if (!is_convex) cut_ears(result.triangles);
     }
     for (std::size_t k = 1; k + 1 < ring_.size(); ++k) result.triangles.push_back({ring_[0], ring_[k], ring_[k + 1]});
+    for (const auto& [a, b, c] : result.triangles) {
+      if (turn(points_[a], points_[b], points_[c]) == Sign::negative) result.crosses_itself = true;
+    }
     return result;
   }
 
@@ -95,8 +106,8 @@ class EarClipping {
     for (std::size_t refused = 0; ring_.size() > 3;) {
       may_be_interrupted(static_cast<std::uint32_t>(ring_.size()));
       if (k >= ring_.size()) k = 0;
-      // Once around without an ear: then any.
-      if (is_ear(k) || refused > ring_.size()) {
+      // There and back at once: nothing is between. Once around without an ear: then any.
+      if (at(before(k)) == at(after(k)) || is_ear(k) || refused > ring_.size()) {
         triangles.push_back({ring_[before(k)], ring_[k], ring_[after(k)]});
         ring_.erase(ring_.begin() + static_cast<std::ptrdiff_t>(k));
         k = k > 0 ? k - 1 : ring_.size() - 1;
@@ -113,12 +124,25 @@ class EarClipping {
     if (turn(a, b, c) != Sign::positive) return false;
     for (std::size_t j = 0; j < ring_.size(); ++j) {
       const Point3& p = at(j);
-      if (p == a || p == b || p == c) continue;
+      if (p == a || p == b || p == c) {
+        if (j != before(k) && j != k && j != after(k) && enters(j, a, b, c)) return false;
+        continue;
+      }
       if (turn(a, b, p) != Sign::negative && turn(b, c, p) != Sign::negative && turn(c, a, p) != Sign::negative) {
         return false;
       }
     }
     return true;
+  }
+
+  // Of a corner at the place of a, b or c: does an edge of the face lead from it into the triangle?
+  bool enters(std::size_t j, const Point3& a, const Point3& b, const Point3& c) const {
+    return leads_into(at(j), at(before(j)), a, b, c) || leads_into(at(j), at(after(j)), a, b, c);
+  }
+
+  bool leads_into(const Point3& p, const Point3& to, const Point3& a, const Point3& b, const Point3& c) const {
+    const Point3 &next = p == a ? b : p == b ? c : a, &last = p == a ? c : p == b ? a : b;
+    return turn(p, next, to) == Sign::positive && turn(last, p, to) == Sign::positive;
   }
 
   std::span<const Point3> points_;

@@ -15,14 +15,17 @@ namespace sunder::solid {
 //
 // The face is looked at along the axis on which its normal (Newell's) has its greatest component. There ears are cut
 // off one by one: a corner is an ear if the turn at it is that of the face, and the triangle with its neighbours holds
-// no other corner. Where no corner is one, as of a face without area or one that crosses itself, any is cut off.
+// no other corner, and no edge from one at the place of its own. Where no corner is one, as of a face without area or
+// one that crosses itself, any is cut off.
 //   F1. A face of k corners gives k - 2 triangles. Each edge of the face is that of one, in its direction, and each
 //       other edge is that of two, once in each direction.
-//   F2. If the face does not cross itself as it is looked at, the triangles with area do not overlap there.
+//   F2. Where crosses_itself is false, no triangle turns against the face, as it is looked at. So if the face goes
+//       around no point twice, its triangles do not overlap there.
 // A face may touch itself, as one does that goes along a bridge to a hole and back.
 struct FaceTriangles {
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  bool crosses_itself = false;  // two edges cross in an inner point of both as it is looked at: F2 is not sure
+  // Two edges cross in an inner point of both, as it is looked at, or a triangle turns against the face.
+  bool crosses_itself = false;
 };
 
 // corners: numbers of points, no two that follow each other equal, three or more. Cost: k^2 signs where it is not

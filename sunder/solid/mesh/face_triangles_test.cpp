@@ -103,6 +103,19 @@ TEST(FaceTriangles, OfFacesThatCrossThemselves) {
   expect_right(bow, triangles_of(bow), false);
 }
 
+// Two triangles at one corner; a bow-tie that is seen along one axis only; a spike outwards.
+TEST(FaceTriangles, OfFacesThatTouchThemselves) {
+  const Ring pinch{{0, 2, 0}, {0, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {2, 1, 0}};
+  for (std::size_t first = 0; first < pinch.size(); ++first) {
+    Ring turned(pinch.begin() + static_cast<std::ptrdiff_t>(first), pinch.end());
+    turned.insert(turned.end(), pinch.begin(), pinch.begin() + static_cast<std::ptrdiff_t>(first));
+    expect_right(turned, triangles_of(turned));
+  }
+  EXPECT_TRUE(triangles_of({{0, 0, 0}, {0, 1, 1}, {0, 1, 0}, {0, 0, 1}}).crosses_itself);
+  const Ring spike{{2, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}};
+  expect_right(spike, triangles_of(spike));
+}
+
 TEST(FaceTriangles, OfFacesWithoutArea) {
   for (const Ring& ring : {Ring{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 0, 0}},
                            Ring{{0, 0, 0}, {1, 1, 1}, {0, 0, 0}, {1, 1, 1}}}) {

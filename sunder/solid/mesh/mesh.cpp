@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <utility>
 
 namespace sunder::solid {
@@ -143,6 +144,21 @@ std::string_view name_of(PieceKind kind) { return name_in<PieceKind::open>({"ori
 
 Mesh::Mesh(const MeshView& given) {
   if (given.polygon_count() == 0) throw Error(ErrorCode::bad_shape, "the mesh has no face; give one that has");
+  for (const Point3& p : given.vertices) {
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
+    throw Error(ErrorCode::bad_value, "a coordinate is not finite; give finite ones",
+                "vertex " + std::to_string(&p - given.vertices.data()));
+  }
+  for (std::uint32_t face = 0; face < given.polygon_count(); ++face) {
+    const std::span<const std::uint32_t> corners = given.polygon(face);
+    if (corners.empty())
+      throw Error(ErrorCode::bad_shape, "it has no corner; leave it out", "face " + std::to_string(face));
+    for (const std::uint32_t corner : corners) {
+      if (corner < given.vertices.size()) continue;
+      throw Error(ErrorCode::bad_shape, "it names vertex " + std::to_string(corner) + ", which is not there",
+                  "face " + std::to_string(face));
+    }
+  }
   const MeshSides sides(given);
   std::vector<std::uint32_t> number(given.vertices.size(), 0);  // of a point, plus 1; 0: not a corner yet
   const auto point_of = [&](std::uint32_t vertex) {

@@ -26,12 +26,14 @@ std::string_view name_of(PieceKind kind);  // "oriented", "unoriented", "open"
 
 // Immutable; any number of threads may use it. Coordinates are exact, in any unit.
 //   M1. No two points are equal, and each is a corner of a triangle.
-//   M2. Faces of more corners are triangulated (face_triangles.h). Corners of a face that repeat the one before count
-//       once; a face that has less than three then is a triangle that repeats a corner. Triangles may have no area.
-//   M3. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the
-//       other.
-//   M4. An edge that does not occur as often as its opposite is cut at the ends of other such edges that lie inside it,
-//       exactly (T-junctions); what is left then tells the kind of its piece.
+//   M2. Faces of more corners are triangulated (face_triangles.h). A corner that repeats the one before, the last one
+//       before the first, is left out; what has less than three then is a triangle that repeats a corner. Triangles may
+//       have no area.
+//   M3. Of an edge without direction, say how often triangles go along it there and back. If these numbers differ, it
+//       is cut at each end of another such edge that is inside it, exactly (a T-junction). Parts of edges that have the
+//       same ends are one then, and their numbers tell the kind of a piece.
+//   M4. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the
+//       other. So a loose triangle at a corner of a closed body makes the piece open.
 class Mesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -40,12 +42,13 @@ class Mesh {
     PieceKind kind = PieceKind::open;
     std::uint32_t first = 0;        // its first triangle, in the order of the faces
     std::uint32_t triangles = 0;    // how many it has
-    std::uint64_t open_edges = 0;   // parts of edges that are of an odd number of triangles
-    std::uint64_t t_junctions = 0;  // ends of edges inside others, at which these were cut
+    std::uint64_t open_edges = 0;   // after the cuts: those of an odd number of triangles
+    std::uint64_t t_junctions = 0;  // cuts: pairs of an edge and a point inside it
   };
 
-  // Throws Error bad_shape where it has no face. Requires fewer than 2^31 points. Cost: n log n, and what faces of many
-  // corners take.
+  // Throws Error bad_shape where it has no face, or a face has no corner or names a vertex that is not there; bad_value
+  // where a coordinate is not finite. Requires fewer than 2^31 points. Cost: n log n, and what faces of many corners
+  // take.
   explicit Mesh(const MeshView& given);
 
   std::span<const Point3> points() const { return points_; }
@@ -56,7 +59,7 @@ class Mesh {
   // Faces that cross themselves, as their triangulation looks at them.
   std::span<const std::uint32_t> crossing_faces() const { return crossing_faces_; }
 
-  // Is each piece closed? Is there a closed one?
+  // Is each piece closed, that is, not open? Is there a closed one? (It may be flat, and have no inner point.)
   bool is_closed() const;
   bool has_inside() const;
   // What is inside of the closed pieces: by the winding number of all together, if all of them are oriented; by the

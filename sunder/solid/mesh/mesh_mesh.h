@@ -1,8 +1,8 @@
 // Do two meshes meet, as they are? Each is the solid that its closed pieces bound, and the surface of its open ones.
 // Also called: mesh collision, mesh-mesh intersection; interference, clash detection.
 //
-// They meet iff two of their triangles do, or the surfaces are apart and a piece of one is inside of the other (then
-// each of its points is). Touching is meeting. That a body is inside of an open piece has no meaning.
+// They meet iff two of their triangles do, or the surfaces are apart and a piece of one, which is connected, is inside
+// of the other with all its points. Touching is meeting. What an open piece seems to enclose is not asked.
 #pragma once
 
 #include <sunder/certificate/pair_answer.h>
@@ -36,8 +36,10 @@ using MeshEvidence = std::variant<MeshesApart, MeetingTriangles, PointWithin>;
 // probes: boxes of the trees and of triangles that were compared; iterations: pairs of triangles whose boxes meet
 using MeshAnswer = Answer<MeshEvidence>;
 
-// Exact, under poses. Cost: the pairs of nodes of both trees (mesh_tree.h) whose boxes in the world meet; where no two
-// triangles meet, for each piece what is near a segment from it out of the other mesh. Allocates nothing.
+// Exact, under poses. Requires that the entries of each pose are below 2^1000, or the coordinates of its mesh below
+// 2^1020. Cost: the pairs of nodes of both trees (mesh_tree.h) whose boxes in the world meet; where no two triangles
+// meet, for each piece what is near a segment from it out of the other mesh. Allocates nothing, but where signs take
+// long exact numbers.
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
 // Each triangle with each.

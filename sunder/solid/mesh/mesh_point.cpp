@@ -3,7 +3,6 @@
 #include <sunder/base/interruption.h>
 #include <sunder/base/names.h>
 #include <sunder/base/random.h>
-#include <sunder/predicate/point/orient.h>
 
 #include <algorithm>
 #include <array>
@@ -14,18 +13,19 @@ namespace sunder::solid {
 
 namespace {
 
-// Points of the world beyond a placed mesh: surely, as all corners of its box are before them along an axis. They are
-// about straight before or behind a point, on the side where the mesh ends first, so that few boxes are between.
+// Points beyond a placed mesh: in the frame of the mesh they are beyond its box along an axis, on the side where a point
+// is nearest to its end, and about straight before or behind that point, so that few triangles are between.
 class PointsBeyond {
  public:
-  PointsBeyond(const PlacedMesh& placed, const Posed3& from) : from_(enclosure(from)), mesh_(placed.node_box(1)) {
-    const auto [low, high] = placed.mesh().box();
-    for (std::size_t k = 0; k < 8; ++k) {
-      corners_[k] = placed.at({(k & 1 ? low : high).x, (k & 2 ? low : high).y, (k & 4 ? low : high).z});
-    }
+  PointsBeyond(const PlacedMesh& placed, const Posed3& from) : pose_(*placed.at(0u).pose), box_(placed.mesh().box()) {
+    from_ = about_in_frame(from);
+    // Numbers of points are a quarter of their coordinates, so that there are points beyond any box.
+    times_numbers_ = size_range(std::span<const double>(pose_.linear)).greatest < 0x1p1000 ? 4 : 1;
+    for (double& entry : pose_.linear) entry *= times_numbers_;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < 3; ++c) {
-      const double before = from_.high[c] - mesh_.low[c], behind = mesh_.high[c] - from_.low[c];
+      size_ = std::max(size_, box_.high[c] / 2 - box_.low[c] / 2);
+      const double before = from_[c] / 2 - box_.low[c] / 2, behind = box_.high[c] / 2 - from_[c] / 2;
       if (std::min(before, behind) >= least) continue;
       least = std::min(before, behind);
       axis_ = c;
@@ -33,37 +33,52 @@ class PointsBeyond {
     }
   }
 
-  // Another one each time, further and further away.
-  Point3 next() {
+  // Another one each time, further away, and further to the sides.
+  Posed3 next() {
     while (true) {
       Point3 q;
-      double size = 0x1p-1000;
-      for (std::size_t c = 0; c < 3; ++c) size = std::max(size, mesh_.high[c] / 2 - mesh_.low[c] / 2);
-      for (std::size_t c = 0; c < 3; ++c) q[c] = from_.low[c] + 0x1p-8 * size * random_.uniform(-1, 1);
-      const double end = is_up_ ? mesh_.high[axis_] : mesh_.low[axis_];
-      const double step = times_ * std::max(size, std::fabs(end) * 0x1p-40) * random_.uniform(0.5, 1);
-      q[axis_] = is_up_ ? std::max(end, from_.high[axis_]) + step : std::min(end, from_.low[axis_]) - step;
-      for (std::size_t c = 0; c < 3; ++c) q[c] = std::clamp(q[c], -0x1.fffffp+1023, 0x1.fffffp+1023);
-      times_ *= 2;
-      if (is_beyond(q)) return q;
+      for (std::size_t c = 0; c < 3; ++c)
+        q[c] = from_[c] / times_numbers_ + 0x1p-6 * times_ * size_ * random_.uniform(-1, 1);
+      const double end = is_up_ ? std::max(box_.high[axis_], from_[axis_]) : std::min(box_.low[axis_], from_[axis_]);
+      const double step = (times_ * size_ + std::fabs(end) * 0x1p-52) * random_.uniform(0.5, 1);
+      q[axis_] = end / times_numbers_ + (is_up_ ? step : -step);
+      if (times_ < 0x1p+60) times_ *= 2;
+      for (std::size_t c = 0; c < 3; ++c) q[c] = std::clamp(q[c], -most, most);
+      const double there = times_numbers_ * q[axis_];
+      if (is_up_ ? there > box_.high[axis_] : there < box_.low[axis_]) return posed(q, pose_);
     }
   }
 
  private:
-  bool is_beyond(const Point3& q) const {
-    const Affine3 identity;
-    const Posed3 end = posed(q, identity);
-    const Sign wanted = is_up_ ? Sign::positive : Sign::negative;
-    return std::all_of(corners_.begin(), corners_.end(), [&](const Posed3& corner) {
-      return compare_coordinate(static_cast<int>(axis_), corner, end) == wanted;
-    });
+  static constexpr double most = std::numeric_limits<double>::max();
+
+  // Floating point will do. Somewhere in the box, where it finds no number.
+  Point3 about_in_frame(const Posed3& p) const {
+    const auto& [m, t] = pose_;
+    const auto& [n, s] = *p.pose;
+    Point3 d, result;
+    for (std::size_t r = 0; r < 3; ++r) {
+      d[r] = n[3 * r] * p.point.x + n[3 * r + 1] * p.point.y + n[3 * r + 2] * p.point.z + s[r] - t[r];
+    }
+    const auto minor = [&](std::size_t r, std::size_t c) {
+      const std::size_t r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
+      return m[3 * r1 + c1] * m[3 * r2 + c2] - m[3 * r1 + c2] * m[3 * r2 + c1];
+    };
+    const double determinant = m[0] * minor(0, 0) + m[1] * minor(0, 1) + m[2] * minor(0, 2);
+    for (std::size_t c = 0; c < 3; ++c) {
+      result[c] = (minor(0, c) * d.x + minor(1, c) * d.y + minor(2, c) * d.z) / determinant;
+      if (!(std::fabs(result[c]) <= most)) result[c] = box_.low[c] / 2 + box_.high[c] / 2;
+    }
+    return result;
   }
 
-  Box3 from_, mesh_;
-  std::array<Posed3, 8> corners_{};
+  Affine3 pose_;
+  Box3 box_;
+  Point3 from_;
+  double size_ = 0x1p-1020, times_numbers_ = 1;
   std::size_t axis_ = 0;
   bool is_up_ = true;
-  double times_ = 0x1p-4;
+  double times_ = 0x1p-5;
   Random random_{20261130};
 };
 
@@ -94,11 +109,11 @@ MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
     result.place = MeshPlace::on;
     return result;
   }
-  const Affine3 identity;
   PointsBeyond beyond(placed, point);
   while (!result.winding) {
+    may_be_interrupted(100);
     ++result.cost.proposals;
-    result.winding = crossings_along(placed, point, posed(beyond.next(), identity), result.cost);
+    result.winding = crossings_along(placed, point, beyond.next(), result.cost);
   }
   if (!mesh.is_by_winding()) result.winding = *result.winding % 2 == 0 ? 0 : 1;
   result.place = *result.winding == 0 ? MeshPlace::outside : MeshPlace::inside;

@@ -5,7 +5,7 @@
 // whose ray crosses them an odd number of times. Of open pieces nothing is asked here but whether the point is on them.
 //
 // A segment from the point to somewhere beyond the mesh is moved until it meets each triangle in an inner point of
-// both, or not at all. The crossings, with their signs, sum up to the winding number.
+// both, or not at all; almost every segment is so. The crossings, with their signs, sum up to the winding number.
 #pragma once
 
 #include <sunder/base/cost.h>
@@ -26,18 +26,21 @@ std::string_view name_of(MeshPlace place);  // "outside", "on", "inside"
 
 struct MeshPoint {
   MeshPlace place = MeshPlace::outside;
-  // How often the closed pieces wind around it, where all of them are oriented; else the crossings modulo 2. Not where
-  // it is on a triangle.
+  // How often the closed pieces wind around it, where all of them are oriented: 1 inside of one whose triangles are
+  // counter-clockwise seen from outside, -1 if the pose mirrors it. Else the number of crossings modulo 2. Nothing
+  // where it is on a triangle.
   std::optional<std::int64_t> winding;
   Cost cost;  // probes: boxes of the tree and triangles that were looked at
 };
 
-// The segment from one point to another crosses the closed pieces so often: once up and once down (predicate/line/
-// space_triangles.h) cancel. Nothing where it touches a triangle of them elsewhere than in an inner point of both.
+// How often the segment from one point to another leaves what the closed pieces bound, less how often it enters: a sum
+// of signs, whatever the pieces. Nothing where it has a point in common with an edge of one of their triangles, or one
+// of its ends is on a triangle.
 // Exact. cost.probes grows by the boxes of the tree and the triangles that are looked at.
 std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to, Cost& cost);
 
-// Exact. Both in the world. Cost: what is near the point, and near a segment from it out of the mesh.
+// Exact. Both in the world. Requires that the entries of the pose are below 2^1000, or the coordinates of the mesh
+// below 2^1020. Cost: what is near the point, and near a segment from it out of the mesh.
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point);
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Point3& point);
 

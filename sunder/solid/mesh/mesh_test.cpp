@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <limits>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -174,8 +176,22 @@ TEST(Mesh, AFaceThatCrossesItselfIsNamed) {
 
 TEST(Mesh, WithoutFacesIsRefused) {
   Given given;
-  given.points = {{0, 0, 0}};
+  given.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_THROW(given.mesh(), Error);
+  const auto wrong = [&](const std::vector<std::uint32_t>& face) {
+    Given bad = given;
+    bad.faces = {{0, 1, 2}, face};
+    try {
+      static_cast<void>(bad.mesh());
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(wrong({}), "face 1: it has no corner; leave it out");
+  EXPECT_EQ(wrong({0, 1, 7}), "face 1: it names vertex 7, which is not there");
+  given.points[1].y = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(wrong({0, 1, 2}), "vertex 1: a coordinate is not finite; give finite ones");
 }
 
 TEST(MeshPoint, WindingsOfCavitiesAndOfTwoBoxesInOne) {
@@ -187,6 +203,39 @@ TEST(MeshPoint, WindingsOfCavitiesAndOfTwoBoxesInOne) {
   EXPECT_EQ(mesh_point(of_two, Pose(), Point3{2, 2, 2}).winding, 2);
   EXPECT_EQ(mesh_point(of_two, Pose(), Point3{2, 2, 5}).winding, 0);
   EXPECT_FALSE(mesh_point(of_two, Pose(), Point3{2, 2, 4}).winding.has_value());
+}
+
+// A few last bits wide; and as wide as the doubles, or wider.
+TEST(MeshPoint, OfMeshesAtTheEndsOfTheRange) {
+  const Affine3 identity;
+  for (const double x : {1.0, 2.0, 3.0, 7.0, 64.0}) {
+    const double low = 1 - x * 0x1p-52, high = 1 + x * 0x1p-52;
+    const Mesh mesh = box({low, low, low}, {high, high, high}).mesh();
+    EXPECT_EQ(place_of(mesh, {1, 1, 1}), MeshPlace::inside) << x;
+    EXPECT_EQ(place_of(mesh, {1, 1, 2}), MeshPlace::outside) << x;
+  }
+  const Mesh five = box({-1, -1, -1}, {4, 4, 4}).mesh();
+  const Pose tiny = Pose::from_matrix({1e-200, 0, 0, 0, 1e-200, 0, 0, 0, 1e-200}, {2, 3, 3});
+  EXPECT_EQ(mesh_point(five, tiny, posed({0, 0, 0}, tiny.affine())).place, MeshPlace::inside);
+  EXPECT_EQ(mesh_point(five, tiny, posed({5, 0, 0}, tiny.affine())).place, MeshPlace::outside);
+  constexpr double most = std::numeric_limits<double>::max();
+  EXPECT_EQ(place_of(box({-most, -most, -most}, {most, most, most}).mesh(), {0.3, 0.2, 0.1}), MeshPlace::inside);
+  EXPECT_EQ(place_of(box({0, 0, 0}, {most, most, most}).mesh(), {-1, -1, -1}), MeshPlace::outside);
+  const Mesh two = box({0, 0, 0}, {2, 2, 2}).mesh();
+  const Pose huge = Pose::from_matrix({0x1p1023, 0, 0, 0, 0x1p1023, 0, 0, 0, 0x1p1023}, {0, 0, 0});
+  EXPECT_EQ(mesh_point(two, huge, posed({1, 1.25, 1.5}, huge.affine())).place, MeshPlace::inside);
+  EXPECT_FALSE(mesh_mesh(box({0, 0, 0}, {1, 1, 1}).mesh(), Pose(), box({2, 2, 2}, {4, 4, 4}).mesh(), huge).meet());
+}
+
+// The last bit of a coordinate that is subnormal, times 2^1000.
+TEST(MeshPoint, BoxesOfNodesHoldWhatHalvingLoses) {
+  const double a = 5e-324;
+  const Given thin{{{a, 0, 0}, {a, 1e-300, 0}, {a, 0, 1e-300}}, {{0, 1, 2}}},
+      other{{{0x1p-74, 0, 0}, {0x1p-74, 1, 0}, {0x1p-74, 0, 1}}, {{0, 1, 2}}};
+  const Pose pose = Pose::from_matrix({0x1p1000, 0, 0, 0, 0x1p1000, 0, 0, 0, 0x1p1000}, {0, 0, 0});
+  EXPECT_TRUE(mesh_mesh_by_scan(thin.mesh(), pose, other.mesh(), Pose()).meet());
+  EXPECT_TRUE(mesh_mesh(thin.mesh(), pose, other.mesh(), Pose()).meet());
+  EXPECT_EQ(mesh_point(thin.mesh(), pose, Point3{0x1p-74, 0, 0}).place, MeshPlace::on);
 }
 
 TEST(MeshPoint, SegmentsThatTouchTellNothing) {

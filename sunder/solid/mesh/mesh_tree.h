@@ -1,9 +1,9 @@
 // A tree of boxes over the triangles of a mesh, in the mesh's frame, which is made once and asked under any pose.
 // Also called: bounding volume hierarchy (BVH), AABB tree.
 //
-// A complete binary tree: node k has the children 2 k and 2 k + 1, the root is 1, and leaf l is node leaves() + l. It is
-// halved along the axis on which the middles of the triangles' boxes are spread most. A node's box holds the triangles
-// of all leaves below it.
+// A complete binary tree: node k has the children 2 k and 2 k + 1, the root is 1, and leaf l is node leaves() + l. It
+// is halved along the axis on which the middles of the triangles' boxes are spread most. A node's box holds the
+// triangles of all leaves below it.
 #pragma once
 
 #include <sunder/predicate/point.h>

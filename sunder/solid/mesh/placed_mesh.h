@@ -50,7 +50,7 @@ class PlacedMesh {
 
   const Mesh& mesh() const { return mesh_; }
   Posed3 at(std::uint32_t point) const { return at(mesh_.points()[point]); }
-  // Of a point whose coordinates are those of points of the mesh.
+  // Of a point whose coordinates are each one of some point of the mesh.
   Posed3 at(const Point3& p) const { return {p, &pose_.affine(), tame_, reach_}; }
   PosedTriangle triangle(std::uint32_t t) const {
     const Mesh::Triangle& corners = mesh_.triangles()[t];
@@ -80,7 +80,7 @@ class PlacedMesh {
       for (std::size_t c = 0; c < 3; ++c) {
         const double entry = m[3 * r + c];
         at += entry * middle[c];
-        reach += std::fabs(entry) * half[c];
+        reach += std::fabs(entry) * half[c] + std::fabs(entry) * 0x1p-1072;  // what halving subnormals may lose
         sizes += std::fabs(entry * middle[c]);
       }
       const double error = (sizes + reach) * 0x1p-48 + 0x1p-1020;
