@@ -289,10 +289,10 @@ void add_surface(Info& info, const io::Mesh& mesh) {
              fmt::format("{} inside edges of other triangles (T-junctions), exactly", count_of(t_junctions, "corner")));
   }
   if (!given.crossing_faces().empty()) {
-    info.add("", fmt::format("{} itself, the first is polygon {}",
-                             given.crossing_faces().size() == 1
-                                 ? "1 polygon crosses"
-                                 : fmt::format("{} polygons cross", given.crossing_faces().size()),
+    const std::size_t count = given.crossing_faces().size();
+    info.add("", fmt::format("{}, the first is polygon {}",
+                             count == 1 ? "1 polygon crosses or touches itself"
+                                        : fmt::format("{} polygons cross or touch themselves", count),
                              given.crossing_faces()[0]));
   }
 }

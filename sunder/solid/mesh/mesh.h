@@ -56,7 +56,7 @@ class Mesh {
   std::uint32_t face_of(std::uint32_t triangle) const { return face_of_[triangle]; }
   std::uint32_t piece_of(std::uint32_t triangle) const { return piece_of_[triangle]; }
   std::span<const Piece> pieces() const { return pieces_; }  // in the order of their first triangles
-  // Faces that cross themselves, as their triangulation looks at them.
+  // Faces that cross themselves, or touch themselves so that triangles may overlap (FaceTriangles::crosses_itself).
   std::span<const std::uint32_t> crossing_faces() const { return crossing_faces_; }
 
   // Is each piece closed, that is, not open? Is there a closed one? (It may be flat, and have no inner point.)

@@ -207,7 +207,6 @@ TEST(MeshPoint, WindingsOfCavitiesAndOfTwoBoxesInOne) {
 
 // A few last bits wide; and as wide as the doubles, or wider.
 TEST(MeshPoint, OfMeshesAtTheEndsOfTheRange) {
-  const Affine3 identity;
   for (const double x : {1.0, 2.0, 3.0, 7.0, 64.0}) {
     const double low = 1 - x * 0x1p-52, high = 1 + x * 0x1p-52;
     const Mesh mesh = box({low, low, low}, {high, high, high}).mesh();
