@@ -54,7 +54,8 @@ class PointsBeyond {
 
   // Floating point will do. Somewhere in the box, where it finds no number.
   Point3 about_in_frame(const Posed3& p) const {
-    const auto& [m, t] = pose_;
+    const std::array<double, 9>& m = pose_.linear;
+    const std::array<double, 3>& t = pose_.translation;
     const auto& [n, s] = *p.pose;
     Point3 d, result;
     for (std::size_t r = 0; r < 3; ++r) {
