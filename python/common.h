@@ -157,7 +157,7 @@ auto unlocked(const Work& work) {
   return work();
 }
 
-// Of the text that `make` makes, without the lock.
+// Calls `make` without the lock, and returns its text as bytes.
 template <class Make>
 nb::bytes bytes_of(const Make& make) {
   const std::string text = unlocked(make);

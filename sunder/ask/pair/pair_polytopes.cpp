@@ -34,7 +34,7 @@ using polytope::PolytopeAnswer;
 using PolytopeMethod =
     Named<PolytopeAnswer(const Polytope&, const polytope::Pose&, const Polytope&, const polytope::Pose&)>;
 
-// Of trees that are made before: without a method that needs none.
+// The last two work on trees, which Prepared makes first; so they have no function of two polytopes here.
 constexpr std::array<PolytopeMethod, 5> methods{{SUNDER_METHOD("automatic", polytope::polytope_polytope),
                                                  SUNDER_METHOD("gjk", polytope::polytope_polytope_by_gjk),
                                                  SUNDER_METHOD("scan", polytope::polytope_polytope_by_scan),
@@ -56,7 +56,7 @@ class Prepared {
       prepare(walks_a_, a);
       prepare(walks_b_, b);
     } else if (method.name == "tree") {
-      // Of the faces of one, and of the polar of the other, which has to be about a point inside.
+      // The method needs the faces of one body and the faces of the other one's polar; that body must have an inside.
       prepare(faces_b_, b, polytope::FaceTreesOf::polar);
       const bool is_full = faces_b_->is_full();
       if (!is_full) prepare(faces_b_, b, polytope::FaceTreesOf::faces);
@@ -70,7 +70,7 @@ class Prepared {
     return method_(a_, pose_a, b_, pose_b);
   }
 
-  // Of an answer by trees that they are apart.
+  // Requires that ask() used trees, and said that they are apart.
   HyperplaneEvidence hyperplanes(const polytope::Pose& pose_a, const polytope::Pose& pose_b,
                                  const PolytopeAnswer& answer) const {
     if (walks_a_) return parting_hyperplanes(*walks_a_, pose_a, *walks_b_, pose_b, answer);

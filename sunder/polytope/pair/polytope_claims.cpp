@@ -67,7 +67,7 @@ void add_holds(ClaimsWriter& file, const Weights& weights) {
   file.end_claim();
 }
 
-// Of a and b in the table, with these numbers.
+// Writes the statement about two entries of the table, which have these numbers, and its claims.
 void add_statement(ClaimsWriter& file, const NamedPolytope& a, std::uint32_t index_a, const NamedPolytope& b,
                    std::uint32_t index_b, const PolytopeAnswer& answer, bool as_polytopes) {
   const ExactEvidence evidence = exact_evidence(a.polytope, a.pose, b.polytope, b.pose, answer);

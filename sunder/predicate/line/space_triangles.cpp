@@ -22,7 +22,7 @@ bool are_equal(const Posed3& p, const Posed3& q, StageTally* tally) {
   return true;
 }
 
-// Of points on one line: is p before q, by the first coordinate that is not equal?
+// Is p before q? The first coordinate that differs tells. Both are on one line with all others that are compared.
 bool is_before(const Posed3& p, const Posed3& q, StageTally* tally) {
   for (int axis = 0; axis < 3; ++axis) {
     const Sign sign = compare_coordinate(axis, p, q, tally);
@@ -52,7 +52,7 @@ Spanned spanned(const PosedTriangle& t, StageTally* tally) {
   return result;
 }
 
-// Of three points on one line: is p between a and b, ends included?
+// Does p lie on the segment from a to b? All three are on one line.
 bool is_between(const Posed3& a, const Posed3& b, const Posed3& p, StageTally* tally) {
   const bool forward = !is_before(b, a, tally);
   const Posed3 &low = forward ? a : b, &high = forward ? b : a;
@@ -63,7 +63,7 @@ bool are_collinear_posed(const Posed3& a, const Posed3& b, const Posed3& c, Stag
   return !axis_with_area(a, b, c, tally);
 }
 
-// Of p in the plane of the triangle, which has area.
+// Does the triangle hold p? It has area, and p lies in its plane.
 bool holds_in_plane(const Spanned& t, const Posed3& p, StageTally* tally) {
   bool some_left = false, some_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
