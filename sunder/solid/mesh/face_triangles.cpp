@@ -2,8 +2,8 @@
 
 #include <sunder/base/contract.h>
 #include <sunder/base/interruption.h>
-#include <sunder/number/dyadic.h>
 #include <sunder/predicate/point/orient.h>
+#include <sunder/predicate/point/ring_area.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ class EarClipping {
 
   FaceTriangles run() {
     FaceTriangles result;
-    is_left_ = area_sign() != Sign::negative;
+    is_left_ = ring_area_along(axis_, points_, ring_) != Sign::negative;
     if (ring_.size() > 3) {
       const bool is_convex = is_star_of_first();
       result.crosses_itself = !is_convex && crosses_itself();
@@ -62,17 +62,6 @@ class EarClipping {
   Sign turn(const Point3& a, const Point3& b, const Point3& c) const {
     const Sign sign = orient_2d_along(axis_, a, b, c);
     return is_left_ ? sign : -sign;
-  }
-
-  // Twice the area as it is looked at, its sign, exactly.
-  Sign area_sign() const {
-    const std::size_t u = axis_ == 2 ? 0 : axis_ == 1 ? 2 : 1, v = axis_ == 2 ? 1 : axis_ == 1 ? 0 : 2;
-    Dyadic sum;
-    for (std::size_t k = 0; k < ring_.size(); ++k) {
-      const Point3 &p = at(k), &q = at(after(k));
-      sum = sum + Dyadic(p[u]) * Dyadic(q[v]) - Dyadic(p[v]) * Dyadic(q[u]);
-    }
-    return sum.sign();
   }
 
   // Do the triangles from the first corner turn as the face, all of them, and does no edge turn away? Then it is
@@ -135,7 +124,7 @@ class EarClipping {
     return true;
   }
 
-  // Of a corner at the place of a, b or c: does an edge of the face lead from it into the triangle?
+  // Corner j lies at a, b or c. Does one of its two edges lead into the triangle?
   bool enters(std::size_t j, const Point3& a, const Point3& b, const Point3& c) const {
     return leads_into(at(j), at(before(j)), a, b, c) || leads_into(at(j), at(after(j)), a, b, c);
   }
