@@ -74,23 +74,18 @@ std::vector<EdgeCount> edges_of(std::span<const Mesh::Triangle> triangles) {
   return edges;
 }
 
-Box3 box_of(const Point3& p, const Point3& q) {
-  return {{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
-          {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
-}
-
 struct EdgeCut {
   std::uint32_t edge, point;
 };
 
-// Of edges that are not balanced, at the ends of others.
+// Cuts each edge at the ends of others that lie inside it. The edges are those that are not balanced.
 std::vector<EdgeCut> cuts_of(std::span<const Point3> points, std::span<const EdgeCount> edges) {
   std::vector<std::uint32_t> ends;
   std::vector<Box3> boxes;
   for (const EdgeCount& e : edges) {
     ends.push_back(e.low);
     ends.push_back(e.high);
-    boxes.push_back(box_of(points[e.low], points[e.high]));
+    boxes.push_back(hull(Box3{points[e.low], points[e.low]}, {points[e.high], points[e.high]}));
   }
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
@@ -138,12 +133,8 @@ std::vector<EdgeCount> cut_edges(std::span<const Point3> points, std::span<const
   return parts;
 }
 
-}  // namespace
-
-std::string_view name_of(PieceKind kind) { return name_in<PieceKind::open>({"oriented", "unoriented", "open"}, kind); }
-
-Mesh::Mesh(const MeshView& given) {
-  if (given.polygon_count() == 0) throw Error(ErrorCode::bad_shape, "the mesh has no face; give one that has");
+// Throws Error where a number is not finite, or a face names no vertex.
+void require_whole(const MeshView& given) {
   for (const Point3& p : given.vertices) {
     if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) continue;
     throw Error(ErrorCode::bad_value, "a coordinate is not finite; give finite ones",
@@ -159,6 +150,15 @@ Mesh::Mesh(const MeshView& given) {
                   "face " + std::to_string(face));
     }
   }
+}
+
+}  // namespace
+
+std::string_view name_of(PieceKind kind) { return name_in<PieceKind::open>({"oriented", "unoriented", "open"}, kind); }
+
+Mesh::Mesh(const MeshView& given) {
+  if (given.polygon_count() == 0) throw Error(ErrorCode::bad_shape, "the mesh has no face; give one that has");
+  require_whole(given);
   const MeshSides sides(given);
   std::vector<std::uint32_t> number(given.vertices.size(), 0);  // of a point, plus 1; 0: not a corner yet
   const auto point_of = [&](std::uint32_t vertex) {
@@ -184,20 +184,20 @@ Mesh::Mesh(const MeshView& given) {
   }
   tree_ = MeshTree(points_, triangles_);
   sizes_ = size_range(points_);
+  find_pieces();
+}
 
-  // Pieces, by their points; then what kind each is.
-  const std::vector<EdgeCount> edges = edges_of(triangles_);
-  std::vector<EdgeCount> others;
-  for (const EdgeCount& e : edges) {
-    if (!e.is_balanced()) others.push_back(e);
-  }
-  const std::vector<EdgeCut> cuts = cuts_of(points_, others);
+// By their points; then what kind each is.
+void Mesh::find_pieces() {
+  std::vector<EdgeCount> edges = edges_of(triangles_);
+  std::erase_if(edges, [](const EdgeCount& e) { return e.is_balanced(); });
+  const std::vector<EdgeCut> cuts = cuts_of(points_, edges);
   Joined joined(points_.size());
   for (const Triangle& t : triangles_) {
     joined.join(t[0], t[1]);
     joined.join(t[0], t[2]);
   }
-  for (const EdgeCut& cut : cuts) joined.join(others[cut.edge].low, cut.point);
+  for (const EdgeCut& cut : cuts) joined.join(edges[cut.edge].low, cut.point);
   constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> piece_of_root(points_.size(), none);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
@@ -211,7 +211,7 @@ Mesh::Mesh(const MeshView& given) {
   }
   const auto piece_at = [&](std::uint32_t point) -> Piece& { return pieces_[piece_of_root[joined.find(point)]]; };
   for (const EdgeCut& cut : cuts) ++piece_at(cut.point).t_junctions;
-  for (const EdgeCount& e : cut_edges(points_, others, cuts)) {
+  for (const EdgeCount& e : cut_edges(points_, edges, cuts)) {
     Piece& piece = piece_at(e.low);
     if (!e.is_even()) ++piece.open_edges;
     if (!e.is_balanced()) piece.kind = std::max(piece.kind, e.is_even() ? PieceKind::unoriented : PieceKind::open);

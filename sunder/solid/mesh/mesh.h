@@ -72,6 +72,8 @@ class Mesh {
   const SizeRange& sizes() const { return sizes_; }  // of the coordinates
 
  private:
+  void find_pieces();
+
   std::vector<Point3> points_;
   std::vector<Triangle> triangles_;
   std::vector<std::uint32_t> face_of_, piece_of_, crossing_faces_;

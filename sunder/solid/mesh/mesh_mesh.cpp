@@ -20,6 +20,7 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const Mesh& othe
     const MeshPoint found = mesh_point(other, pose, of.at(point));
     cost.probes += found.cost.probes;
     cost.proposals += found.cost.proposals;
+    cost.exact += found.cost.exact;
     if (found.place == MeshPlace::inside) return point;
   }
   return std::nullopt;
@@ -28,8 +29,6 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const Mesh& othe
 struct NodePair {
   std::size_t a = 1, b = 1;
   Box3 box_a{}, box_b{};
-
-  bool are_parted() const { return solid::are_parted(box_a, box_b); }
 };
 
 double size_of(const Box3& box) {
@@ -41,10 +40,10 @@ std::optional<MeetingTriangles> first_pair_of_leaves(const PlacedMesh& a, const 
   for (const std::uint32_t t : a.mesh().tree().triangles(leaves.a)) {
     const Box3 box = a.box(t);
     ++cost.probes;
-    if (solid::are_parted(box, leaves.box_b)) continue;
+    if (!meet(box, leaves.box_b)) continue;
     for (const std::uint32_t u : b.mesh().tree().triangles(leaves.b)) {
       ++cost.probes;
-      if (solid::are_parted(box, b.box(u))) continue;
+      if (!meet(box, b.box(u))) continue;
       ++cost.iterations;
       if (triangles_meet(a.triangle(t), b.triangle(u), &tally)) return MeetingTriangles{t, u};
     }
@@ -63,7 +62,7 @@ std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const P
     may_be_interrupted(1);
     const NodePair here = waiting[--count];
     ++cost.probes;
-    if (here.are_parted()) continue;
+    if (!meet(here.box_a, here.box_b)) continue;
     const bool leaf_a = tree_a.is_leaf(here.a), leaf_b = tree_b.is_leaf(here.b);
     if (leaf_a && leaf_b) {
       if (const auto found = first_pair_of_leaves(a, b, here, cost, tally)) return found;
@@ -104,7 +103,7 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
   } else if (const auto of_b = point_within(placed_b, a, pose_a, answer.cost)) {
     answer.evidence = PointWithin{false, *of_b};
   }
-  conclude(answer, tally.exact);
+  conclude(answer, answer.cost.exact + tally.exact);
   return answer;
 }
 

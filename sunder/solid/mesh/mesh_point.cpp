@@ -91,22 +91,28 @@ std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Pose
                                             Cost& cost) {
   const Mesh& mesh = placed.mesh();
   std::int64_t sum = 0;
+  StageTally tally;
   const bool touches =
-      any_triangle_near(placed, joined(enclosure(from), enclosure(to)), cost.probes, [&](std::uint32_t t) {
+      any_triangle_near(placed, hull(enclosure(from), enclosure(to)), cost.probes, [&](std::uint32_t t) {
         may_be_interrupted(1);
         if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
-        const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t));
+        const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t), &tally);
         sum += crossing == TriangleCrossing::positive ? 1 : crossing == TriangleCrossing::negative ? -1 : 0;
         return crossing == TriangleCrossing::touch;
       });
+  cost.exact += tally.exact;
   return touches ? std::nullopt : std::optional(sum);
 }
 
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
   MeshPoint result;
-  if (any_triangle_near(placed, enclosure(point), result.cost.probes,
-                        [&](std::uint32_t t) { return triangles_meet({point, point, point}, placed.triangle(t)); })) {
+  StageTally tally;
+  const bool is_on = any_triangle_near(placed, enclosure(point), result.cost.probes, [&](std::uint32_t t) {
+    return triangles_meet({point, point, point}, placed.triangle(t), &tally);
+  });
+  result.cost.exact = tally.exact;
+  if (is_on) {
     result.place = MeshPlace::on;
     return result;
   }

@@ -1,8 +1,9 @@
 // Is a point inside of a mesh, in its surface, or outside?
 // Also called: point-in-polyhedron, point in solid; generalized winding number; ray casting, crossing number.
 //
-// What is inside is told by the closed pieces together (Mesh::is_by_winding): the points around which they wind, or
-// whose ray crosses them an odd number of times. Of open pieces nothing is asked here but whether the point is on them.
+// The closed pieces together bound the inside (Mesh::is_by_winding). A point is inside if they wind around it, or,
+// where only a parity tells, if a ray from it crosses them an odd number of times. Of open pieces nothing is asked here
+// but whether the point is on them.
 //
 // A segment from the point to somewhere beyond the mesh is moved until it meets each triangle in an inner point of
 // both, or not at all; almost every segment is so. The crossings, with their signs, sum up to the winding number.
@@ -30,7 +31,7 @@ struct MeshPoint {
   // counter-clockwise seen from outside, -1 if the pose mirrors it. Else the number of crossings modulo 2. Nothing
   // where it is on a triangle.
   std::optional<std::int64_t> winding;
-  Cost cost;  // probes: boxes of the tree and triangles that were looked at
+  Cost cost;  // probes: boxes of the tree and triangles that were looked at; proposals: segments that were tried
 };
 
 // How often the segment from one point to another leaves what the closed pieces bound, less how often it enters: a sum

@@ -15,13 +15,6 @@ Box3 box_of_none() {
   return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
 }
 
-void include(Box3& box, const Box3& other) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    box.low[c] = std::min(box.low[c], other.low[c]);
-    box.high[c] = std::max(box.high[c], other.high[c]);
-  }
-}
-
 }  // namespace
 
 MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles)
@@ -31,7 +24,7 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
   std::vector<Box3> boxes(triangles.size(), box_of_none());
   std::vector<Point3> middles(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t corner : triangles[t]) include(boxes[t], {points[corner], points[corner]});
+    for (const std::uint32_t corner : triangles[t]) boxes[t] = hull(boxes[t], {points[corner], points[corner]});
     for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
   }
   nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)),
@@ -39,10 +32,9 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
   split(middles, 0, leaves());
   for (std::size_t node = nodes_.size() - 1; node > 0; --node) {
     if (is_leaf(node)) {
-      for (const std::uint32_t t : this->triangles(node)) include(nodes_[node], boxes[t]);
+      for (const std::uint32_t t : this->triangles(node)) nodes_[node] = hull(nodes_[node], boxes[t]);
     } else {
-      include(nodes_[node], nodes_[2 * node]);
-      include(nodes_[node], nodes_[2 * node + 1]);
+      nodes_[node] = hull(nodes_[2 * node], nodes_[2 * node + 1]);
     }
   }
 }

@@ -28,7 +28,7 @@ class MeshTree {
   std::size_t leaves() const { return nodes_.size() / 2; }
   bool is_leaf(std::size_t node) const { return node >= leaves(); }
   const Box3& box(std::size_t node) const { return nodes_[node]; }
-  // Of a leaf. There may be none.
+  // The triangles of a leaf, from 0 to leaf_size.
   std::span<const std::uint32_t> triangles(std::size_t node) const {
     const std::size_t leaf = node - leaves();
     return std::span(order_).subspan(begin_of(leaf), begin_of(leaf + 1) - begin_of(leaf));

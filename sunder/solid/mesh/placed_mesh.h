@@ -28,15 +28,6 @@ inline Box3 enclosure(const Posed3& p) {
   return box;
 }
 
-inline Box3 joined(const Box3& a, const Box3& b) {
-  Box3 box{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    box.low[c] = std::min(a.low[c], b.low[c]);
-    box.high[c] = std::max(a.high[c], b.high[c]);
-  }
-  return box;
-}
-
 // Keeps references to both.
 class PlacedMesh {
  public:
@@ -60,7 +51,7 @@ class PlacedMesh {
   // A box that holds the image of the triangle.
   Box3 box(std::uint32_t t) const {
     const PosedTriangle corners = triangle(t);
-    return joined(joined(enclosure(corners[0]), enclosure(corners[1])), enclosure(corners[2]));
+    return hull(hull(enclosure(corners[0]), enclosure(corners[1])), enclosure(corners[2]));
   }
 
   // A box that holds the image of all triangles below a node of the tree. Its middle and half its size are mapped; a
@@ -98,14 +89,6 @@ class PlacedMesh {
   double reach_;
 };
 
-// Have they no common point?
-inline bool are_parted(const Box3& a, const Box3& b) {
-  for (std::size_t c = 0; c < 3; ++c) {
-    if (a.high[c] < b.low[c] || b.high[c] < a.low[c]) return true;
-  }
-  return false;
-}
-
 // Calls of_triangle(t) with each triangle whose leaf's box meets this box of the world, until it returns true. Returns
 // whether it did. Cost: looks grows by boxes and triangles.
 template <class OfTriangle>
@@ -117,7 +100,7 @@ bool any_triangle_near(const PlacedMesh& placed, const Box3& box, std::uint64_t&
   while (count > 0) {
     const std::size_t node = waiting[--count];
     ++looks;
-    if (are_parted(placed.node_box(node), box)) continue;
+    if (!meet(placed.node_box(node), box)) continue;
     if (!tree.is_leaf(node)) {
       waiting[count++] = 2 * node + 1;
       waiting[count++] = 2 * node;
