@@ -42,7 +42,7 @@ Polytope round_body(Random& random, std::size_t d, std::size_t count, bool of_po
 struct Work {
   double mean = 0, scan = 0, front_door = 0;
   std::uint64_t most = 0;
-  int meets = 0, scanned = 0;
+  int meets = 0, scanned = 0, by_filter = 0;
   std::uint32_t depth = 0;
   std::size_t memory = 0, unverified = 0;
 };
@@ -71,6 +71,7 @@ Work work_of(std::size_t d, std::size_t count, int pairs, bool half_spaces, bool
     }
     work.meets += answer.meet();
     work.scanned += answer.decided_by == DecidedBy::finishing;
+    work.by_filter += answer.decided_by == DecidedBy::filter;
     work.mean += static_cast<double>(answer.cost.probes) / pairs;
     work.most = std::max(work.most, answer.cost.probes);
     work.depth = std::max({work.depth, a.depth(), b.depth()});
@@ -86,6 +87,9 @@ Work work_of(std::size_t d, std::size_t count, int pairs, bool half_spaces, bool
   EXPECT_GT(work.meets, 0);
   EXPECT_LT(work.meets, pairs);
   EXPECT_EQ(work.scanned, 0);
+  if (!half_spaces) {
+    EXPECT_GE(work.by_filter, pairs * 3 / 4);  // of walks in floating point alone
+  }
   return work;
 }
 

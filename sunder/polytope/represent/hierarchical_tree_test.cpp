@@ -67,6 +67,52 @@ void expect_right(const HierarchicalTree& tree, Random& random, int count, bool 
   }
 }
 
+// Walks in floating point: where they say that they found the end, no product is greater by more than its error. Of a
+// body each of whose points has others beside it, along directions near walls between cones, where single precision
+// takes the wrong one.
+TEST(HierarchicalTree, WalksInFloatingPointKnowWhereTheyMayBeWrong) {
+  Random random(6203);
+  int sure = 0, asked = 0, wrong = 0;
+  for (const std::size_t d : {2u, 3u, 4u}) {
+    std::vector<double> rows;
+    for (const double x : numbers_on_sphere(random, d, 150)) rows.push_back(x);
+    const std::size_t size = rows.size();
+    for (int k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < size; ++i) rows.push_back(rows[i] + random.uniform(-1e-5, 1e-5));
+    }
+    const HierarchicalTree tree(Polytope::from_points(d, std::move(rows)), {.leaf = d < 4 ? 8u : 48u});
+    TreeWalk walk(tree);
+    for (std::uint32_t cone = 0; cone < tree.cone_count();
+         cone += 1 + static_cast<std::uint32_t>(tree.cone_count() / 4000)) {
+      for (const double near : {1e-3, 1e-7, 1e-9}) {
+        ColumnNumbers direction{};
+        for (std::size_t c = 0; c < d; ++c) {
+          for (std::size_t k = 1; k < d; ++k) direction[c] += tree.ray(cone, k)[c];  // on a wall
+        }
+        for (std::size_t c = 0; c < d; ++c) direction[c] += near * std::fabs(direction[c]) * random.uniform(-1, 1);
+        Cost cost;
+        std::uint32_t looks = 0;
+        const ExactDirection exact(direction.begin(), direction.begin() + static_cast<std::ptrdiff_t>(d));
+        const FurthestPoint found = walk.likely_furthest(direction, TreeWalk::Reach::leaf, cost);
+        const Dyadic expected = exactly_furthest_along(tree.body().columns(), exact, looks).product;
+        const bool is_end = (expected - product(tree.body(), found.index, exact)).sign() == Sign::zero;
+        ++asked;
+        if (walk.was_to_the_end(direction, cost)) {
+          ++sure;
+          ColumnNumbers sizes{};
+          for (std::size_t c = 0; c < d; ++c) sizes[c] = std::fabs(direction[c]);
+          const double error = product_error(tree.body().columns(), sizes, 1);
+          ASSERT_LE((expected - Dyadic(found.product)).nearest(), error) << d << " " << cone;
+        }
+        wrong += !is_end;
+      }
+    }
+  }
+  std::printf("%d directions near walls: %d sure, %d ended elsewhere\n", asked, sure, wrong);
+  EXPECT_GT(sure, asked / 4);
+  EXPECT_GT(wrong, 10);
+}
+
 TEST(HierarchicalTree, WalksEndWhereScansDo) {
   Random random(1);
   for (std::size_t d = 2; d <= 6; ++d) {
