@@ -48,6 +48,8 @@ void append_list(std::string& text, const Values& values, const Append& append) 
   text += ']';
 }
 
+void append_exact(std::string& text, const Dyadic& x) { text += '"' + x.hexadecimal() + '"'; }
+
 void append_fraction(std::string& text, const Dyadic& x, const Dyadic& denominator) {
   text += '"' + fraction_text(x, denominator) + '"';
 }
@@ -271,7 +273,12 @@ void ClaimsWriter::doubles(std::string_view name, std::span<const double> values
 
 void ClaimsWriter::numbers(std::string_view name, std::span<const Dyadic> values) {
   key(name);
-  append_list(text_, values, [](std::string& text, const Dyadic& x) { text += '"' + x.hexadecimal() + '"'; });
+  append_list(text_, values, append_exact);
+}
+
+void ClaimsWriter::integers(std::string_view name, std::span<const std::int64_t> values) {
+  key(name);
+  append_list(text_, values, [](std::string& text, std::int64_t n) { text += std::to_string(n); });
 }
 
 void ClaimsWriter::fraction(std::string_view name, const Dyadic& value, const Dyadic& denominator) {
@@ -305,6 +312,11 @@ void ClaimsWriter::add_list(std::span<const std::uint32_t> values) {
 void ClaimsWriter::add_numbers(std::span<const double> values) {
   next();
   append_list(text_, values, append_double);
+}
+
+void ClaimsWriter::add_numbers(std::span<const Dyadic> values) {
+  next();
+  append_list(text_, values, append_exact);
 }
 
 void ClaimsWriter::begin_list() { open("[", true); }

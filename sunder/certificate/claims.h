@@ -74,6 +74,7 @@ class ClaimsWriter {
   void index(std::string_view key, std::uint32_t value);
   void number(std::string_view key, std::uint64_t value);
   void indices(std::string_view key, std::span<const std::uint32_t> values);
+  void integers(std::string_view key, std::span<const std::int64_t> values);
   void real(std::string_view key, double value);
   void doubles(std::string_view key, std::span<const double> values);
   void numbers(std::string_view key, std::span<const Dyadic> values);
@@ -89,6 +90,7 @@ class ClaimsWriter {
   // Entries of the list that is open.
   void add_list(std::span<const std::uint32_t> values);
   void add_numbers(std::span<const double> values);
+  void add_numbers(std::span<const Dyadic> values);
   void begin_list();  // a list itself
   void add_contact(std::uint32_t i, std::uint32_t j, std::string_view kind);
   void add_weight(std::uint32_t entry, const Dyadic& weight);

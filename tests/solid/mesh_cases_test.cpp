@@ -1,5 +1,6 @@
 // Pairs of meshes that are not convex, with right answers (cases/assemblies): whether each mesh is closed, and whether
 // they meet, in both orders, as they are and under maps.
+#include <tests/support/mesh_proofs.h>
 #include <tests/support/places.h>
 #include <tests/support/scale.h>
 
@@ -62,7 +63,7 @@ Pose some_map(Random& random) {
 
 TEST(MeshCases, MeetAsTheirAnswersSay) {
   Random random(chosen_seed(4001));
-  int pairs = 0, within = 0;
+  int pairs = 0, within = 0, proofs = 0;
   std::map<std::string, int> relations;
   for (const char* file : {"hand.json", "reports.json", "voxels.json"}) {
     const json cases = json::parse(std::ifstream(std::filesystem::path(cases_folder()) / "assemblies" / file));
@@ -81,6 +82,11 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
         const MeshAnswer answer = mesh_mesh(a, pose, b, pose), other = mesh_mesh(b, pose, a, pose);
         ASSERT_EQ(answer.meet(), meet) << k;
         ASSERT_EQ(other.meet(), meet) << k;
+        if (a.triangles().size() + b.triangles().size() <= 3000) {
+          proved_pair(a, pose, b, pose, answer);
+          proved_pair(b, pose, a, pose, other);
+          ++proofs;
+        }
         within += std::holds_alternative<solid::PointWithin>(answer.evidence);
         ASSERT_EQ(answer.evidence.index(), other.evidence.index());
         if (a.triangles().size() * b.triangles().size() <= 3000) {
@@ -91,6 +97,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
   }
   EXPECT_EQ(pairs, 405);
   EXPECT_GT(within, 10);
+  EXPECT_GT(proofs, 750);
   EXPECT_EQ(relations["apart"], 58);
   EXPECT_EQ(relations["touch"], 167);
 }

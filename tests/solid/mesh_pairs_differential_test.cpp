@@ -1,5 +1,6 @@
 // Meshes of all kinds, closed, open, in pieces, touching to the last bit, under poses: whether two meet, down their trees
-// against each triangle with each; and how many boxes and triangles near ones take, over three decades.
+// against each triangle with each, and proofs of half of the answers; and how many boxes and triangles near ones take, over three decades.
+#include <tests/support/mesh_proofs.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 #include <tests/support/solid_shapes.h>
@@ -99,6 +100,7 @@ TEST(MeshPairsDifferential, TreesAgreeWithTheScan) {
     const MeshAnswer answer = mesh_mesh(a, pose_a, b, pose_b), scan = mesh_mesh_by_scan(a, pose_a, b, pose_b);
     ASSERT_EQ(answer.evidence.index(), scan.evidence.index()) << i;
     ASSERT_EQ(mesh_mesh(b, pose_b, a, pose_a).evidence.index(), scan.evidence.index()) << i;
+    if (i % 2 == 1) proved_pair(a, pose_a, b, pose_b, answer);
     meet += scan.meet();
     within += std::holds_alternative<solid::PointWithin>(scan.evidence);
   }

@@ -150,7 +150,8 @@ Combination mean_of(const char* rule, const WeightList& list, const HullBody& bo
   return mean;
 }
 
-// Requires that the body holds the point. Is it, if the body has a radius, nearer to the core than that?
+}  // namespace
+
 bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point) {
   const Combination mean = mean_of("holds", list, body);
   if (body.is_round()) return reaches(list, from, body, mean.row, mean.d, mean.e, point);
@@ -161,6 +162,8 @@ bool holds(const WeightList& list, const Numbers& from, const HullBody& body, co
   }
   return false;
 }
+
+namespace {
 
 void check_parted(const Numbers& direction, const HullBody& a, const HullBody& b) {
   const Parting found = parting("parted", common(direction).integers, a, b);  // along a positive multiple

@@ -140,6 +140,7 @@ struct TableWords {
 
 constexpr std::array descriptions{
     TableWords{"vertices", "all vertices of {part}{input}{without}"},
+    TableWords{"triangles", "all triangles of {part}{input}{without}"},
     TableWords{"points", "all points of {part}{input}{without}"},
     TableWords{"half_spaces", "all half-spaces of {part}{input}{without}"},
     TableWords{"lines", "all lines of {part}{input}{without}"},

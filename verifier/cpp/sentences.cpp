@@ -13,9 +13,10 @@ namespace {
 constexpr std::size_t most_entries = 10;  // of a list
 constexpr std::size_t most_digits = 40;   // of a number
 
-constexpr std::array<std::array<const char*, 2>, 9> ones{{
+constexpr std::array<std::array<const char*, 2>, 10> ones{{
     {"bodies", "body"},
     {"polytopes", "polytope"},
+    {"meshes", "mesh"},
     {"segments", "segment"},
     {"circles", "circle"},
     {"boxes", "box"},
@@ -191,8 +192,8 @@ std::string filled(const std::string& text, const Words& words) {
 }
 
 std::string counted(std::size_t n, std::string_view one) {
-  constexpr std::array<std::array<std::string_view, 2>, 4> endings{
-      {{"ex", "ices"}, {"x", "xes"}, {"y", "ies"}, {"", "s"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 5> endings{
+      {{"ex", "ices"}, {"x", "xes"}, {"sh", "shes"}, {"y", "ies"}, {"", "s"}}};
   const auto ending = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return one.ends_with(e[0]); });
   std::string text = std::to_string(n) + " ";
   if (n == 1) return text.append(one);

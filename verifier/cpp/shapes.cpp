@@ -17,13 +17,16 @@ std::size_t count_in(const Value& value) {
   return std::visit(
       [](const auto& held) -> std::size_t {
         using Held = std::remove_cvref_t<decltype(held)>;
-        if constexpr (std::is_same_v<Held, const HullBody*>) return held->rows().size();
-        if constexpr (std::is_same_v<Held, const RowBody*>) return held->given->rows.size();
-        if constexpr (std::is_same_v<Held, const PolygonTable*>) return held->rings.size();
-        if constexpr (std::is_same_v<Held, std::shared_ptr<const PartTable>>) return held->rings.size();
-        if constexpr (requires { held->size(); }) return held->size();
-        if constexpr (requires { held.size(); }) return held.size();
-        return 0;
+        if constexpr (std::is_same_v<Held, const HullBody*> || std::is_same_v<Held, const MeshBody*>) {
+          return held->rows().size();
+        } else {
+          if constexpr (std::is_same_v<Held, const RowBody*>) return held->given->rows.size();
+          if constexpr (std::is_same_v<Held, const PolygonTable*>) return held->rings.size();
+          if constexpr (std::is_same_v<Held, std::shared_ptr<const PartTable>>) return held->rings.size();
+          if constexpr (requires { held->size(); }) return held->size();
+          if constexpr (requires { held.size(); }) return held.size();
+          return 0;
+        }
       },
       value);
 }
@@ -42,6 +45,7 @@ std::size_t dimension(const Scope& scope) {
   const Value* about = scope.find("half_spaces");
   if (about == nullptr) about = scope.find("a");
   if (about == nullptr) return 2;
+  if (std::holds_alternative<const MeshBody*>(*about)) return 3;
   const auto* const body = std::get_if<const HullBody*>(about);
   return body != nullptr ? (*body)->dimension() : as<RowBody>(*about).dimension;
 }
@@ -110,17 +114,19 @@ Numbers doubles(const Told& t, std::size_t count) {
   return result;
 }
 
-Value read_groups_of(const Told& t) {
+std::int64_t whole_number(const Json& value, const std::string& where) {
   constexpr auto most = static_cast<std::int64_t>(most_number);
+  if (!value.is_integer() || value.integer() < -most || value.integer() > most) {
+    refuse_form(where + " is not a whole number of at most 15 digits");
+  }
+  return value.integer();
+}
+
+Value read_groups_of(const Told& t) {
   const std::size_t size = count_in(t);
   if (as_list(t.value, t.where).size() != size) refuse_form(t.where + " is not a list of " + std::to_string(size));
   Groups groups;
-  for (const Json& entry : t.value) {
-    if (!entry.is_integer() || entry.integer() < -most || entry.integer() > most) {
-      refuse_form(t.where + " has an entry that is not a whole number of at most 15 digits");
-    }
-    groups.push_back(entry.integer());
-  }
+  for (const Json& entry : t.value) groups.push_back(whole_number(entry, t.where + " entry"));
   return groups;
 }
 
@@ -330,6 +336,14 @@ SurfaceEnd surface_end(const Json& value, const HullBody& body, const Told& t, c
   return end;
 }
 
+Value read_rays_of(const Told& t) {
+  const std::size_t size = as<MeshBody>(of(t)).pieces->triangles.size();
+  return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
+    if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is not a list of 2");
+    return StatedRay{read_index(entry[0], size, where), read_numbers(as_list(entry[1], where), 3, where)};
+  });
+}
+
 Value read_two_ends_of(const Told& t) {
   require_list_of_two(as_list(t.value, t.where), t.where);
   TwoEnds ends;
@@ -446,6 +460,24 @@ Shape shape_named(const std::string& shape) {
       {"points in space", [](const Told& t) -> Value { return body_of_points(t, false, true); }},
       {"placed points in space", [](const Told& t) -> Value { return body_of_points(t, true, true); }},
       {"points in any dimension", [](const Told& t) -> Value { return body_of_points(t, false, false); }},
+      {"mesh",
+       [](const Told& t) -> Value { return &t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)]; }},
+      {"triangle",
+       [](const Told& t) -> Value {
+         return read_index(t.value, as<MeshBody>(of(t)).pieces->triangles.size(), t.where);
+       }},
+      {"cuts",
+       [](const Told& t) -> Value {
+         return each(t.value, t.where,
+                     [](const Json& entry, const std::string& where) { return whole_number(entry, where); });
+       }},
+      {"points",
+       [](const Told& t) -> Value {
+         return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
+           return read_numbers(as_list(entry, where), dimension(t.scope), where);
+         });
+       }},
+      {"rays", read_rays_of},
       {"polytope", [](const Told& t) { return of_one_dimension(t, polytope(t), polytope(t).dimension); }},
       {"half-spaces",
        [](const Told& t) -> Value {

@@ -146,6 +146,13 @@ const std::vector<QuestionRow> question_rows{
        "all pairs of the {all} are {least} apart, or more"},
       {"broken", "nearer: some pairs of members", "each_clearance members groups except least proved nearer",
        "exactly {pairs} nearer than {least}: {nearer}"}}},
+    {"meshes",
+     "meshes",
+     "a, b: mesh",
+     {{"apart", "", "covered a b", "{a} and {b} are apart"},
+      {"meet", "point: point", "on_triangle a point, on_triangle b point", "{a} and {b} meet at {point}"},
+      {"a_within", "point: point", "on_triangle a point, encloses b point", "{point} of {a} is inside of {b}"},
+      {"b_within", "point: point", "encloses a point, on_triangle b point", "{point} of {b} is inside of {a}"}}},
     {"polytopes",
      "polytopes",
      "a, b: polytope",
@@ -323,9 +330,10 @@ std::vector<NamedShape> members_of(const std::string& text) {
 }
 
 const ClaimRow& claim_row(const std::string& name) {
-  for (const ClaimRows* rows : {&claims_of_bodies, &claims_of_polytopes, &claims_of_hulls, &claims_of_boundaries,
-                                &claims_of_sections, &claims_of_all_pairs, &claims_of_half_planes, &claims_of_discs,
-                                &claims_of_contacts, &claims_of_polygons, &claims_of_valid_polygons}) {
+  for (const ClaimRows* rows :
+       {&claims_of_bodies, &claims_of_polytopes, &claims_of_hulls, &claims_of_boundaries, &claims_of_sections,
+        &claims_of_all_pairs, &claims_of_meshes, &claims_of_half_planes, &claims_of_discs, &claims_of_contacts,
+        &claims_of_polygons, &claims_of_valid_polygons}) {
     for (const ClaimRow& row : *rows) {
       if (row.name == name) return row;
     }
@@ -413,6 +421,7 @@ void with_body(const Scope& said, std::string_view name, const Visit& visit) {
   if (value == nullptr) return;
   if (const auto* const body = std::get_if<const HullBody*>(value)) visit(**body);
   if (const auto* const polytope = std::get_if<const RowBody*>(value)) visit(**polytope);
+  if (const auto* const mesh = std::get_if<const MeshBody*>(value)) visit(**mesh);
 }
 
 Thing thing(const Scope& said, std::initializer_list<const char*> names) {

@@ -194,6 +194,40 @@ RowBody read_polytope(const Json& item, const std::vector<RowBody>& polytopes, c
   return body;
 }
 
+MeshBody read_mesh(const Json& item, const std::vector<MeshBody>& meshes, const InputNames& inputs,
+                   const std::string& where) {
+  MeshBody mesh;
+  if (item.is_object() && item.contains("of")) {
+    mesh = read_image(item, meshes, where);
+  } else {
+    require_members(item, {"name", "points", "triangles"}, {"said"}, where);
+    mesh.said = read_said_of(item, inputs, where);
+    const Json& rows = list_member(item, "points", where);
+    mesh.given = std::make_shared<const Scaled>(rows_of(read_lists(rows, 3, where + " row"), 3));
+    mesh.base = meshes.size();
+    mesh.count = mesh.rows().size();
+    std::vector<Integers> sorted = mesh.rows();
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      refuse_form(where + " has two points that are equal");
+    }
+    std::vector<MeshTriangle> triangles;
+    for (const Json& triangle : list_member(item, "triangles", where)) {
+      const std::vector<std::size_t> corners = read_indices(triangle, mesh.count, where + ".triangles", 3);
+      triangles.push_back({corners[0], corners[1], corners[2]});
+    }
+    if (triangles.empty()) refuse_form(where + ".triangles is empty");
+    take_steps(32 * triangles.size(), 2 * mesh.given->bits, 2 * mesh.given->bits);
+    mesh.pieces = std::make_shared<const MeshPieces>(pieces_of(std::move(triangles), mesh.rows()));
+  }
+  set_name(item, where, mesh);
+  return mesh;
+}
+
+void read_meshes(const Json& list, Tables& tables) {
+  read_each(list, "meshes", read_mesh, tables.inputs, tables.meshes);
+}
+
 void read_polytopes(const Json& list, Tables& tables) {
   read_each(list, "polytopes", read_polytope, tables.inputs, tables.polytopes);
 }
@@ -602,6 +636,7 @@ Tables read_tables(const Json& item, InputNames inputs) {
   readers["circles"] = read_circles;
   readers["convex_polygons"] = read_convex_polygons;
   readers["half_planes"] = read_half_planes;
+  readers["meshes"] = read_meshes;
   readers["polygons"] = read_polygons;
   readers["polytopes"] = read_polytopes;
   readers["rings"] = read_rings;
@@ -626,7 +661,7 @@ void read_said(const Json& item, Tables& tables) {
   for (const auto& [key, list] : item.members()) {
     const std::string name(key), where = "said." + name;
     const auto size = tables.sizes.find(name);
-    if (size == tables.sizes.end() || name == "bodies" || name == "polytopes") {
+    if (size == tables.sizes.end() || name == "bodies" || name == "polytopes" || name == "meshes") {
       refuse_form(where + " is of no table of rows that the file has");
     }
     tables.said[name] = read_said_of_rows(*ReadNow(*list), tables.inputs, size->second, where);

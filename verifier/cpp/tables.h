@@ -57,6 +57,27 @@ struct HullBody : Placed {
   std::size_t size() const;
 };
 
+using MeshTriangle = std::array<std::size_t, 3>;
+
+// The triangles of a mesh, and of each its piece, a number, and whether that is closed.
+struct MeshPieces {
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::size_t> piece;
+  std::vector<bool> is_closed;
+  std::size_t closed = 0;  // how many are
+  bool by_winding = true;  // else what is inside of the closed ones is told by parity
+};
+
+// Requires points that are all different.
+MeshPieces pieces_of(std::vector<MeshTriangle> triangles, const std::vector<Integers>& points);
+
+// A mesh, or the image of one.
+struct MeshBody : HullBody {
+  std::shared_ptr<const MeshPieces> pieces;
+
+  std::string title() const;
+};
+
 Integer dot(const Integers& u, const Integers& v);
 Integers cross(const Integers& u, const Integers& v);  // of three numbers each
 
@@ -169,6 +190,7 @@ struct Tables {
   std::map<std::string, std::string> said;   // of tables of rows: what these are said to be made of, in words
   std::vector<HullBody> bodies;
   std::vector<RowBody> polytopes;
+  std::vector<MeshBody> meshes;
   Segments segments;
   Circles circles;
   Boxes boxes;

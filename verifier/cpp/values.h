@@ -73,6 +73,13 @@ struct SurfaceEnd {
   Numbers point, from;  // not of a hull; from: of an ellipsoid only
 };
 
+// From the first corner of a triangle along a direction.
+struct StatedRay {
+  std::size_t triangle = 0;
+  Numbers along;
+};
+using StatedRays = std::vector<StatedRay>;
+
 // A point of A less one of B.
 struct SurfaceCorner {
   SurfaceEnd of_a, of_b;
@@ -115,16 +122,17 @@ struct Proved {
 template <class T>
 constexpr bool is_of_file = false;
 template <class T>
-  requires std::is_same_v<T, HullBody> || std::is_same_v<T, RowBody> || std::is_same_v<T, PolygonTable> ||
-               std::is_same_v<T, Segments> || std::is_same_v<T, Circles> || std::is_same_v<T, Boxes> ||
-               std::is_same_v<T, Constraints> || std::is_same_v<T, Proved>
+  requires std::is_same_v<T, HullBody> || std::is_same_v<T, MeshBody> || std::is_same_v<T, RowBody> ||
+               std::is_same_v<T, PolygonTable> || std::is_same_v<T, Segments> || std::is_same_v<T, Circles> ||
+               std::is_same_v<T, Boxes> || std::is_same_v<T, Constraints> || std::is_same_v<T, Proved>
 constexpr bool is_of_file<T> = true;
 
-using Value = std::variant<std::size_t, std::string, Number, Numbers, Points, Indices, IndexLists,
-                           std::vector<IndexLists>, IndexPairs, Groups, WeightList, std::vector<FaceHome>, SweepEvents,
-                           StatedContacts, AllowedContacts, TwoEnds, SurfaceCorners, StatedPlane, ValidRule,
-                           std::shared_ptr<const PartTable>, const HullBody*, const RowBody*, const PolygonTable*,
-                           const Segments*, const Circles*, const Boxes*, const Constraints*, const Proved*>;
+using Value =
+    std::variant<std::size_t, std::string, Number, Numbers, Points, Indices, IndexLists, std::vector<IndexLists>,
+                 IndexPairs, Groups, WeightList, std::vector<FaceHome>, SweepEvents, StatedContacts, AllowedContacts,
+                 TwoEnds, SurfaceCorners, StatedRays, StatedPlane, ValidRule, std::shared_ptr<const PartTable>,
+                 const HullBody*, const MeshBody*, const RowBody*, const PolygonTable*, const Segments*, const Circles*,
+                 const Boxes*, const Constraints*, const Proved*>;
 
 // What a value is, or points to. Requires that it is of that type.
 template <class T>

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace sunder::solid {
@@ -78,26 +79,29 @@ struct EdgeCut {
   std::uint32_t edge, point;
 };
 
-// Cuts each edge at the ends of others that lie inside it. The edges are those that are not balanced.
+// Cuts each edge at the ends of others on its line that lie inside it. The edges are those that are not balanced.
 std::vector<EdgeCut> cuts_of(std::span<const Point3> points, std::span<const EdgeCount> edges) {
-  std::vector<std::uint32_t> ends;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;  // one of an edge, and the other one
   std::vector<Box3> boxes;
   for (const EdgeCount& e : edges) {
-    ends.push_back(e.low);
-    ends.push_back(e.high);
+    ends.emplace_back(e.low, e.high);
+    ends.emplace_back(e.high, e.low);
     boxes.push_back(hull(Box3{points[e.low], points[e.low]}, {points[e.high], points[e.high]}));
   }
   std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::vector<EdgeCut> cuts;
   if (edges.empty()) return cuts;
   const BoxTree tree(boxes);
-  for (const std::uint32_t p : ends) {
+  for (auto begin = ends.begin(), end = begin; begin != ends.end(); begin = end) {
     may_be_interrupted(100);
+    const std::uint32_t p = begin->first;
+    end = std::find_if(begin, ends.end(), [p](const auto& each) { return each.first != p; });
     tree.for_each_meeting({points[p], points[p]}, BoxTree::no_group, [&](std::uint32_t k) {
       const EdgeCount& e = edges[k];
-      if (p == e.low || p == e.high || !are_collinear(points[e.low], points[e.high], points[p])) return;
-      cuts.push_back({k, p});  // on its line and in its box: inside it
+      const auto is_on_line = [&](std::uint32_t q) { return are_collinear(points[e.low], points[e.high], points[q]); };
+      if (p == e.low || p == e.high || !is_on_line(p)) return;
+      // On its line and in its box, it is inside the edge.
+      if (std::any_of(begin, end, [&](const auto& each) { return is_on_line(each.second); })) cuts.push_back({k, p});
     });
   }
   return cuts;
@@ -182,9 +186,19 @@ Mesh::Mesh(const MeshView& given) {
     }
     face_of_.resize(triangles_.size(), face);
   }
-  tree_ = MeshTree(points_, triangles_);
-  sizes_ = size_range(points_);
   find_pieces();
+  sizes_ = size_range(points_);
+  std::vector<std::uint32_t> order;
+  tree_ = MeshTree(points_, triangles_, order);
+  const auto in_order = [&order](const auto& items) {
+    std::remove_cvref_t<decltype(items)> result;
+    for (const std::uint32_t k : order) result.push_back(items[k]);
+    return result;
+  };
+  triangles_ = in_order(triangles_);
+  face_of_ = in_order(face_of_);
+  piece_of_ = in_order(piece_of_);
+  for (std::uint32_t t = static_cast<std::uint32_t>(triangles_.size()); t-- > 0;) pieces_[piece_of_[t]].first = t;
 }
 
 // By their points; then what kind each is.

@@ -30,17 +30,18 @@ std::string_view name_of(PieceKind kind);  // "oriented", "unoriented", "open"
 //       before the first, is left out; what has less than three then is a triangle that repeats a corner. Triangles may
 //       have no area.
 //   M3. Of an edge without direction, say how often triangles go along it there and back. If these numbers differ, it
-//       is cut at each end of another such edge that is inside it, exactly (a T-junction). Parts of edges that have the
-//       same ends are one then, and their numbers tell the kind of a piece.
-//   M4. Two triangles are of one piece if they have a corner in common, or if a corner of one cuts an edge of the
-//       other. So a loose triangle at a corner of a closed body makes the piece open.
+//       is cut at each end of another such edge that is inside it and on its line, exactly (a T-junction). Parts of
+//       edges that have the same ends are one then, and their numbers tell the kind of a piece.
+//   M4. Two triangles are of one piece if they have a corner in common, or if an end of an edge of one cuts an edge of
+//       the other. So a loose triangle at a corner of a closed body makes the piece open.
+//   M5. Triangles stand in the order of the tree (mesh_tree.h), so that those of a leaf follow each other.
 class Mesh {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
 
   struct Piece {
     PieceKind kind = PieceKind::open;
-    std::uint32_t first = 0;        // its first triangle, in the order of the faces
+    std::uint32_t first = 0;        // its first triangle
     std::uint32_t triangles = 0;    // how many it has
     std::uint64_t open_edges = 0;   // after the cuts: those of an odd number of triangles
     std::uint64_t t_junctions = 0;  // cuts: pairs of an edge and a point inside it
@@ -55,7 +56,7 @@ class Mesh {
   std::span<const Triangle> triangles() const { return triangles_; }
   std::uint32_t face_of(std::uint32_t triangle) const { return face_of_[triangle]; }
   std::uint32_t piece_of(std::uint32_t triangle) const { return piece_of_[triangle]; }
-  std::span<const Piece> pieces() const { return pieces_; }  // in the order of their first triangles
+  std::span<const Piece> pieces() const { return pieces_; }  // in the order of their first faces
   // Faces that cross themselves, or touch themselves so that triangles may overlap (FaceTriangles::crosses_itself).
   std::span<const std::uint32_t> crossing_faces() const { return crossing_faces_; }
 

@@ -31,17 +31,14 @@ struct NodePair {
   Box3 box_a{}, box_b{};
 };
 
-double size_of(const Box3& box) {
-  return std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
-}
-
 std::optional<MeetingTriangles> first_pair_of_leaves(const PlacedMesh& a, const PlacedMesh& b, const NodePair& leaves,
                                                      Cost& cost, StageTally& tally) {
-  for (const std::uint32_t t : a.mesh().tree().triangles(leaves.a)) {
+  const TriangleRange of_a = a.mesh().tree().triangles(leaves.a), of_b = b.mesh().tree().triangles(leaves.b);
+  for (std::uint32_t t = of_a.first; t < of_a.end; ++t) {
     const Box3 box = a.box(t);
     ++cost.probes;
     if (!meet(box, leaves.box_b)) continue;
-    for (const std::uint32_t u : b.mesh().tree().triangles(leaves.b)) {
+    for (std::uint32_t u = of_b.first; u < of_b.end; ++u) {
       ++cost.probes;
       if (!meet(box, b.box(u))) continue;
       ++cost.iterations;
@@ -68,7 +65,7 @@ std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const P
       if (const auto found = first_pair_of_leaves(a, b, here, cost, tally)) return found;
       continue;
     }
-    const bool of_a = !leaf_a && (leaf_b || size_of(here.box_a) >= size_of(here.box_b));
+    const bool of_a = !leaf_a && (leaf_b || longest_side(here.box_a) >= longest_side(here.box_b));
     for (const std::size_t k : {1u, 0u}) {
       NodePair& child = waiting[count++] = here;
       std::size_t& node = of_a ? child.a : child.b;

@@ -3,6 +3,7 @@
 #include <sunder/base/interruption.h>
 #include <sunder/base/names.h>
 #include <sunder/base/random.h>
+#include <sunder/predicate/coordinates.h>
 
 #include <algorithm>
 #include <array>
@@ -104,6 +105,35 @@ std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Pose
   return touches ? std::nullopt : std::optional(sum);
 }
 
+namespace {
+
+// From a point on no triangle to one beyond the mesh: the crossings, and that point.
+template <class OfEnd>
+std::int64_t winding_of(const PlacedMesh& placed, const Posed3& point, Cost& cost, const OfEnd& of_end) {
+  PointsBeyond beyond(placed, point);
+  while (true) {
+    may_be_interrupted(100);
+    ++cost.proposals;
+    const Posed3 end = beyond.next();
+    const std::optional<std::int64_t> sum = crossings_along(placed, point, end, cost);
+    if (!sum) continue;
+    of_end(end);
+    return *sum;
+  }
+}
+
+}  // namespace
+
+std::array<Dyadic, 3> ray_away(const PlacedMesh& placed, const Posed3& point) {
+  std::array<Dyadic, 3> along;
+  Cost cost;
+  winding_of(placed, point, cost, [&](const Posed3& end) {
+    const Vector3<Dyadic> way = coordinates<Dyadic>(end) - coordinates<Dyadic>(point);
+    along = {way.x, way.y, way.z};
+  });
+  return along;
+}
+
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
   MeshPoint result;
@@ -116,12 +146,7 @@ MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
     result.place = MeshPlace::on;
     return result;
   }
-  PointsBeyond beyond(placed, point);
-  while (!result.winding) {
-    may_be_interrupted(100);
-    ++result.cost.proposals;
-    result.winding = crossings_along(placed, point, beyond.next(), result.cost);
-  }
+  result.winding = winding_of(placed, point, result.cost, [](const Posed3&) {});
   if (!mesh.is_by_winding()) result.winding = *result.winding % 2 == 0 ? 0 : 1;
   result.place = *result.winding == 0 ? MeshPlace::outside : MeshPlace::inside;
   return result;

@@ -10,8 +10,10 @@
 #pragma once
 
 #include <sunder/base/cost.h>
+#include <sunder/number/dyadic.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -39,6 +41,10 @@ struct MeshPoint {
 // of its ends is on a triangle.
 // Exact. cost.probes grows by the boxes of the tree and the triangles that are looked at.
 std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to, Cost& cost);
+
+// From a point that is on no triangle, the direction of a ray that meets no edge of a closed piece, and goes on beyond
+// the mesh. Exact. What mesh_point() requires, and costs.
+std::array<Dyadic, 3> ray_away(const PlacedMesh& placed, const Posed3& point);
 
 // Exact. Both in the world. Requires that the entries of the pose are below 2^1000, or the coordinates of the mesh
 // below 2^1020. Cost: what is near the point, and near a segment from it out of the mesh.

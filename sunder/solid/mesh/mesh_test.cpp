@@ -60,7 +60,9 @@ TEST(Mesh, ABoxIsOnePieceThatIsClosed) {
   EXPECT_EQ(mesh.pieces()[0].kind, PieceKind::oriented);
   EXPECT_EQ(mesh.pieces()[0].triangles, 12u);
   EXPECT_TRUE(mesh.is_closed() && mesh.has_inside() && mesh.is_by_winding());
-  EXPECT_EQ(mesh.face_of(3), 1u);
+  std::array<int, 6> of_face{};
+  for (std::uint32_t t = 0; t < 12; ++t) ++of_face.at(mesh.face_of(t));
+  EXPECT_EQ(of_face, (std::array<int, 6>{2, 2, 2, 2, 2, 2}));
 }
 
 TEST(Mesh, EqualPointsAreOne) {
@@ -153,7 +155,11 @@ TEST(Mesh, PiecesShareNoPoint) {
   ASSERT_EQ(mesh.pieces().size(), 3u);
   EXPECT_EQ(mesh.pieces()[2].kind, PieceKind::open);
   EXPECT_EQ(mesh.pieces()[2].triangles, 1u);
-  EXPECT_EQ(mesh.piece_of(12), 1u);
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+    EXPECT_EQ(mesh.points()[mesh.triangles()[t][0]].x < 2, mesh.piece_of(t) == 0) << t;
+    EXPECT_GE(t, mesh.pieces()[mesh.piece_of(t)].first);
+  }
+  EXPECT_EQ(mesh.piece_of(mesh.pieces()[1].first), 1u);
   EXPECT_TRUE(mesh.has_inside());
   EXPECT_FALSE(mesh.is_closed());
 }

@@ -17,10 +17,12 @@ Box3 box_of_none() {
 
 }  // namespace
 
-MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles)
-    : order_(triangles.size()) {
+MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                   std::vector<std::uint32_t>& order)
+    : size_(triangles.size()) {
   SUNDER_REQUIRE(triangles.size() < std::size_t{1} << 31);
-  std::iota(order_.begin(), order_.end(), 0u);
+  order.resize(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
   std::vector<Box3> boxes(triangles.size(), box_of_none());
   std::vector<Point3> middles(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -29,18 +31,21 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
   }
   nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)),
                 box_of_none());
-  split(middles, 0, leaves());
+  split(middles, order, 0, leaves());
   for (std::size_t node = nodes_.size() - 1; node > 0; --node) {
     if (is_leaf(node)) {
-      for (const std::uint32_t t : this->triangles(node)) nodes_[node] = hull(nodes_[node], boxes[t]);
+      const auto [first, end] = this->triangles(node);
+      std::sort(order.begin() + first, order.begin() + end);
+      for (std::uint32_t k = first; k < end; ++k) nodes_[node] = hull(nodes_[node], boxes[order[k]]);
     } else {
       nodes_[node] = hull(nodes_[2 * node], nodes_[2 * node + 1]);
     }
   }
 }
 
-void MeshTree::split(std::span<const Point3> middles, std::size_t first_leaf, std::size_t leaves) {
-  const auto at = [&](std::size_t leaf) { return order_.begin() + static_cast<std::ptrdiff_t>(begin_of(leaf)); };
+void MeshTree::split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
+                     std::size_t leaves) {
+  const auto at = [&](std::size_t leaf) { return order.begin() + static_cast<std::ptrdiff_t>(begin_of(leaf)); };
   if (leaves < 2) return;
   const auto begin = at(first_leaf), middle = at(first_leaf + leaves / 2), end = at(first_leaf + leaves);
   if (end - begin < 2) return;
@@ -57,8 +62,8 @@ void MeshTree::split(std::span<const Point3> middles, std::size_t first_leaf, st
       return middles[s][axis] != middles[t][axis] ? middles[s][axis] < middles[t][axis] : s < t;
     });
   }
-  split(middles, first_leaf, leaves / 2);
-  split(middles, first_leaf + leaves / 2, leaves / 2);
+  split(middles, order, first_leaf, leaves / 2);
+  split(middles, order, first_leaf + leaves / 2, leaves / 2);
 }
 
 }  // namespace sunder::solid

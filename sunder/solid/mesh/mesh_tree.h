@@ -3,12 +3,13 @@
 //
 // A complete binary tree: node k has the children 2 k and 2 k + 1, the root is 1, and leaf l is node leaves() + l. It
 // is halved along the axis on which the middles of the triangles' boxes are spread most. A node's box holds the
-// triangles of all leaves below it.
+// triangles of all leaves below it, which follow each other in the order that the tree asks for.
 #pragma once
 
 #include <sunder/predicate/point.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,30 +17,41 @@
 
 namespace sunder::solid {
 
+// Triangles that follow each other.
+struct TriangleRange {
+  std::uint32_t first = 0, end = 0;
+
+  std::uint32_t size() const { return end - first; }
+  friend bool operator==(const TriangleRange&, const TriangleRange&) = default;
+};
+
 class MeshTree {
  public:
   static constexpr std::size_t leaf_size = 4;  // triangles, at most
   static constexpr std::size_t deepest = 32;   // levels, at most
 
   MeshTree() = default;
-  // Requires fewer than 2^31 triangles. Cost: n log n.
-  MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles);
+  // Fills `order`: the triangle that stands at place k, in the order of the leaves, is order[k]. It depends on the
+  // coordinates alone, and is the same everywhere. Requires fewer than 2^31 triangles. Cost: n log n.
+  MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+           std::vector<std::uint32_t>& order);
 
   std::size_t leaves() const { return nodes_.size() / 2; }
   bool is_leaf(std::size_t node) const { return node >= leaves(); }
   const Box3& box(std::size_t node) const { return nodes_[node]; }
-  // The triangles of a leaf, from 0 to leaf_size.
-  std::span<const std::uint32_t> triangles(std::size_t node) const {
-    const std::size_t leaf = node - leaves();
-    return std::span(order_).subspan(begin_of(leaf), begin_of(leaf + 1) - begin_of(leaf));
+  // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
+  TriangleRange triangles(std::size_t node) const {
+    const std::size_t below = leaves() >> (std::bit_width(node) - 1), first = node * below - leaves();
+    return {begin_of(first), begin_of(first + below)};
   }
-  std::size_t memory() const { return order_.size() * sizeof(order_[0]) + nodes_.size() * sizeof(nodes_[0]); }
+  std::size_t memory() const { return nodes_.size() * sizeof(nodes_[0]); }
 
  private:
-  std::size_t begin_of(std::size_t leaf) const { return leaf * order_.size() / leaves(); }
-  void split(std::span<const Point3> middles, std::size_t first_leaf, std::size_t leaves);
+  std::uint32_t begin_of(std::size_t leaf) const { return static_cast<std::uint32_t>(leaf * size_ / leaves()); }
+  void split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
+             std::size_t leaves);
 
-  std::vector<std::uint32_t> order_;  // triangles in the order of the leaves
+  std::size_t size_ = 0;  // of triangles
   std::vector<Box3> nodes_;
 };
 

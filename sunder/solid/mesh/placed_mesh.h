@@ -15,6 +15,11 @@
 
 namespace sunder::solid {
 
+// Rounded, for searches: infinite beyond the range of doubles.
+inline double longest_side(const Box3& box) {
+  return std::max({box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z});
+}
+
 // A box that holds the image of the point.
 inline Box3 enclosure(const Posed3& p) {
   Box3 box{};
@@ -106,7 +111,8 @@ bool any_triangle_near(const PlacedMesh& placed, const Box3& box, std::uint64_t&
       waiting[count++] = 2 * node;
       continue;
     }
-    for (const std::uint32_t t : tree.triangles(node)) {
+    const auto [first, end] = tree.triangles(node);
+    for (std::uint32_t t = first; t < end; ++t) {
       ++looks;
       if (of_triangle(t)) return true;
     }

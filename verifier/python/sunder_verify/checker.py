@@ -4,6 +4,7 @@ from collections import namedtuple
 from .questions import statement
 from .reader import MOST_NUMBER, SHA256, Refused, Steps, anything, double, form, list_of, load, members, text_of
 from .said import of_tables
+from .meshes import meshes
 from .tables import TABLES
 
 # What a file says of itself, and what became of its statements: (sentence, refusal), where refusal is None or
@@ -23,7 +24,8 @@ def made_of(value, where, read):
 
 
 def tables(value, where, read):
-    result = members(value, TABLES, where, {"inputs": read["inputs"]}, dict.fromkeys(TABLES))
+    shapes = {**TABLES, "meshes": meshes}
+    result = members(value, shapes, where, {"inputs": read["inputs"], "steps": read["steps"]}, dict.fromkeys(shapes))
     return {**result, "sizes": {name: len(those) for name, those in value.items()}}
 
 

@@ -5,7 +5,7 @@ checked by its rule, told what the table binds it to: so a true claim about some
 """
 from functools import partial
 
-from . import arcs, boundaries, depths, hulls, polygons, polytopes, rules, sections, vertices
+from . import arcs, boundaries, depths, hulls, meshes, polygons, polytopes, rules, sections, vertices
 from .reader import (LIST, MOST_NUMBER, OBJECT, anything, common, double, form, index, list_of, members, number,
                      numbers, row_of)
 from .said import notes
@@ -185,6 +185,12 @@ def some_weights(whose, of_points, most):
         form(len({k for k, _ in result}) == len(result), where + " names something twice")
         return result
     return read_some_weights
+
+
+def rays_from(name):
+    """Of each the triangle at whose first corner it begins, and its direction."""
+    return lambda value, where, read: list_of(row_of(
+        lambda t, place, _: index(t, len(read[name].triangles), place), vector))(value, where, read)
 
 
 def multipliers(value, where, read):
@@ -369,6 +375,8 @@ SAID = {  # what verdicts and claims say
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
     "planes_a": planes_around("a"), "planes_b": planes_around("b"), "by_a": some_multipliers("a"),
     "by_b": some_multipliers("b"),
+    "triangle": lambda value, where, read: index(value, len(subject(read).triangles), where),
+    "cuts": list_of(whole(-MOST_NUMBER)), "directions": list_of(vector), "rays_a": rays_from("a"), "rays_b": rays_from("b"),
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
     "vertices": some_places, "fans": cones_of_vertices,
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
@@ -404,6 +412,9 @@ CLAIMS = {
     **{rule.__name__: (rule, "multipliers") for rule in (
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
+    "covered": (meshes.covered, "cuts", "directions", "rays_a", "rays_b"),
+    "on_triangle": (meshes.on_triangle, "triangle", "weights"),
+    "encloses": (meshes.encloses, "direction"),
     "normal_fan": (vertices.normal_fan, "fans"),
     "recedes": (polytopes.recedes, "direction"), "rises": (polytopes.rises, "direction"),
     "another": (polytopes.another,),
@@ -479,6 +490,11 @@ QUESTIONS = {
     "clearances": ("bodies", "members groups except least", {
         "kept": "each_clearance members groups except least PROVED",
         "broken": "each_clearance members groups except least PROVED nearer"}),
+    "meshes": ("meshes", "a b", {
+        "apart": "covered a b",
+        "meet": "on_triangle a point, on_triangle b point",
+        "a_within": "on_triangle a point, encloses b point",
+        "b_within": "encloses a point, on_triangle b point"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
         "apart_by_hyperplanes": "parted_by_hyperplanes a b",

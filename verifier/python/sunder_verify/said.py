@@ -60,7 +60,7 @@ SHAPES = {
     "frame": reals(9), **dict.fromkeys(("text", "axis", "unit", "system"), lambda *told: in_quotes(text_of(*told))),
     "from": or_none(named, " of %s"), "row": or_none(whole, " of row %d"), "values": joints, "pairs": reasons,
 }
-SOURCES = {"vertices": "all vertices", "points": "all points", "half_spaces": "all half-spaces", "lines": "all lines",
+SOURCES = {"vertices": "all vertices", "triangles": "all triangles", "points": "all points", "half_spaces": "all half-spaces", "lines": "all lines",
            "centre_lines": "the centre lines of all tracks", "polygons": "all polygons", "circles": "all circles",
            "boxes": "all boxes", "half_planes": "all half-planes", "shape": "the shape"}
 DESCRIPTIONS = {  # in words, of the members that they name; those that begin with a comma are steps, and have `of`
@@ -109,7 +109,7 @@ def of_tables(value, where, read):
     sizes, result = read["tables"]["sizes"], {}
     for name, those in OBJECT(value, where).items():
         place = "%s.%s" % (where, name)
-        form(name in sizes and name not in ("bodies", "polytopes"), place + " is of no table of rows that the file has")
+        form(name in sizes and name not in ("bodies", "polytopes", "meshes"), place + " is of no table of rows that the file has")
         parts = list_of(row_of(positive, description))(those, place, read)
         form(sum(n for n, _ in parts) == sizes[name] and parts, place + " does not sum to the entries")
         words = ["%d: %s" % part if len(parts) > 1 else part[1] for part in map(tuple, parts)]

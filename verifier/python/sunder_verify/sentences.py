@@ -23,6 +23,8 @@ SENTENCES = {  # of the members that a statement has
     "motion": {"apart": "{a} and {b} are apart all along their ways",
                "meet": "{a} and {b} meet on their ways, at time {time}, at {point}",
                "first": "{a} and {b} first meet on their ways at time {time}, at {point}"},
+    "meshes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
+               "a_within": "{point} of {a} is inside of {b}", "b_within": "{point} of {b} is inside of {a}"},
     "polytopes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
                   "apart_by_hyperplanes": "{a} and {b} are apart, by half-spaces that hold them"},
     "half_spaces": {"empty": "{half_spaces} is empty",
@@ -73,7 +75,7 @@ SENTENCES = {  # of the members that a statement has
                        "unbounded": "there is no best point of {all} along {objective}",
                        "infeasible": "no point is in all of {all}"},
 }
-ONE = {"bodies": "body", "polytopes": "polytope", "segments": "segment", "circles": "circle", "boxes": "box",
+ONE = {"bodies": "body", "polytopes": "polytope", "meshes": "mesh", "segments": "segment", "circles": "circle", "boxes": "box",
        "polygons": "polygon", "half_planes": "half-plane", "rings": "ring", "convex_polygons": "convex polygon"}
 REGIONS = {"empty": "empty", "point": "a point", "segment": "a segment", "ray": "a ray",
            "line": "a line", "strip": "a strip", "half-plane": "a half-plane",
@@ -97,7 +99,7 @@ def shown(value):
 
 def counted(n, one):
     """A number of things: "1 box", "2 boxes"."""
-    for end, ends in ("ex", "ices"), ("x", "xes"), ("y", "ies"), ("", "s"):
+    for end, ends in ("ex", "ices"), ("x", "xes"), ("sh", "shes"), ("y", "ies"), ("", "s"):
         if one.endswith(end):
             return "1 " + one if n == 1 else "%d %s%s" % (n, one[:len(one) - len(end)], ends)
 

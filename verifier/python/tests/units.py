@@ -39,7 +39,7 @@ class Units:
         self.frames, self.rows = {}, {}  # of each entry that may have images, and of rows, powers beside that of all
         placed = {one[key] for one in top["statements"] for key in PLACED if isinstance(one.get(key), int)}
         placed.update(k for one in top["statements"] for k in one.get("members", ()))
-        for name in ("bodies", "polytopes"):
+        for name in ("bodies", "polytopes", "meshes"):
             for k, entry in enumerate(top["tables"].get(name, ())):
                 of, is_free = entry.get("of"), k not in placed
                 self.frames[name, k] = dice.choice(POWERS) if is_free and of is None else self.frames.get((name, of), 0)
@@ -62,7 +62,7 @@ class Units:
         return result
 
     def table(self, name, entries):
-        if name in ("bodies", "polytopes"):
+        if name in ("bodies", "polytopes", "meshes"):
             return [self.entry(name, k, entry) for k, entry in enumerate(entries)]
         if name != "half_planes":
             return times(entries, self.all)

@@ -1,0 +1,284 @@
+#include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/solid/exact/exact_gjk.h>
+#include <sunder/solid/mesh/mesh_cover.h>
+#include <sunder/solid/mesh/mesh_point.h>
+#include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/search/gjk.h>
+#include <sunder/solid/search/search_vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace sunder::solid {
+
+namespace {
+
+// What the walk knows of a mesh: the images of its points, rounded and times a power of two, for searches.
+struct Searched {
+  Searched(const PlacedMesh& of, double scale) : placed(of), seen(of.mesh().points().size(), 0) {
+    const auto& [m, t] = *of.at(0u).pose;
+    for (const Point3& p : of.mesh().points()) {
+      const auto row = [&](std::size_t r) {
+        return (m[3 * r] * p.x + m[3 * r + 1] * p.y + m[3 * r + 2] * p.z + t[r]) * scale;
+      };
+      images.push_back({row(0), row(1), row(2)});
+    }
+  }
+
+  // The corners of triangles, each once.
+  std::vector<std::uint32_t> corners_of(const TriangleRange& range) {
+    ++round;
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t t = range.first; t < range.end; ++t) {
+      for (const std::uint32_t corner : placed.mesh().triangles()[t]) {
+        if (std::exchange(seen[corner], round) != round) corners.push_back(corner);
+      }
+    }
+    return corners;
+  }
+
+  const PlacedMesh& placed;
+  std::vector<Point3> images;
+
+ private:
+  std::vector<std::uint32_t> seen;  // in which round a corner was seen last
+  std::uint32_t round = 0;
+};
+
+// Triangles that follow each other, down to single ones.
+struct Part {
+  TriangleRange triangles;
+  std::size_t node = 0;  // of the tree; 0: less than a leaf
+  Box3 box{};            // holds it in the world
+
+  static Part of_node(const PlacedMesh& of, std::size_t node) {
+    return {of.mesh().tree().triangles(node), node, of.node_box(node)};
+  }
+
+  bool is_node(const PlacedMesh& of) const { return node != 0 && !of.mesh().tree().is_leaf(node); }
+
+  std::array<Part, 2> halves(const PlacedMesh& of) const {
+    if (is_node(of)) return {of_node(of, 2 * node), of_node(of, 2 * node + 1)};
+    const std::uint32_t middle = triangles.first + triangles.size() / 2;
+    std::array<Part, 2> result{Part{{triangles.first, middle}}, Part{{middle, triangles.end}}};
+    for (Part& half : result) {
+      half.box = of.box(half.triangles.first);
+      for (std::uint32_t t = half.triangles.first + 1; t < half.triangles.end; ++t)
+        half.box = hull(half.box, of.box(t));
+    }
+    return result;
+  }
+};
+
+// The support of the hulls of some points for the search of Gilbert, Johnson and Keerthi (gjk.h): all are looked at.
+class CornersSupport {
+ public:
+  using Vector = Point3;
+  using Vertex = DifferenceVertex;
+
+  CornersSupport(const Searched& a, const Searched& b, const std::vector<std::uint32_t>& of_a,
+                 const std::vector<std::uint32_t>& of_b)
+      : a_(a), b_(b), of_a_(of_a), of_b_(of_b) {}
+
+  double scale = 1;
+
+  Vector first_direction() const {
+    const Vector d = difference(b_.images[of_b_.front()], a_.images[of_a_.front()]);
+    return dot(d, d) > 0 ? d : Vector{1, 0, 0};
+  }
+  Vertex furthest(const Vector& d, const DifferenceSimplex&, Cost&) const {
+    return of_vertices(extreme(a_, of_a_, d), extreme(b_, of_b_, {-d.x, -d.y, -d.z}));
+  }
+  static bool are_same(const Vertex& v, const Vertex& w) { return (v.a == w.a) & (v.b == w.b); }
+  static double noise(const Vector& d, const Vertex& w) {
+    return 0x1p-44 * (std::fabs(d.x * w.at.x) + std::fabs(d.y * w.at.y) + std::fabs(d.z * w.at.z));
+  }
+  double noise2(const Vertex& v) const {
+    const Point3 &p = a_.images[v.a], &q = b_.images[v.b];
+    return 0x1p-92 * (dot(p, p) + dot(q, q));
+  }
+  static bool is_coarse() { return false; }
+  static void refine() {}
+
+ private:
+  static Vector difference(const Point3& p, const Point3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
+  static std::uint32_t extreme(const Searched& of, const std::vector<std::uint32_t>& corners, const Vector& d) {
+    return *std::max_element(corners.begin(), corners.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return dot(d, of.images[i]) < dot(d, of.images[j]);
+    });
+  }
+  Vertex of_vertices(std::uint32_t a, std::uint32_t b) const { return {difference(a_.images[a], b_.images[b]), a, b}; }
+
+  const Searched &a_, &b_;
+  const std::vector<std::uint32_t>&of_a_, &of_b_;
+};
+
+class Covering {
+ public:
+  Covering(const PlacedMesh& a, const PlacedMesh& b, double scale) : a_(a, scale), b_(b, scale) {
+    outside_a_.resize(a.mesh().pieces().size());
+    outside_b_.resize(b.mesh().pieces().size());
+  }
+
+  MeshCover run() {
+    std::vector<std::array<Part, 2>> waiting{{Part::of_node(a_.placed, 1), Part::of_node(b_.placed, 1)}};
+    while (!waiting.empty()) {
+      may_be_interrupted(1);
+      const auto [of_a, of_b] = waiting.back();
+      waiting.pop_back();
+      if (auto direction = direction_between(of_a, of_b)) {
+        cover_.cuts.push_back(0);
+        cover_.directions.push_back(*std::move(direction));
+        tell_outside(a_, of_a, b_, of_b, outside_a_);
+        tell_outside(b_, of_b, a_, of_a, outside_b_);
+        continue;
+      }
+      const bool is_a = cuts_a(of_a, of_b);
+      const auto halves = (is_a ? of_a : of_b).halves((is_a ? a_ : b_).placed);
+      const std::int64_t cut = halves[1].triangles.first;
+      cover_.cuts.push_back(is_a ? cut : -cut);
+      for (const std::size_t k : {1u, 0u}) {
+        waiting.push_back(is_a ? std::array{halves[k], of_b} : std::array{of_a, halves[k]});
+      }
+    }
+    cover_.rays_a = rays(a_.placed, outside_a_, b_.placed);
+    cover_.rays_b = rays(b_.placed, outside_b_, a_.placed);
+    return std::move(cover_);
+  }
+
+ private:
+  // Is A's part the one to cut? The larger one, down to leaves; then the one of more triangles.
+  bool cuts_a(const Part& of_a, const Part& of_b) const {
+    const bool node_a = of_a.is_node(a_.placed), node_b = of_b.is_node(b_.placed);
+    if (node_a != node_b) return node_a;
+    return node_a ? longest_side(of_a.box) >= longest_side(of_b.box) : of_a.triangles.size() >= of_b.triangles.size();
+  }
+
+  std::optional<std::array<Dyadic, 3>> direction_between(const Part& of_a, const Part& of_b) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      const bool is_up = of_a.box.high[c] < of_b.box.low[c];
+      if (!is_up && !(of_b.box.high[c] < of_a.box.low[c])) continue;
+      std::array<Dyadic, 3> axis;
+      axis[c] = is_up ? 1.0 : -1.0;
+      return axis;
+    }
+    corners_a_ = a_.corners_of(of_a.triangles);
+    corners_b_ = b_.corners_of(of_b.triangles);
+    Gjk<double, CornersSupport> search(a_, b_, corners_a_, corners_b_);
+    search.begin({});
+    Cost cost;
+    std::optional<std::array<Dyadic, 3>> found;
+    search.run({.steps = 60, .in_vain = 4}, cost, [&](const DifferenceVertex& w) {
+      return search.gap_at(w) > 0 && (found = in_doubles(search.direction));
+    });
+    if (found) return found;
+    if (of_a.is_node(a_.placed) || of_b.is_node(b_.placed)) return std::nullopt;
+    return exactly(search.simplex);
+  }
+
+  // The direction, if it parts the corners.
+  std::optional<std::array<Dyadic, 3>> in_doubles(Point3 d) {
+    if (!make_tame(d) || !parts(WorldDirection(d))) return std::nullopt;
+    return std::array<Dyadic, 3>{d.x, d.y, d.z};
+  }
+
+  bool parts(const WorldDirection& direction) {
+    const std::uint32_t last_a = extreme(a_, corners_a_, direction, Sign::positive, corners_a_.front()),
+                        first_b = extreme(b_, corners_b_, direction, Sign::negative, corners_b_.front());
+    return compare_along(direction, a_.placed.at(last_a), b_.placed.at(first_b)) == Sign::positive;
+  }
+
+  // From `from` on, the corner that is furthest along the direction, or least far: `from`, where none is beyond it.
+  static std::uint32_t extreme(const Searched& of, const std::vector<std::uint32_t>& corners,
+                               const WorldDirection& direction, Sign beyond, std::uint32_t from) {
+    const Posed3 any = of.placed.at(0u);
+    Along along(direction, *any.pose, any.tame);
+    const std::span<const Point3> points = of.placed.mesh().points();
+    for (const std::uint32_t v : corners) {
+      if (along.compare(points[from], points[v]) == beyond) from = v;
+    }
+    return from;
+  }
+
+  // The exact search, of few corners. Nothing where their hulls meet.
+  std::optional<std::array<Dyadic, 3>> exactly(const DifferenceSimplex& simplex) {
+    ExactNearest nearest;
+    join(nearest, {corners_a_.front(), corners_b_.front()});
+    if (simplex.count > 0) {
+      nearest = {};
+      for (std::size_t k = 0; k < static_cast<std::size_t>(std::min(simplex.count, 3)); ++k) {
+        join(nearest, {simplex.vertex[k].a, simplex.vertex[k].b});
+      }
+    }
+    std::uint32_t ways = 0;
+    if (!exact_gjk(*this, nearest, ways)) return std::nullopt;
+    return shortened(nearest.closest.way.way);
+  }
+
+ public:
+  // As the support of that search.
+  std::array<std::uint32_t, 2> extreme(const ExactNearest& nearest) const {
+    const WorldDirection direction(nearest.closest.way.way);
+    return {extreme(a_, corners_a_, direction, Sign::positive, nearest.of_a()),
+            extreme(b_, corners_b_, direction, Sign::negative, nearest.of_b())};
+  }
+  void join(ExactNearest& nearest, const std::array<std::uint32_t, 2>& next) const {
+    if (!nearest.a.has(next[0])) nearest.a.add(next[0], coordinates<Dyadic>(a_.placed.at(next[0])));
+    if (!nearest.b.has(next[1])) nearest.b.add(next[1], coordinates<Dyadic>(b_.placed.at(next[1])));
+  }
+
+ private:
+  // A direction that parts the corners, of as few digits as will do: as doubles, as sums of two, or as it is.
+  std::array<Dyadic, 3> shortened(const Vector3<Dyadic>& d) {
+    std::int64_t top = std::numeric_limits<std::int64_t>::min();
+    for (const Dyadic* x : {&d.x, &d.y, &d.z}) {
+      if (x->sign() != Sign::zero) top = std::max(top, x->top());
+    }
+    const std::array<Dyadic, 3> exact{d.x.scaled(-top), d.y.scaled(-top), d.z.scaled(-top)};
+    const Point3 once{exact[0].nearest(), exact[1].nearest(), exact[2].nearest()};
+    if (auto found = in_doubles(once)) return *std::move(found);
+    std::array<Dyadic, 3> twice;
+    for (std::size_t c = 0; c < 3; ++c) twice[c] = Dyadic(once[c]) + Dyadic((exact[c] - Dyadic(once[c])).nearest());
+    return parts(WorldDirection(Vector3<Dyadic>{twice[0], twice[1], twice[2]})) ? twice : exact;
+  }
+
+  // Where a part of one mesh is parted from all of the other one, its pieces are outside of that.
+  static void tell_outside(const Searched& of, const Part& part, const Searched& other, const Part& other_part,
+                           std::vector<bool>& outside) {
+    if (other_part.triangles.size() < other.placed.mesh().triangles().size()) return;
+    for (std::uint32_t t = part.triangles.first; t < part.triangles.end; ++t) {
+      outside[of.placed.mesh().piece_of(t)] = true;
+    }
+  }
+
+  static std::vector<MeshCover::Ray> rays(const PlacedMesh& of, const std::vector<bool>& outside,
+                                          const PlacedMesh& other) {
+    std::vector<MeshCover::Ray> result;
+    if (!other.mesh().has_inside()) return result;
+    for (std::size_t k = 0; k < outside.size(); ++k) {
+      if (outside[k]) continue;
+      const std::uint32_t first = of.mesh().pieces()[k].first;
+      result.push_back({first, ray_away(other, of.at(of.mesh().triangles()[first][0]))});
+    }
+    return result;
+  }
+
+  Searched a_, b_;
+  std::vector<std::uint32_t> corners_a_, corners_b_;  // of the pair that is looked at
+  std::vector<bool> outside_a_, outside_b_;           // of each piece
+  MeshCover cover_;
+};
+
+}  // namespace
+
+MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
+  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+  const double scale = scale_to_one(std::max(placed_a.at(0u).reach, placed_b.at(0u).reach));
+  return Covering(placed_a, placed_b, scale).run();
+}
+
+}  // namespace sunder::solid

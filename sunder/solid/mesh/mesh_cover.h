@@ -1,0 +1,41 @@
+// Why two meshes are apart, as plain data: planes between their parts, and rays that show that neither is in the other.
+// Also called: bounding volume test tree (BVTT) front; separating front.
+#pragma once
+
+#include <sunder/number/dyadic.h>
+#include <sunder/predicate/exact_point.h>
+#include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/object/pose.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sunder::solid {
+
+// A walk over pairs of parts, which are triangles that follow each other: first all of A and all of B. Each number of
+// `cuts` is about the next pair. k > 0: the part of A is cut before triangle k, and what follows is about the pair with
+// what is before, then about the other one. -k: the same of B. 0: along the next one of `directions` the part of A ends
+// before that of B begins. So every triangle of A is parted from every one of B.
+//
+// A ray goes from the first corner of a triangle along a direction, away from the other mesh: it meets none of the
+// edges of that one's closed pieces, and crosses these as often inwards as outwards (where only a parity tells, an even
+// number of times). There is one for each piece that could be inside of the other mesh: not for those that have a
+// triangle in a part that is parted from all of the other mesh, and none where that has no closed piece.
+struct MeshCover {
+  struct Ray {
+    std::uint32_t triangle = 0;
+    std::array<Dyadic, 3> along;
+  };
+
+  std::vector<std::int64_t> cuts;
+  std::vector<std::array<Dyadic, 3>> directions;
+  std::vector<Ray> rays_a, rays_b;
+};
+
+// Requires that the meshes are apart (mesh_mesh.h), and what that requires. Exact: directions are checked, and where
+// floating point finds none, exact numbers do. Cost: the pairs of parts of both trees that no plane parts, each times
+// the points of the parts.
+MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
+
+}  // namespace sunder::solid

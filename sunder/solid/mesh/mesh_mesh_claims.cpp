@@ -1,0 +1,210 @@
+#include <sunder/base/contract.h>
+#include <sunder/predicate/point/common_point.h>
+#include <sunder/solid/mesh/mesh_cover.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_point.h>
+#include <sunder/solid/mesh/placed_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdlib>
+#include <optional>
+#include <span>
+
+namespace sunder::solid {
+
+namespace {
+
+// The subset of corners whose bits are set, and their images.
+std::size_t take_corners(unsigned subset, const PosedTriangle& triangle, std::span<std::uint32_t> named,
+                         std::span<Posed3> at) {
+  std::size_t n = 0;
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if ((subset >> k & 1) == 0) continue;
+    named[n] = k;
+    at[n++] = triangle[k];
+  }
+  return n;
+}
+
+// The fewest corners of either triangle whose hulls have a common point: its weights are unique and positive then.
+CommonPoint common_point_of(const PosedTriangle& t, const PosedTriangle& u) {
+  for (int count = 2; count <= 5; ++count) {
+    for (unsigned of_t = 1; of_t < 8; ++of_t) {
+      for (unsigned of_u = 1; of_u < 8; ++of_u) {
+        if (std::popcount(of_t) + std::popcount(of_u) != count) continue;
+        CommonVertices tried;
+        std::array<Posed3, 6> at{};
+        std::array<std::uint32_t, 6> named{};
+        const std::size_t a = take_corners(of_t, t, named, at),
+                          b = take_corners(of_u, u, std::span(named).subspan(a), std::span(at).subspan(a));
+        const std::span<const Posed3> all(at.data(), a + b);
+        if (!have_common_point(all.first(a), all.subspan(a))) continue;
+        tried.count_a = static_cast<std::uint8_t>(a);
+        tried.count_b = static_cast<std::uint8_t>(b);
+        std::copy_n(named.begin(), a + b, tried.vertices.begin());
+        return common_point(tried, all);
+      }
+    }
+  }
+  SUNDER_REQUIRE(false);  // it is not so that they have a common point
+  return {};
+}
+
+// Corners 0, 1, 2 by the numbers of the points of their mesh.
+void name_points(const Mesh::Triangle& triangle, Combination& of) {
+  for (Weights::Part& part : of.parts) part.index = triangle[part.index];
+}
+
+class MeshFile {
+ public:
+  explicit MeshFile(ClaimsWriter& file) : file_(file) {}
+
+  // Returns its index where it is placed.
+  std::uint32_t add(const NamedMesh& of) {
+    begin(of);
+    file_.begin_list("points");
+    for (const Point3& p : of.mesh.points()) file_.add_row(std::array{p.x, p.y, p.z});
+    file_.end_list();
+    file_.begin_list("triangles");
+    for (const Mesh::Triangle& t : of.mesh.triangles()) file_.add_list(t);
+    file_.end_list();
+    file_.end_entry();
+    ++count_;
+    if (of.pose.affine() == Affine3()) return count_ - 1;
+    begin({of.name, of.mesh, of.pose});
+    file_.index("of", count_ - 1);
+    file_.doubles("linear", of.pose.affine().linear);
+    file_.doubles("translation", of.pose.affine().translation);
+    file_.end_entry();
+    return count_++;
+  }
+
+ private:
+  void begin(const NamedMesh& of) {
+    file_.say(of.said);
+    file_.begin_entry();
+    file_.text("name", of.name.empty() ? "unnamed" : cut_text(of.name));
+  }
+
+  ClaimsWriter& file_;
+  std::uint32_t count_ = 0;
+};
+
+void add_rays(ClaimsWriter& file, const char* key, const std::vector<MeshCover::Ray>& rays) {
+  file.begin_list(key);
+  for (const auto& [triangle, along] : rays) {
+    file.begin_list();
+    file.add_index(triangle);
+    file.add_numbers(along);
+    file.end_list();
+  }
+  file.end_list();
+}
+
+void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
+  file.begin_claim("on_triangle");
+  file.index("triangle", triangle);
+  file.begin_list("weights");
+  for (const auto& [index, numerator] : weights.parts) file.add_weight(index, numerator, weights.denominator);
+  file.end_list();
+  file.end_claim();
+}
+
+class Statement {
+ public:
+  Statement(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, std::uint32_t index_a, std::uint32_t index_b)
+      : file_(file), a_(a), b_(b), index_a_(index_a), index_b_(index_b) {}
+
+  void operator()(const MeshesApart&) const {
+    const MeshCover cover = mesh_cover(a_.mesh, a_.pose, b_.mesh, b_.pose);
+    begin("apart");
+    file_.begin_claims();
+    file_.begin_claim("covered");
+    file_.integers("cuts", cover.cuts);
+    file_.begin_list("directions");
+    for (const auto& direction : cover.directions) file_.add_numbers(direction);
+    file_.end_list();
+    add_rays(file_, "rays_a", cover.rays_a);
+    add_rays(file_, "rays_b", cover.rays_b);
+    file_.end_claim();
+    file_.end_statement();
+  }
+
+  void operator()(const MeetingTriangles& meeting) const {
+    const CommonPoint point = common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting);
+    begin("meet");
+    file_.fractions("point", point.at);
+    file_.begin_claims();
+    add_on_triangle(file_, meeting.of_a, point.of_a);
+    add_on_triangle(file_, meeting.of_b, point.of_b);
+    file_.end_statement();
+  }
+
+  void operator()(const PointWithin& within) const {
+    const NamedMesh &of = within.is_of_a ? a_ : b_, &other = within.is_of_a ? b_ : a_;
+    const PlacedMesh placed(of.mesh, of.pose), around(other.mesh, other.pose);
+    const Posed3 at = placed.at(within.point);
+    const std::array<Dyadic, 3> along = ray_away(around, at);
+    const Vector3<Dyadic> point = coordinates<Dyadic>(at);
+    const auto has_point = [&](const Mesh::Triangle& t) {
+      return std::find(t.begin(), t.end(), within.point) != t.end();
+    };
+    const std::span<const Mesh::Triangle> all = of.mesh.triangles();
+    const auto triangle = static_cast<std::uint32_t>(std::find_if(all.begin(), all.end(), has_point) - all.begin());
+    begin(within.is_of_a ? "a_within" : "b_within");
+    file_.numbers("point", std::array{point.x, point.y, point.z});
+    file_.begin_claims();
+    for (const bool is_a : {true, false}) {
+      if (is_a == within.is_of_a) {
+        add_on_triangle(file_, triangle, Combination({{within.point, Dyadic(1.0)}}));
+      } else {
+        file_.begin_claim("encloses");
+        file_.numbers("direction", along);
+        file_.end_claim();
+      }
+    }
+    file_.end_statement();
+  }
+
+ private:
+  void begin(const char* verdict) const {
+    file_.begin_statement("meshes");
+    file_.index("a", index_a_);
+    file_.index("b", index_b_);
+    file_.text("verdict", verdict);
+  }
+
+  ClaimsWriter& file_;
+  const NamedMesh &a_, &b_;
+  std::uint32_t index_a_, index_b_;
+};
+
+}  // namespace
+
+CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                         const MeetingTriangles& evidence) {
+  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+  CommonPoint point = common_point_of(placed_a.triangle(evidence.of_a), placed_b.triangle(evidence.of_b));
+  name_points(a.triangles()[evidence.of_a], point.of_a);
+  name_points(b.triangles()[evidence.of_b], point.of_b);
+  return point;
+}
+
+void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer) {
+  file.begin_table("meshes");
+  MeshFile table(file);
+  const std::uint32_t index_a = table.add(a), index_b = table.add(b);
+  file.end_table();
+  std::visit(Statement(file, a, b, index_a, index_b), answer.evidence);
+}
+
+void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer) {
+  ClaimsWriter file(sink);
+  file.add_origin(asked.origin);
+  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer);
+  file.end();
+}
+
+}  // namespace sunder::solid

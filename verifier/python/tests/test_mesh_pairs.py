@@ -1,0 +1,316 @@
+"""Statements about two meshes as they are, forced: solids of unit cells, and surfaces, whose truth is known by the cells."""
+import copy
+import itertools
+import os
+import unittest
+from fractions import Fraction
+
+import files
+from files import FORCED, MUTANT, Twins, dice_of, fraction, hexadecimal, lacking
+
+AXES = [tuple(int(a == b) for b in range(3)) for a in range(3)]
+
+
+def boundary(cells, dice):
+    """Of a solid of unit cells: its points, and two triangles for each side of a cell that has no other cell beyond it,
+    counterclockwise as seen from outside."""
+    points, triangles = {}, []
+    for cell, axis, way in itertools.product(sorted(cells), range(3), (0, 1)):
+        beyond = tuple(x + (a == axis) * (1 if way else -1) for a, x in enumerate(cell))
+        if beyond in cells:
+            continue
+        u, v = AXES[(axis + 1) % 3], AXES[(axis + 2) % 3]
+        start = tuple(x + (a == axis) * way for a, x in enumerate(cell))
+        ring = [tuple(s + j * x + k * y for s, x, y in zip(start, u, v)) for j, k in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        ring = [points.setdefault(p, len(points)) for p in (ring if way else ring[::-1])]
+        turn = dice.randrange(4)
+        ring = ring[turn:] + ring[:turn]
+        triangles += [[ring[0], ring[1], ring[2]], [ring[0], ring[2], ring[3]]]
+    dice.shuffle(triangles)
+    return [list(p) for p in points], triangles
+
+
+def some_cells(dice, size):
+    """Cells of a cube of so many: some, or a shell around a hole."""
+    cube = [*itertools.product(range(size), repeat=3)]
+    if dice.random() < .3:
+        return {cell for cell in cube if any(x in (0, size - 1) for x in cell)}
+    return set(dice.sample(cube, dice.randint(1, max(1, len(cube) // 3))))
+
+
+def together(p, cells):
+    """Is a point in a closed cell of a solid?"""
+    return any(all(x <= q <= x + 1 for x, q in zip(cell, p)) for cell in cells)
+
+
+class Given:
+    """A solid of cells, at a place that is a multiple of a power of two, told as a mesh or as the image of one."""
+
+    def __init__(self, name, cells, shift, dice, step=Fraction(1)):
+        self.name, self.cells, self.shift, self.step = name, cells, shift, step
+        self.points, self.triangles = boundary(cells, dice)
+        throw = dice.random()  # turned inside out; or some triangles turned, so that only a parity tells
+        self.triangles = [t[::-1] if throw < .1 or (throw < .2 and dice.random() < .3) else t for t in self.triangles]
+        self.is_image = dice.random() < .5
+
+    def places(self):
+        return [[self.step * (x + s) for x, s in zip(p, self.shift)] for p in self.points]
+
+    def entries(self, base):
+        linear = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]  # a turn: x, y, z become z, x, y
+        points = [[p[1], p[2], p[0]] for p in self.points] if self.is_image else self.places()
+        shown = [[hexadecimal(Fraction(x)) for x in p] for p in points]
+        mesh = {"name": self.name, "points": shown, "triangles": self.triangles}
+        if not self.is_image:
+            return [mesh]
+        return [mesh, {"name": self.name, "of": base, "linear": [hexadecimal(self.step * n) for row in linear for n in row],
+                       "translation": [hexadecimal(self.step * s) for s in self.shift]}]
+
+    def is_in(self, p):
+        return together([x / self.step - s for x, s in zip(p, self.shift)], self.cells)
+
+
+def cover(a, b, dice):
+    """The walk, where each pair of triangles that are apart is so along an axis, which it is of sides of cells."""
+    cuts, directions, places = [], [], (a.places(), b.places())
+
+    def part(of, first, end):
+        return [places[of][corner] for t in (a, b)[of].triangles[first:end] for corner in t]
+
+    pairs = [((0, len(a.triangles)), (0, len(b.triangles)))]
+    while pairs:
+        of_a, of_b = pairs.pop()
+        corners = part(0, *of_a), part(1, *of_b)
+        found = [(c, way) for c, way in itertools.product(range(3), (1, -1))
+                 if max(way * p[c] for p in corners[0]) < min(way * p[c] for p in corners[1])]
+        if found:
+            c, way = dice.choice(found)
+            cuts.append(0)
+            directions.append([str(way) if k == c else "0" for k in range(3)])
+            continue
+        sizes = of_a[1] - of_a[0], of_b[1] - of_b[0]
+        if max(sizes) == 1:
+            return None
+        which = sizes[1] > sizes[0]
+        first, end = (of_a, of_b)[which]
+        middle = dice.randint(first + 1, end - 1)
+        cuts.append(-middle if which else middle)
+        for half in (middle, end), (first, middle):
+            pairs.append((of_a, half) if which else (half, of_b))
+    return cuts, directions
+
+
+def direction(dice):
+    return [str(dice.choice((-1, 1)) * dice.randint(1, 10 ** 4)) for _ in range(3)]
+
+
+def statement(verdict, a, b, *claims, **says):
+    return {"question": "meshes", "a": a, "b": b, "verdict": verdict, **says, "claims": list(claims)}
+
+
+def pieces(given):
+    """A triangle of each."""
+    parent = [*range(len(given.points))]
+
+    def find(i):
+        while parent[i] != i:
+            i = parent[i]
+        return i
+    for i, j, k in given.triangles:
+        parent[find(i)] = find(j)
+        parent[find(j)] = find(k)
+    return {find(t[0]): n for n, t in enumerate(given.triangles)}.values()
+
+
+def told_point(p):
+    return [fraction(Fraction(x)) for x in p]
+
+
+def inside(given, dice):
+    """A point of a triangle, and the claim that it is one."""
+    t = dice.randrange(len(given.triangles))
+    weights = [Fraction(dice.randint(0, 4)) for _ in range(3)]
+    weights[dice.randrange(3)] += 1
+    total, places = sum(weights), given.places()
+    named = [(k, w / total) for k, w in zip(given.triangles[t], weights)]
+    point = [sum(w * places[k][c] for k, w in named) for c in range(3)]
+    return point, {"claim": "on_triangle", "triangle": t, "weights": [[k, fraction(w)] for k, w in named]}
+
+
+class MeshPairs(unittest.TestCase):
+    def setUp(self):
+        self.dice, self.twins = dice_of(4001), Twins(self)
+
+    def tables(self, a, b):
+        entries = a.entries(0)
+        first = len(entries) - 1
+        entries += b.entries(len(entries))
+        return {"meshes": entries}, first, len(entries) - 1
+
+    def some_pair(self):
+        dice = self.dice
+        step = Fraction(2) ** dice.choice((-60, -1, 0, 0, 40))
+        size = dice.choice((1, 1, 2, 3))
+        a = Given("a", some_cells(dice, size), [dice.randint(-2, 2) for _ in range(3)], dice, step)
+        if dice.random() < .4:  # half as large, in a cell of A or in a hole of it
+            cell = dice.choice([*a.cells]) if dice.random() < .6 else [dice.randrange(size) for _ in range(3)]
+            b = Given("b", {(0, 0, 0)}, [Fraction(4 * n + 1, 4) + s for n, s in zip(cell, a.shift)], dice, step)
+            b.points = [[Fraction(x, 2) for x in p] for p in b.points]
+            b.is_image = False
+            b.is_in = lambda p: all(s <= x / step <= s + Fraction(1, 2) for x, s in zip(p, b.shift))
+            return (a, b) if dice.random() < .5 else (b, a)
+        gap = dice.choice((0, 0, Fraction(1, 2 ** 20), Fraction(1, 2), 3))
+        axis = dice.randrange(3)
+        shift = [dice.randint(-4, 4) + (gap if c == axis else 0) for c in range(3)]
+        return a, Given("b", some_cells(dice, dice.choice((1, 1, 2))), shift, dice, step)
+
+    def ask(self, tables, said, is_true):
+        """What is said of a statement that is true, or must not be accepted."""
+        top = files.file_of(tables, said)
+        found = self.twins.force(top)
+        if is_true is not None:
+            self.assertEqual(found == "accepted", is_true, (found, top))
+        return top, found
+
+    def test_apart_and_within(self):
+        dice = self.dice
+        while lacking(FORCED, "meshes"):
+            a, b = self.some_pair()
+            tables, i, j = self.tables(a, b)
+            found = cover(a, b, dice)
+            if found:
+                self.ask_apart(tables, i, j, a, b, found)
+            self.ask_points(tables, i, j, a, b)
+        self.twins.compare()
+        for verdict in ("apart", "meet", "a_within", "b_within"):
+            self.assertGreater(files.TRIED["accepted"]["meshes", verdict], 0)
+
+    def ask_apart(self, tables, i, j, a, b, found):
+        dice = self.dice
+        rays_a = [[t, direction(dice)] for t in pieces(a)]
+        rays_b = [[t, direction(dice)] for t in pieces(b)]
+        is_nested = any(b.is_in(a.places()[a.triangles[t][0]]) for t, _ in rays_a) or any(
+            a.is_in(b.places()[b.triangles[t][0]]) for t, _ in rays_b)
+        claim = {"claim": "covered", "cuts": found[0], "directions": found[1], "rays_a": rays_a, "rays_b": rays_b}
+        top, said = self.ask(tables, statement("apart", i, j, claim), None)
+        if is_nested:
+            self.assertNotEqual(said, "accepted", top)
+            for rays in ([], rays_a), ([], rays_b):  # a piece that is not asked about
+                claim = {**claim, "rays_a": rays[0], "rays_b": rays[1]}
+                self.ask(tables, statement("apart", i, j, claim), False if len(found[0]) > 1 else None)
+            return
+        if said != "accepted":  # a ray met an edge
+            self.assertEqual(said, "covered")
+            return
+        for _ in range(2):
+            worse = copy.deepcopy(claim)
+            if dice.random() < .5:
+                k = dice.randrange(len(worse["cuts"]))
+                worse["cuts"][k:k + 1] = dice.choice(([], [0], [1], [-1], [worse["cuts"][k], 0], [-worse["cuts"][k]]))
+            else:
+                k = dice.randrange(len(worse["directions"]))
+                worse["directions"][k] = dice.choice((["0", "0", "0"], direction(dice), [
+                    str(-int(x)) for x in worse["directions"][k]]))
+            self.ask(tables, statement("apart", i, j, worse), None)  # the twins agree
+
+    def ask_points(self, tables, i, j, a, b):
+        dice = self.dice
+        for verdict, of, other in ("a_within", a, b), ("b_within", b, a):
+            point, claim = inside(of, dice)
+            claims = [claim, {"claim": "encloses", "direction": direction(dice)}]
+            told = told_point(point)
+            said = statement(verdict, i, j, *(claims if verdict[0] == "a" else claims[::-1]), point=told)
+            top, found = self.ask(tables, said, None)
+            if found == "accepted":
+                self.assertTrue(other.is_in(point), top)
+            # Two triangles that hold one point.
+            back, claim_too = inside(other, dice)
+            both = [claim, claim_too] if verdict[0] == "a" else [claim_too, claim]
+            self.ask(tables, statement("meet", i, j, *both, point=told), True if back == point else False)
+        self.ask_common_corner(tables, i, j, a, b)
+
+    def ask_common_corner(self, tables, i, j, a, b):
+        corners = {tuple(p): k for k, p in enumerate(a.places())}
+        for k, p in enumerate(b.places()):
+            if tuple(p) not in corners:
+                continue
+            claims = [{"claim": "on_triangle", "triangle": next(n for n, t in enumerate(of.triangles) if v in t),
+                       "weights": [[v, "1"]]} for of, v in ((a, corners[tuple(p)]), (b, k))]
+            self.ask(tables, statement("meet", i, j, *claims, point=told_point(p)), True)
+            off = [fraction(Fraction(x) + Fraction(1, 2 ** 90)) for x in p]
+            self.ask(tables, statement("meet", i, j, *claims, point=off), False)
+            return
+
+    def test_mutants(self):
+        dice = dice_of(4002)
+        while lacking(MUTANT, "meshes"):
+            a, b = self.some_pair()
+            if len(a.triangles) + len(b.triangles) > 150:
+                continue
+            tables, i, j = self.tables(a, b)
+            found = cover(a, b, dice)
+            says = []
+            if found:
+                rays = [[[t, direction(dice)] for t in pieces(of)] for of in (a, b)]
+                says.append(statement("apart", i, j, {"claim": "covered", "cuts": found[0], "directions": found[1],
+                                                      "rays_a": rays[0], "rays_b": rays[1]}))
+            point, claim = inside(a, dice)
+            back, claim_too = inside(b, dice)
+            ray = {"claim": "encloses", "direction": direction(dice)}
+            says += [statement("meet", i, j, claim, claim_too, point=told_point(point)),
+                     statement("a_within", i, j, claim, ray, point=told_point(point)),
+                     statement("b_within", i, j, ray, claim_too, point=told_point(back))]
+            for said in says:
+                self.twins.spoil(files.file_of(tables, said), dice)
+        self.twins.compare()
+
+
+class Pieces(unittest.TestCase):
+    """Which triangles bound an inside, as sentences tell."""
+
+    def sentence(self, points, triangles):
+        mesh = {"name": "m", "points": [[hexadecimal(Fraction(x)) for x in p] for p in points], "triangles": triangles}
+        far = {"name": "f", "points": [["0x1p+9"] * 3], "triangles": [[0, 0, 0]]}
+        claim = {"claim": "covered", "cuts": [0], "directions": [["1", "1", "1"]], "rays_a": [], "rays_b": []}
+        top = files.file_of({"meshes": [mesh, far]}, statement("apart", 0, 1, claim))
+        twins = Twins(self)
+        self.assertEqual(twins.look(top), "accepted")
+        twins.compare()
+        return files.told(files.json.dumps(top))[1][0].partition(" of \"m\"")[0]
+
+    TETRAHEDRON = [[0, 0, 0], [6, 0, 0], [0, 6, 0], [0, 0, 6]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+
+    def test_a_tetrahedron(self):
+        points, faces = self.TETRAHEDRON
+        self.assertEqual(self.sentence(points, faces), "the solid of 4 triangles")
+        self.assertEqual(self.sentence(points, faces[:3]), "the surface of 3 triangles")
+        self.assertEqual(self.sentence(points, faces[:3] + [faces[3][::-1]]), "the solid, by parity, of 4 triangles")
+        self.assertEqual(self.sentence(points + [[9, 9, 9], [9, 9, 8], [9, 8, 9]], faces + [[4, 5, 6]]),
+                         "the solid of 4 triangles and the surface of 1 triangle")
+        self.assertEqual(self.sentence(points + [[9, 9, 9], [9, 9, 8]], faces + [[0, 4, 5]]), "the surface of 5 triangles")
+
+    def test_edges_that_end_within_others(self):
+        """One face as two, cut at the middle of an edge of the face beside it."""
+        points, faces = self.TETRAHEDRON
+        cut = points + [[3, 3, 0]]  # on the edge from 1 to 2
+        halves = [[1, 4, 3], [4, 2, 3]]
+        self.assertEqual(self.sentence(cut, faces[:3] + halves), "the solid of 5 triangles")
+        self.assertEqual(self.sentence(points + [[3, 3, 1]], faces[:3] + halves), "the surface of 5 triangles")
+        twice = points + [[3, 3, 0], [2, 4, 0]]
+        self.assertEqual(self.sentence(twice, faces[:3] + [[1, 4, 3], [4, 5, 3], [5, 2, 3]]), "the solid of 6 triangles")
+        # The halves overlap: one part of the edge is there twice, another not at all.
+        self.assertEqual(self.sentence(twice, faces[:3] + [[1, 5, 3], [4, 2, 3]]), "the surface of 5 triangles")
+
+    def test_pieces_that_share_a_part_of_an_edge_alone_are_one(self):
+        """A loose triangle whose edge lies on one that is open."""
+        points, faces = self.TETRAHEDRON
+        loose = points + [[1, 5, 0], [4, 2, 0], [7, 7, 0]]
+        self.assertEqual(self.sentence(loose, faces + [[4, 5, 6]]), "the solid of 4 triangles and the surface of 1 triangle")
+        cut = loose + [[3, 3, 0]]
+        self.assertEqual(self.sentence(cut, faces[:3] + [[1, 7, 3], [7, 2, 3], [4, 5, 6]]), "the surface of 6 triangles")
+
+
+if __name__ == "__main__":
+    if os.environ.get("SUNDER_PROGRAM") is None:
+        print("without sunder verify")
+    files.main()
