@@ -102,7 +102,7 @@ class ProofsPage(unittest.TestCase):
         done = run(PROGRAM, "verify", proof, *against)
         self.assertEqual(done.returncode, 0, done)
         self.assertIn("made of these files: this program", done.stdout)
-        self.assertTrue(top.get("said") or any("said" in entry for entry in top["tables"].get("bodies", []) +
+        self.assertTrue(top.get("said") or any("said" in entry for entry in top["tables"].get("bodies", []) + top["tables"].get("meshes", []) +
                                                top["tables"].get("polytopes", [])), top["call"])
 
     def said_by_python(self, proof, against):

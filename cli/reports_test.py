@@ -34,7 +34,7 @@ NEVER_SEEN = {
 
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
-    "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact said_of distance depth clearance nearest time cut support planes group layer across_layers count counts "
+    "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact enclosed said_of distance depth clearance nearest time cut support planes group layer across_layers count counts "
         "contact_unknown unit "
         "best contradiction formats",
     "objects[]": "surface why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
@@ -97,6 +97,10 @@ METHODS = {
 MORE = """
 pair cases/mesh/cube.obj cases/mesh/cube.obj --pose-b 2,0,0 --classify --certificate OUT
 pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl
+pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl --hull
+pair cases/mesh/cube.obj open.obj --pose-a 0.25,0,0,2,0,0.25,0,2,0,0,0.25,2 --certificate OUT
+pair cases/mesh/cube.obj open.obj
+pair cases/mesh/cube.obj cases/mesh/bracket.obj --pose-a 0.25,0,0,0.5,0,0.25,0,0.5,0,0,0.25,0.5
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --clearance 1 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 0.25,0,0 --depth --certificate OUT
@@ -304,6 +308,7 @@ FILES = {
                    + "v 0 0 1\n",
     # Lengths beyond the range of doubles.
     "vast.obj": "".join("v %d.7e308 %d.7e308 %d.7e308\n" % xyz for xyz in itertools.product((-1, 1), repeat=3)),
+    "open.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\n",
     "left.obj": "v -1.7e308 0 0\nv -1.6e308 0 0\nv -1.7e308 1e307 0\nv -1.7e308 0 1e307\n",
     "right.obj": "v 1.7e308 0 0\nv 1.6e308 0 0\nv 1.7e308 1e307 0\nv 1.7e308 0 1e307\n",
     "sited.csv": "x,y,r\n0,0,2\n1,1,2\n", "sited.prj": "EPSG:28992\n", "shapes.prj": "EPSG:28992\n",
@@ -542,7 +547,7 @@ class Reports(unittest.TestCase):
 
 
 SIMPLE = ["count", "position", "line", "text", "property", "about", "point2", "point3", "fraction"]
-SHARED = ["cost", "error", "left_out", "coordinate_systems", "skipped", "mended", "feature", "body", "planar_body", "unbounded", "flat", "mesh",
+SHARED = ["cost", "error", "left_out", "coordinate_systems", "skipped", "mended", "feature", "body", "as_mesh", "surface", "planar_body", "unbounded", "flat", "mesh",
           "evidence", "common", "closest", "end", "pairs_of_parts", "near_parts", "info_of_mesh", "info_of_robot", "info_of_scene", "info_of_lines",
           "info_of_rows", "info_of_objects", "certificate_file"]
 VERBS = [one["$ref"].split("/")[-1] for one in SCHEMA["else"]["oneOf"]]

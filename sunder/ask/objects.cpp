@@ -59,6 +59,47 @@ void note_hulls(Talk& talk, const std::vector<const MeshBody*>& objects) {
                         departure.empty() ? "" : fmt::format("; in {}, {}", name(deepest->file), departure)));
 }
 
+SurfaceTold surface_told(const solid::Mesh& mesh) {
+  std::array<std::uint64_t, 3> of_kind{};  // by each PieceKind
+  std::uint64_t open_edges = 0, t_junctions = 0;
+  for (const solid::Mesh::Piece& piece : mesh.pieces()) {
+    ++of_kind[static_cast<std::size_t>(piece.kind)];
+    open_edges += piece.open_edges;
+    t_junctions += piece.t_junctions;
+  }
+  const auto [oriented, unoriented, open] = of_kind;
+  const std::size_t pieces = mesh.pieces().size(), crossing = mesh.crossing_faces().size();
+  const std::string of_pieces = pieces == 1 ? "1 piece" : fmt::format("{} pieces", pieces);
+  SurfaceTold told;
+  told.json = {{"closed", mesh.is_closed()},
+               {"pieces", pieces},
+               {"oriented", oriented},
+               {"unoriented", unoriented},
+               {"open", open},
+               {"open_edges", open_edges},
+               {"t_junctions", t_junctions},
+               {"crossing_faces", crossing}};
+  told.lines = {open == 0 ? "yes, " + of_pieces
+                          : fmt::format("no: {}{} belong to an odd number of triangles", count_of(open_edges, "edge"),
+                                        pieces > 1 ? fmt::format(", of {} of {},", open, of_pieces) : "")};
+  if (unoriented > 0) {
+    told.lines.push_back(fmt::format(
+        "{} of {}, not turned the same way everywhere: inside is where a ray crosses the mesh an odd number of times",
+        unoriented, of_pieces));
+  }
+  if (t_junctions > 0) {
+    told.lines.push_back(
+        fmt::format("{} inside edges of other triangles (T-junctions), exactly", count_of(t_junctions, "corner")));
+  }
+  if (crossing > 0) {
+    told.lines.push_back(fmt::format("{}, the first is polygon {}",
+                                     crossing == 1 ? "1 polygon crosses or touches itself"
+                                                   : fmt::format("{} polygons cross or touch themselves", crossing),
+                                     mesh.crossing_faces()[0]));
+  }
+  return told;
+}
+
 const char* dimension_name(int dimension) {
   constexpr std::array<const char*, 4> names{"point", "segment", "polygon", "body"};
   return names[static_cast<std::size_t>(dimension)];

@@ -21,6 +21,13 @@ void note_remarks(Talk& talk, const std::vector<const MeshBody*>& objects);
 // Notes that, and of which meshes the hulls are used: one line, however many there are.
 void note_hulls(Talk& talk, const std::vector<const MeshBody*>& objects);
 
+// Is the mesh closed, and if so, how? A word or two, then lines about what is out of the ordinary.
+struct SurfaceTold {
+  Json json;
+  std::vector<std::string> lines;
+};
+SurfaceTold surface_told(const solid::Mesh& mesh);
+
 // "body", "polygon", "segment", "point".
 const char* dimension_name(int dimension);
 

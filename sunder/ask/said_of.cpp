@@ -26,12 +26,26 @@ std::vector<std::string> missing_of(const io::MeshBody& body, const io::LeftOutL
   return texts;
 }
 
-Said said_of_mesh(const io::MeshBody& body, const InputFiles& inputs, const io::LeftOutList& left_out) {
+namespace {
+
+Said said_of_its(Said::Source what, const io::MeshBody& body, const InputFiles& inputs,
+                 const io::LeftOutList& left_out) {
   const std::filesystem::path path = body.file;
   const bool is_part = body.name != io::one_line(path.stem().string());
-  const Said said = said_of_file(body.shape == io::BodyShape::points ? Said::Source::points : Said::Source::vertices,
-                                 inputs, body.file, is_part ? body.name : "", missing_of(body, left_out));
+  return said_of_file(what, inputs, body.file, is_part ? body.name : "", missing_of(body, left_out));
+}
+
+}  // namespace
+
+Said said_of_mesh(const io::MeshBody& body, const InputFiles& inputs, const io::LeftOutList& left_out) {
+  const bool is_of_points = body.shape == io::BodyShape::points;
+  const Said said = said_of_its(is_of_points ? Said::Source::points : Said::Source::vertices, body, inputs, left_out);
   return said.empty() || body.shape != io::BodyShape::hull ? said : said.hull();
+}
+
+Said said_of_triangles(const io::MeshBody& body, const InputFiles& inputs, const io::LeftOutList& left_out) {
+  if (body.mesh == nullptr) return said_of_mesh(body, inputs, left_out);
+  return said_of_its(Said::Source::triangles, body, inputs, left_out);
 }
 
 Said said_in(std::span<const io::SystemOfFile> systems, Said said) {

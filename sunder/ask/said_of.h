@@ -25,6 +25,8 @@ std::vector<std::string> missing_of(const io::MeshBody& body, const io::LeftOutL
 // The vertices of a mesh, or of an object of it, as a hull where it is not convex; a set of points. `left_out` has what
 // of its file was left out.
 Said said_of_mesh(const io::MeshBody& body, const InputFiles& inputs, const io::LeftOutList& left_out);
+// Its triangles, as they are; of a set of points the same as above.
+Said said_of_triangles(const io::MeshBody& body, const InputFiles& inputs, const io::LeftOutList& left_out);
 
 // The same in the coordinate systems that its file declares; unchanged where nothing is said, or none is declared.
 Said said_in(std::span<const io::SystemOfFile> systems, Said said);

@@ -254,47 +254,11 @@ Info describe_scene(const std::string& file, std::string_view bytes) {
   return info;
 }
 
-// Is the mesh closed, and if so, how?
 void add_surface(Info& info, const io::Mesh& mesh) {
-  const solid::Mesh given(solid::MeshView{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices});
-  std::array<std::uint64_t, 3> of_kind{};  // by each PieceKind
-  std::uint64_t open_edges = 0, t_junctions = 0;
-  for (const solid::Mesh::Piece& piece : given.pieces()) {
-    ++of_kind[static_cast<std::size_t>(piece.kind)];
-    open_edges += piece.open_edges;
-    t_junctions += piece.t_junctions;
-  }
-  const auto [oriented, unoriented, open] = of_kind;
-  const std::size_t pieces = given.pieces().size();
-  info.json["surface"] = {{"closed", given.is_closed()},
-                          {"pieces", pieces},
-                          {"oriented", oriented},
-                          {"unoriented", unoriented},
-                          {"open", open},
-                          {"open_edges", open_edges},
-                          {"t_junctions", t_junctions},
-                          {"crossing_faces", given.crossing_faces().size()}};
-  const std::string of_pieces = pieces == 1 ? "1 piece" : fmt::format("{} pieces", pieces);
-  info.add("closed", open == 0
-                         ? "yes, " + of_pieces
-                         : fmt::format("no: {}{} belong to an odd number of triangles", count_of(open_edges, "edge"),
-                                       pieces > 1 ? fmt::format(", of {} of {},", open, of_pieces) : ""));
-  if (unoriented > 0) {
-    info.add("", fmt::format("{} of {}, not turned the same way everywhere: inside is where a ray crosses the mesh an "
-                             "odd number of times",
-                             unoriented, of_pieces));
-  }
-  if (t_junctions > 0) {
-    info.add("",
-             fmt::format("{} inside edges of other triangles (T-junctions), exactly", count_of(t_junctions, "corner")));
-  }
-  if (!given.crossing_faces().empty()) {
-    const std::size_t count = given.crossing_faces().size();
-    info.add("", fmt::format("{}, the first is polygon {}",
-                             count == 1 ? "1 polygon crosses or touches itself"
-                                        : fmt::format("{} polygons cross or touch themselves", count),
-                             given.crossing_faces()[0]));
-  }
+  const SurfaceTold told = surface_told(solid::Mesh({mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices}));
+  info.json["surface"] = told.json;
+  const char* key = "closed";
+  for (const std::string& line : told.lines) info.add(std::exchange(key, ""), line);
 }
 
 Info describe_mesh(const std::string& file, std::string_view bytes) {

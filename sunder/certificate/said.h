@@ -21,6 +21,7 @@ class Said {
  public:
   enum class Source : std::uint8_t {
     vertices,
+    triangles,
     points,
     half_spaces,
     lines,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+// long because: one reader for each shape
 namespace sunder_verifier {
 namespace {
 

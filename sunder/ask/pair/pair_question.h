@@ -37,10 +37,12 @@ struct PairCall : QuestionCall {
   PairSide a{"a", {}, {}, {}, {}}, b{"b", {}, {}, {}, {}};
   bool classify = false;
   bool distance = false;
-  bool depth = false;               // of bounded objects
-  bool support = false;             // of a body and a line: the planes through it that support the body
-  std::string clearance;            // a number: is one that far from the other? Empty: it is not asked
-  bool mend = false, hull = false;  // planar: what to do with vertices that are not those of a convex polygon
+  bool depth = false;     // of bounded objects
+  bool support = false;   // of a body and a line: the planes through it that support the body
+  std::string clearance;  // a number: is one that far from the other? Empty: it is not asked
+  bool mend = false;      // planar: leave vertices out that are none of a convex polygon
+  bool hull = false;      // what is not convex is replaced by its hull
+  bool surface = false;   // of meshes as they are: what open pieces seem to enclose is not asked about
   bool drop_z = false, mixed_crs = false;
   std::string project;     // of space: a frame, nine numbers, that polygons are projected on; empty: none
   bool leave_out = false;  // what is no object here; of meshes, what is not read
@@ -144,7 +146,7 @@ namespace pair_kind {
 inline const std::string polytopes = "polytopes", planar = "planar objects that are bounded",
                          planar_lines = "planar lines, rays and half-planes", bodies = "bounded objects of space",
                          flats = "lines, rays and planes of space", round = "bodies with a radius",
-                         moving = "moving bodies";
+                         moving = "moving bodies", meshes = "meshes that are not convex";
 }  // namespace pair_kind
 
 // Throws Error bad_call for an option that is for none of these kinds.

@@ -23,6 +23,7 @@ struct PlacedBody {
   solid::Pose pose;                         // with the frame of a polygon that has one
   std::optional<io::SpaceObject> object{};  // where it is none of a mesh file
   Said said{};                              // in proofs; so below
+  Said said_as_it_is{};                     // of a mesh that is asked about as it is
 
   bool is_hull() const { return mesh.shape == io::BodyShape::hull; }
 };
@@ -87,6 +88,13 @@ Report run_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput
 // certificate is asked for and the pair is undecided.
 Report run_body_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
+// The first of the meshes of A and B that is not convex; null: there is none.
+const MeshBody* mesh_that_is_not_convex(const SpaceInput& a, const SpaceInput& b);
+
+// Answers a pair of bounded objects, of which one is such a mesh, as they are. Throws Error for the options of convex
+// objects, and where one is not bounded or has a radius.
+Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+
 // Answers a pair of bounded bodies, with a radius or without, of which one moves, or both (--to-a, --to-b). Throws
 // Error where a body turns, where a polygon in a frame moves, for options of bodies at rest, and where a certificate is
 // asked for and the pair is undecided.
@@ -101,6 +109,7 @@ Report run_line_pair(const PairCall& call, const PlacedBody& body, const PlacedF
 // Their methods, for help texts.
 std::string plane_method_names();
 std::string line_method_names();
+std::string mesh_method_names();
 std::string support_method_names();  // of --support
 
 // Few vertices of a body, which is called so, that span a part of its surface: a vertex, an edge, a part of a facet.

@@ -184,10 +184,13 @@ void say(const PairSide& side, const PairFiles& files, SpaceInput& input) {
   }
   PlacedBody& body = *input.bounded;
   body.said = said_of_mesh(body.mesh, files.read, files.left_out);
+  body.said_as_it_is = said_of_triangles(body.mesh, files.read, files.left_out);
   const bool is_projected = body.object && body.object->moved && body.object->frame;
   if (!is_projected || body.said.empty()) return;
   const auto& [o, u, v] = *body.object->frame;
-  body.said = body.said.projected({o.x, o.y, o.z, u.x, u.y, u.z, v.x, v.y, v.z});
+  for (Said* said : {&body.said, &body.said_as_it_is}) {
+    *said = said->projected({o.x, o.y, o.z, u.x, u.y, u.z, v.x, v.y, v.z});
+  }
 }
 
 // The one of these names, or an error that tells them all.
@@ -262,7 +265,11 @@ SpaceInput read_scene_body(const PairCall& call, const PairSide& side, const sol
   const bool is_mesh = !part.round && part.body.file != shown;
   Said said = is_mesh ? said_of_mesh(part.body, files.read, files.left_out)
                       : said_of_file(Said::Source::shape, files.read, side.file, side.body);
-  if (!said.empty() && !part.unit.empty()) said = said.unit(part.unit);
+  Said as_it_is = is_mesh ? said_of_triangles(part.body, files.read, files.left_out) : said;
+  for (Said* each : {&said, &as_it_is}) {
+    if (!each->empty() && !part.unit.empty()) *each = each->unit(part.unit);
+  }
+  if (input.bounded) input.bounded->said_as_it_is = as_it_is;
   (part.round ? input.round->said : input.bounded->said) = said;
   return input;
 }

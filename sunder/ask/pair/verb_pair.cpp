@@ -38,12 +38,13 @@ Report run(const PairCall& call, Talk& talk) {
     require_pair_fit(call, {pair_kind::planar, pair_kind::planar_lines});
     return run_planar_pair(call, talk);
   }
-  require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving});
+  require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving, pair_kind::meshes});
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call, talk);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
+  if (!call.hull && mesh_that_is_not_convex(a, b) != nullptr) return run_mesh_pair(call, a, b, files);
   std::vector<const MeshBody*> bodies;
   for (const SpaceInput* input : {&a, &b}) {
     if (input->bounded) bodies.push_back(&input->bounded->mesh);
@@ -86,15 +87,15 @@ std::vector<Option> pair_options(PairCall& call) {
        "enlarge A to all points within this distance of it (default 0; bounded objects in space)", "NUMBER"},
       {"--radius-b", &call.b.radius, "the same for B", "NUMBER"},
       {"--method", &call.method,
-       fmt::format(
-           "for two bodies in space: {}, drums; with a plane: {}; with a line or ray in space: {}; for two planar "
-           "objects: {}; with a planar line, ray or half-plane: {}; for polytopes: {}",
-           pair_method_names(), plane_method_names(), line_method_names(), planar_method_names(),
-           planar_line_method_names(), polytope_method_names()),
+       fmt::format("for two bodies in space: {}, drums; for meshes that are not convex: {}; with a plane: {}; with a "
+                   "line or ray in space: {}; for two planar "
+                   "objects: {}; with a planar line, ray or half-plane: {}; for polytopes: {}",
+                   pair_method_names(), mesh_method_names(), plane_method_names(), line_method_names(),
+                   planar_method_names(), planar_line_method_names(), polytope_method_names()),
        "NAME"},
       {"--classify", &call.classify, "also tell whether the objects only touch or their interiors overlap"},
       {"--require-convex", &call.require_convex,
-       "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
+       "refuse a mesh that is not exactly convex (default: it is asked about as it is)"},
       {"--leave-out", &call.leave_out, leave_out_help},
       certificate_option(call.certificate),
       json_option(call.json),
@@ -116,7 +117,10 @@ std::vector<Option> pair_options(PairCall& call) {
        "A is a scene (JSON): use this body of it, NAME, or NAME/PART for one of several parts", "NAME"},
       {"--body-b", &call.b.body, "the same for B", "NAME"},
       {"--mend", &call.mend, "planar: remove repeated and collinear vertices"},
-      {"--hull", &call.hull, "planar: replace each object by the convex hull of its vertices"},
+      {"--hull", &call.hull, "replace each object that is not convex by the convex hull of its vertices"},
+      {"--surface", &call.surface,
+       "of meshes that are not closed: ask about the surfaces alone, so that the exit code is 0 if these are apart, "
+       "whatever an open one seems to enclose"},
       {"--project", &call.project,
        "project polygons in space onto a plane; nine numbers: a point of the plane and two vectors in it. The answer "
        "says how far the vertices moved",
@@ -143,7 +147,9 @@ std::vector<Option> pair_options(PairCall& call) {
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
-      flats{kind::flats};
+      flats{kind::flats}, meshes{kind::meshes};
+  Kinds any_shape = plane;
+  any_shape.insert(any_shape.end(), space.begin(), space.end());
   Kinds any_at_rest = resting;
   any_at_rest.push_back(kind::polytopes);
   const std::map<std::string_view, const Kinds&> of{{"--to-a", solid},
@@ -159,7 +165,8 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--feature-a", plane},
                                                     {"--feature-b", plane},
                                                     {"--mend", plane},
-                                                    {"--hull", plane},
+                                                    {"--hull", any_shape},
+                                                    {"--surface", meshes},
                                                     {"--project", space},
                                                     {"--drop-z", plane},
                                                     {"--mixed-crs", plane},

@@ -74,6 +74,7 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
                 std::nullopt,
                 solid::ConvexPolyhedron(mesh.vertices)};
   if (mesh.polygon_count() == 0) return body;
+  body.mesh = std::make_shared<const Mesh>(mesh);
 
   const solid::MeshView view{mesh.vertices, mesh.polygon_begin, mesh.polygon_vertices};
   const solid::MeshDefect defect = solid::find_mesh_defect(view, body.hull);
@@ -135,6 +136,11 @@ std::string inner_vertices_text(std::uint64_t count) {
   if (count == 0) return "";
   return count == 1 ? "1 unused vertex lies in the hull of the others, and changes nothing"
                     : fmt::format("{} unused vertices lie in the hull of the others, and change nothing", count);
+}
+
+solid::Mesh mesh_as_it_is(const MeshBody& body) {
+  if (body.mesh == nullptr) return mesh_of(body.hull);
+  return solid::Mesh({body.mesh->vertices, body.mesh->polygon_begin, body.mesh->polygon_vertices});
 }
 
 MeshBody body_of_mesh(Mesh mesh, const std::filesystem::path& file, bool require_convex) {

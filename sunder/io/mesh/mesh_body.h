@@ -5,11 +5,13 @@
 #include <sunder/certificate/origin.h>
 #include <sunder/io/mesh/mesh.h>
 #include <sunder/io/text/left_out.h>
+#include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,7 +38,11 @@ struct MeshBody {
   std::optional<solid::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
   std::uint64_t inner_vertices = 0;  // unused ones of the file in the hull of the others: not taken, to be told
+  std::shared_ptr<const Mesh> mesh{};  // as it is, with the vertices in use; null for a set of points
 };
+
+// The mesh as it is; of what has none the surface of its hull.
+solid::Mesh mesh_as_it_is(const MeshBody& body);
 
 // The mesh as one body, without the vertices that are in no polygon. Throws Error bad_shape where convexity is required
 // and missing, naming the reflex edge. Cost: that of the hull.

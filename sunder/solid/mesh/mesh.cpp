@@ -242,4 +242,19 @@ bool Mesh::has_inside() const {
   return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.kind != PieceKind::open; });
 }
 
+Mesh mesh_of(const ConvexPolyhedron& body) {
+  std::vector<std::uint32_t> begin{0}, corners;
+  const auto end_face = [&] { begin.push_back(static_cast<std::uint32_t>(corners.size())); };
+  for (std::uint32_t f = 0; f < body.facet_count(); ++f) {
+    const auto facet = body.facet(f);
+    corners.insert(corners.end(), facet.begin(), facet.end());
+    end_face();
+  }
+  if (body.facet_count() == 0) {
+    for (std::uint32_t v = 0; v < body.vertices().size(); ++v) corners.push_back(v);
+    end_face();
+  }
+  return Mesh(MeshView{body.vertices(), begin, corners});
+}
+
 }  // namespace sunder::solid

@@ -7,6 +7,7 @@
 #include <sunder/predicate/posed.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
 #include <sunder/solid/mesh/mesh_tree.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 
 #include <array>
 #include <cstdint>
@@ -83,5 +84,9 @@ class Mesh {
   MeshTree tree_;
   SizeRange sizes_;
 };
+
+// The surface of a convex body: a closed piece, without an inside where the body has none. Of a polygon it has both
+// sides, of a segment or a point one triangle without area. Cost: n log n.
+Mesh mesh_of(const ConvexPolyhedron& body);
 
 }  // namespace sunder::solid

@@ -3,6 +3,7 @@
 A statement says its question, what it is about, and its verdict; its claims follow in the order of the table. Each is
 checked by its rule, told what the table binds it to: so a true claim about something else proves nothing.
 """
+# long because: the table of all statements is one list, and so is that of their shapes
 from functools import partial
 
 from . import arcs, boundaries, depths, hulls, meshes, polygons, polytopes, rules, sections, vertices

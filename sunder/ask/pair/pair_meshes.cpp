@@ -1,0 +1,204 @@
+// sunder pair where A or B is a mesh that is not convex: both are asked about as they are.
+#include <sunder/ask/pair/pair_space.h>
+
+#include <sunder/base/error.h>
+#include <sunder/solid/mesh/mesh_cover.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace sunder::ask {
+
+namespace {
+
+using MeshMethod = Named<solid::MeshAnswer(const solid::Mesh&, const solid::Pose&, const solid::Mesh&,  //
+                                           const solid::Pose&)>;
+constexpr std::array<MeshMethod, 2> mesh_methods{
+    {SUNDER_METHOD("automatic", solid::mesh_mesh), SUNDER_METHOD("scan", solid::mesh_mesh_by_scan)}};
+
+bool is_flat_polygon(const PlacedBody& placed) {
+  return placed.object && placed.object->kind == io::SpaceObject::Kind::polygon;
+}
+
+// A flat polygon has two sides, so that its edges bound nothing.
+solid::Mesh mesh_of_placed(const PlacedBody& placed) {
+  if (!is_flat_polygon(placed) || placed.mesh.mesh == nullptr) return io::mesh_as_it_is(placed.mesh);
+  io::Mesh both = *placed.mesh.mesh;
+  const std::vector<std::uint32_t> ring = both.polygon_vertices;
+  both.polygon_vertices.insert(both.polygon_vertices.end(), ring.rbegin(), ring.rend());
+  both.polygon_begin.push_back(static_cast<std::uint32_t>(both.polygon_vertices.size()));
+  return solid::Mesh({both.vertices, both.polygon_begin, both.polygon_vertices});
+}
+
+// Throws Error for numbers that no product of double precision holds.
+void require_range(const solid::Mesh& mesh, const solid::Pose& pose, const PairSide& side) {
+  if (pose.linear_range().greatest < 0x1p1000 || mesh.sizes().greatest < 0x1p1020) return;
+  throw Error(ErrorCode::bad_pose,
+              "has entries of 2^1000 and more, and the mesh coordinates of 2^1020; give smaller ones",
+              side.option("pose"));
+}
+
+PairObject object_of_mesh(const PlacedBody& placed, const solid::Mesh& mesh) {
+  const MeshBody& body = placed.mesh;
+  const SurfaceTold surface = surface_told(mesh);
+  PairObject result{.file = body.file,
+                    .name = body.name,
+                    .text = fmt::format("{}: {} of {}", body.name, is_flat_polygon(placed) ? "polygon" : "mesh",
+                                        count_of(mesh.triangles().size(), "triangle")),
+                    .json = {{"name", body.name},
+                             {"file", body.file},
+                             {"format", body.format},
+                             {"shape", "mesh"},
+                             {"points", mesh.points().size()},
+                             {"triangles", mesh.triangles().size()},
+                             {"surface", surface.json}},
+                    .vertices = {},
+                    .said = placed.said_as_it_is};
+  for (std::size_t k = 0; k < surface.lines.size(); ++k) {
+    result.text += (k == 0 ? "\nclosed: " : "\n") + surface.lines[k];
+  }
+  return result;
+}
+
+class MeshPair : public PairQuestion {
+ public:
+  MeshPair(const PairCall& asked, MeshMethod method, const PlacedBody& a, const PlacedBody& b,
+           const solid::Mesh& mesh_a, const solid::Mesh& mesh_b, const PairFiles& files)
+      : PairQuestion(asked, object_of_mesh(a, mesh_a), object_of_mesh(b, mesh_b), files),
+        method_(method),
+        pose_a_(a.pose),
+        pose_b_(b.pose),
+        mesh_a_(mesh_a),
+        mesh_b_(mesh_b) {}
+
+  void ask() {
+    function_ = method_.function;
+    answer_ = method_(mesh_a_, pose_a_, mesh_b_, pose_b_);
+    take(answer_, answer_.decided_by == DecidedBy::filter     ? "signs, by floating-point filters alone"
+                  : answer_.decided_by == DecidedBy::evidence ? "signs, with the help of exact arithmetic"
+                                                              : decided_text(answer_.decided_by));
+    facts_ = {{"said_of", "meshes", ""},
+              std::visit([this](const auto& found) { return evidence_of(found); }, answer_.evidence)};
+    if (meet_ || is_parted_) return;
+    const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
+    if (open == 0) return;
+    is_yes_ = !call.surface;
+    verdict_ = "apart (surfaces alone)";
+    facts_.push_back(
+        {"enclosed", "not asked",
+         fmt::format("not asked: {} open, and what an open piece seems to enclose is not inside;\n{}",
+                     open == 1 ? "1 piece is" : fmt::format("{} pieces are", open),
+                     call.surface ? "surfaces alone are asked about" : "--surface asks about surfaces alone")});
+  }
+
+  std::string certificate() const {
+    return claims_text(origin(), [this](ClaimsWriter& file) {
+      solid::add_claims(file, {a_.name, mesh_a_, pose_a_, a_.said}, {b_.name, mesh_b_, pose_b_, b_.said}, answer_);
+    });
+  }
+
+ private:
+  static std::size_t open_pieces(const solid::Mesh& mesh) {
+    const auto pieces = mesh.pieces();
+    return static_cast<std::size_t>(std::count_if(
+        pieces.begin(), pieces.end(), [](const auto& piece) { return piece.kind == solid::PieceKind::open; }));
+  }
+
+  Fact evidence_of(const solid::MeshesApart&) {
+    const solid::MeshCover cover = mesh_cover(mesh_a_, pose_a_, mesh_b_, pose_b_);
+    const std::size_t planes = cover.directions.size(), rays = cover.rays_a.size() + cover.rays_b.size();
+    is_parted_ = planes == 1;
+    std::string text = planes == 1 ? "a plane with A on one side and B on the other"
+                                   : fmt::format("{} planes, between parts of A and parts of B", planes);
+    if (rays > 0)
+      text += fmt::format(";\n{} that neither is inside of the other",
+                          rays == 1 ? "1 ray shows" : fmt::format("{} rays show", rays));
+    return {"evidence", {{"planes", planes}, {"rays", rays}}, text};
+  }
+
+  Fact evidence_of(const solid::MeetingTriangles& meeting) const {
+    const CommonPoint common = common_point(mesh_a_, pose_a_, mesh_b_, pose_b_, meeting);
+    const Point3 point = nearest(common.at);
+    const std::uint32_t face_a = mesh_a_.face_of(meeting.of_a), face_b = mesh_b_.face_of(meeting.of_b);
+    return {"evidence",
+            {{"point", to_json(point)}, {"face_a", face_a}, {"face_b", face_b}},
+            fmt::format("a common point at about {}, of polygon {} of A and {} of B", about(point), face_a, face_b)};
+  }
+
+  Fact evidence_of(const solid::PointWithin& within) const {
+    const auto& [of, pose] = within.is_of_a ? std::tie(mesh_a_, pose_a_) : std::tie(mesh_b_, pose_b_);
+    const auto at = coordinates<Dyadic>(Posed3{of.points()[within.point], &pose.affine(), false});
+    const Point3 point{at.x.nearest(), at.y.nearest(), at.z.nearest()};
+    const char *letter = within.is_of_a ? "A" : "B", *other = within.is_of_a ? "B" : "A";
+    return {"evidence",
+            {{"corner", to_json(point)}, {"within", other}},
+            fmt::format("a corner of {}, at about {}, is inside of {}", letter, about(point), other)};
+  }
+
+  MeshMethod method_;
+  const solid::Pose &pose_a_, &pose_b_;
+  const solid::Mesh &mesh_a_, &mesh_b_;
+  solid::MeshAnswer answer_;
+  bool is_parted_ = false;  // by one plane
+};
+
+// Throws Error for what is asked of convex objects alone.
+void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const MeshBody& mesh) {
+  const auto refuse = [&](const std::string& what, const std::string& place) {
+    throw Error(ErrorCode::bad_call,
+                fmt::format("{} is not exactly convex ({}), and {}; give --hull to ask about its convex hull",
+                            io::quote(mesh.file), mesh.why_hull, what),
+                place);
+  };
+  const std::pair<bool, const char*> options[] = {{call.classify, "--classify"},
+                                                  {call.distance, "--distance"},
+                                                  {call.depth, "--depth"},
+                                                  {!call.clearance.empty(), "--clearance"},
+                                                  {!call.a.to.empty(), "--to-a"},
+                                                  {!call.b.to.empty(), "--to-b"},
+                                                  {!call.a.radius.empty(), "--radius-a"},
+                                                  {!call.b.radius.empty(), "--radius-b"},
+                                                  {call.support, "--support"}};
+  for (const auto& [is_given, option] : options) {
+    if (is_given) refuse("this option is for convex objects", option);
+  }
+  for (const SpaceInput* input : {&a, &b}) {
+    if (input->flat || input->round) {
+      refuse("is asked about with meshes, points, segments and polygons",
+             input->flat ? input->flat->file : input->round->file);
+    }
+  }
+}
+
+}  // namespace
+
+const MeshBody* mesh_that_is_not_convex(const SpaceInput& a, const SpaceInput& b) {
+  for (const SpaceInput* input : {&a, &b}) {
+    const PlacedBody* const body = input->bounded                       ? &*input->bounded
+                                   : input->round && input->round->core ? &*input->round->core
+                                                                        : nullptr;
+    if (body != nullptr && body->is_hull()) return &body->mesh;
+  }
+  return nullptr;
+}
+
+Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
+  require_meshes_are_asked(call, a, b, *mesh_that_is_not_convex(a, b));
+  const MeshMethod method = method_by(call.method, mesh_methods, ", for meshes that are not convex");
+  const solid::Mesh mesh_a = mesh_of_placed(*a.bounded), mesh_b = mesh_of_placed(*b.bounded);
+  require_range(mesh_a, a.bounded->pose, call.a);
+  require_range(mesh_b, b.bounded->pose, call.b);
+  return answer(MeshPair(call, method, *a.bounded, *b.bounded, mesh_a, mesh_b, files), files.talk);
+}
+
+std::string mesh_method_names() { return method_names(mesh_methods); }
+
+}  // namespace sunder::ask
