@@ -167,6 +167,10 @@ pair mixed.wkt cases/planar-pair/plate.wkt --leave-out
 pair repeated.wkt cases/planar-pair/plate.wkt --mend
 pair pyramid.obj pyramid.obj --pose-b TWIST
 scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/scene/folded.joints
+scene cases/panda/panda.urdf --hull --allow adjacent --joints-file cases/scene/folded.joints
+scene cases/panda/panda.urdf --hull --joints-file cases/scene/folded.joints --allow adjacent --check-allowed
+scene cases/mesh/bracket.obj cases/mesh/cube.obj@1.5,1.5,0 --classify --certificate OUT
+pair cases/mesh/bracket.obj cases/mesh/cube.obj --pose-b 1.5,1.5,0 --classify
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups

@@ -9,5 +9,6 @@ import re
 import sys
 
 text = open(sys.argv[1], encoding="utf-8").read()
-end = re.search(r'"verdict": "(?:meet|touching|overlapping)", "point": \["-?\d+', text).end()
-print(text[:end - 1] + str((int(text[end - 1]) + 1) % 10) + text[end:], end="")
+found = re.search(r'"verdict": "(?:meet|touching|overlapping)", "point": \["-?(?:0x([0-9a-f]+)|\d+)', text)
+end, base = found.end(), 16 if found[1] else 10
+print(text[:end - 1] + "%x" % ((int(text[end - 1], base) + 1) % base) + text[end:], end="")

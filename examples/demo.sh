@@ -25,7 +25,7 @@ fail() { printf 'demo: %s\n' "$*" >&2; exit 1; }
 started=$(date +%s.%N)
 
 question=(cases/panda/panda.urdf --joints-file cases/scene/ready.joints --joints-file cases/scene/folded.joints
-          --allow adjacent --classify)
+          --allow adjacent)
 proofs=$out/panda.proofs.json
 
 say "A Franka Emika Panda in two placements: which links meet?"

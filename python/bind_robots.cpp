@@ -51,7 +51,7 @@ struct Found {
 
 robot::CellOptions options_of(const Names& packages, bool require_convex, bool leave_out) {
   const char* search = std::getenv("ROS_PACKAGE_PATH");
-  return {require_convex, leave_out, io::parse_packages(packages, search == nullptr ? "" : search)};
+  return {require_convex, false, leave_out, io::parse_packages(packages, search == nullptr ? "" : search)};
 }
 
 class Robot {

@@ -1,6 +1,8 @@
 #include <sunder/ask/evidence.h>
 
 #include <sunder/certificate/rounded_evidence.h>
+#include <sunder/solid/mesh/mesh_cover.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
 
 #include <cstdint>
 #include <string>
@@ -41,6 +43,19 @@ Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRoun
   if (verdict == Verdict::undecided) return {{"direction_about", to_json(rounded_direction(a, b, evidence))}};
   const RoundedGap gap = rounded_gap(a, b, evidence);
   return {{"direction_about", to_json(gap.direction)}, {"gap_about", gap.width}};
+}
+
+Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, const solid::Pose& pose_a,
+                   const solid::Mesh& b, const solid::Pose& pose_b) {
+  if (verdict_of(evidence) == Verdict::apart) {
+    const solid::MeshCover cover = mesh_cover(a, pose_a, b, pose_b);
+    return {{"planes", cover.directions.size()}, {"rays", cover.rays_a.size() + cover.rays_b.size()}};
+  }
+  const Json point = to_json(rounded_point_of(a, pose_a, b, pose_b, evidence));
+  if (const auto* meeting = std::get_if<solid::MeetingTriangles>(&evidence)) {
+    return {{"point", point}, {"face_a", a.face_of(meeting->of_a)}, {"face_b", b.face_of(meeting->of_b)}};
+  }
+  return {{"corner", point}, {"within", std::get<solid::PointWithin>(evidence).is_of_a ? "B" : "A"}};
 }
 
 void add_numbers(const solid::RoundWords& words, Json& json) {

@@ -4,6 +4,7 @@
 #include <sunder/ask/report.h>
 
 #include <sunder/certificate/direction.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/round/round_round.h>
@@ -16,6 +17,11 @@ Json evidence_json(const PairCertificate& certificate, const PlacedVertices& a, 
 // The same for two polyhedra. For other bodies, apart: {"direction_about", "gap_about"}; meet: {"point"}; undecided:
 // {"direction_about"}.
 Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRound& a, const solid::PlacedRound& b);
+
+// The same of two meshes as they are. apart: {"planes", "rays"}, of their cover; meet: {"point", "face_a", "face_b"} or
+// {"corner", "within"}.
+Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, const solid::Pose& pose_a,
+                   const solid::Mesh& b, const solid::Pose& pose_b);
 
 // Adds what the body is made of: {"points", "radius"}, {"points", "semi_axes"}.
 void add_numbers(const solid::RoundWords& words, Json& json);

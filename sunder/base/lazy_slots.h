@@ -17,7 +17,7 @@ namespace sunder {
 
 class LazySlots {
  public:
-  static constexpr std::size_t count = 8;
+  static constexpr std::size_t count = 9;
 
   LazySlots() = default;
   LazySlots(const LazySlots&) = delete;

@@ -40,6 +40,7 @@ class PairClaims {
   explicit PairClaims(ClaimsWriter& file, Space space = Space::solid) : file_(file), space_(space) {}
 
   ClaimsWriter& file() const { return file_; }  // for statements that are written elsewhere
+  void go_to_statements();                      // ends the table, before such a statement
 
   // Adds a body to the table; returns its index. Keeps the span of its vertices, which must stay as they are.
   std::uint32_t add_body(const std::string& name, std::span<const Point3> vertices, std::span<const Way3> ways = {});
@@ -137,7 +138,6 @@ class PairClaims {
   void add_pairs(const char* name, const std::vector<std::array<std::uint32_t, 2>>& pairs);
   void add_point_claims(const char* claim, const CommonPoint& point);
   void add_combination(const char* claim, const Combination& combination);
-  void go_to_statements();
 
   ClaimsWriter& file_;
   Space space_;

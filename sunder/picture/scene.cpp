@@ -168,7 +168,9 @@ class SceneDrawing {
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
     canvas_.legend(swatches(alarming), "meets another");
-    if (some_hull()) canvas_.legend("", "meshes that are not convex are asked about, and drawn, as their hulls");
+    if (some_hull())
+      canvas_.legend("", some_mesh() ? "meshes that are not convex are drawn as their hulls"
+                                     : "meshes that are not convex are asked about, and drawn, as their hulls");
     if (some_round()) canvas_.legend("", "balls, cylinders and the like are drawn by polyhedra inside of them");
     canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");
   }
@@ -182,6 +184,15 @@ class SceneDrawing {
       }
     }
     return false;
+  }
+
+  bool some_mesh() const {
+    return std::any_of(panels_.begin(), panels_.end(), [](const ScenePanel& panel) {
+      return std::any_of(panel.bodies.begin(), panel.bodies.end(), [](const scene::Body& body) {
+        return std::any_of(body.parts.begin(), body.parts.end(),
+                           [](const scene::Part& part) { return part.mesh != nullptr; });
+      });
+    });
   }
 
   bool some_round() const {
@@ -303,7 +314,8 @@ class SceneDrawing {
 }  // namespace
 
 std::string ScenePanel::told(const scene::PartPair& pair) const {
-  const bool as_hulls = is_hull && (is_hull(pair.body_a, pair.part_a) || is_hull(pair.body_b, pair.part_b));
+  const bool as_hulls =
+      !pair.meshes && is_hull && (is_hull(pair.body_a, pair.part_a) || is_hull(pair.body_b, pair.part_b));
   return fmt::format("{} and {} meet{}", part_name(bodies[pair.body_a], pair.part_a),
                      part_name(bodies[pair.body_b], pair.part_b), as_hulls ? " as hulls" : "");
 }

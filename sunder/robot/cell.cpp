@@ -65,6 +65,7 @@ Cell::Cell(std::span<const CellFile> files, const CellOptions& options, InputFil
   join_robots();
   for (const auto& [file, left_out] : told) tell(file, left_out);
   require_some_body(remarks);
+  if (!options.hulls) keep_meshes();
 }
 
 // Names are given in the order of the files: to a file, then to its bodies. `wish`, or wish#2, wish#3, ...: no input or
@@ -179,6 +180,19 @@ void Cell::require_some_body(std::vector<std::string>* remarks) const {
                                 "shapes, or say that you know: --leave-out"
                               : "there is nothing to ask about; left out: " + left_out_.text(),
             files_.back().name.empty() ? io::one_line(files_.back().file) : files_.back().name);
+}
+
+// Of meshes that are not convex, each once.
+void Cell::keep_meshes() {
+  std::map<const io::Mesh*, std::shared_ptr<const solid::Mesh>> known;
+  for (CellBody& body : bodies_) {
+    for (io::BodyPart& part : body.parts) {
+      if (part.body.shape != io::BodyShape::hull) continue;
+      std::shared_ptr<const solid::Mesh>& mesh = known[part.body.mesh.get()];
+      if (mesh == nullptr) mesh = std::make_shared<const solid::Mesh>(io::mesh_as_it_is(part.body));
+      part.mesh = mesh;
+    }
+  }
 }
 
 void Cell::add_mesh(const CellOptions& options, InputFiles* inputs) {

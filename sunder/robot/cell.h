@@ -56,7 +56,8 @@ struct CellFile {
 };
 
 struct CellOptions {
-  bool require_convex = false;               // a mesh that is not is an error; else its hull stands for it
+  bool require_convex = false;               // a mesh that is not is an error
+  bool hulls = false;                        // a mesh that is not is replaced by its hull; else it is as it is
   bool leave_out = false;                    // consent to what is not read (io/text/left_out.h)
   io::Packages packages{};                   // where the robot's meshes are
   io::PartsOf parts = io::PartsOf::objects;  // of meshes, but those of the robot
@@ -199,6 +200,7 @@ class Cell {
   };
 
   void add_mesh(const CellOptions& options, InputFiles* inputs);
+  void keep_meshes();
   std::vector<io::LeftOut> add_robot(const CellOptions& options, InputFiles* inputs);
   void add_scene(const CellOptions& options, InputFiles* inputs);
   void take_unit(const std::string& unit);

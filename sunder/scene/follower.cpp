@@ -137,9 +137,11 @@ void Follower::look_at(const MovingBoxes::Pair& of) {
   }
   // The boxes that meeting_pairs looks at first are tighter than the rough ones.
   if (answer.undecided() && apart_by_boxes(box_of(a), box_of(b))) return;
-  PartPair& pair = answer_.pairs.emplace_back(members_->pair(i, j));
+  PartPair pair = members_->pair(i, j);
   pair.answer = std::move(answer);
+  look_closer(pair, a, b);
   count_answer(pair, a, b, question_, answer_.counts);
+  if (pair.verdict() != Verdict::apart) answer_.pairs.push_back(std::move(pair));
 }
 
 const Answer& Follower::ask() {

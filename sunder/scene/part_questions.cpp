@@ -1,4 +1,5 @@
 #include <sunder/scene/part_questions.h>
+#include <sunder/solid/mesh/mesh_overlap.h>
 
 #include <tuple>
 #include <utility>
@@ -29,14 +30,29 @@ solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& quest
   return round_round_warm(a.shape, a.pose, b.shape, b.pose, last);
 }
 
+void look_closer(PartPair& pair, const Part& a, const Part& b) {
+  if ((a.mesh == nullptr && b.mesh == nullptr) || !pair.answer.meet()) return;
+  const solid::Mesh *mesh_a = mesh_of(a), *mesh_b = mesh_of(b);
+  if (mesh_a == nullptr || mesh_b == nullptr) return;
+  if (can_be_placed(*mesh_a, a.pose) && can_be_placed(*mesh_b, b.pose)) {
+    pair.meshes = mesh_mesh(*mesh_a, a.pose, *mesh_b, b.pose);
+  }
+}
+
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts) {
   ++counts.by_method;
+  if (pair.meshes && !pair.meet() && !(mesh_of(a)->is_closed() && mesh_of(b)->is_closed())) ++counts.surfaces_alone;
   if (pair.undecided()) ++counts.undecided;
   if (!pair.meet()) return;
   ++counts.meeting;
   pair.counts = true;
   if (!question.contacts && !question.touching_allowed) return;
-  pair.relation = relation_of(pair, a, b);
+  if (pair.meshes) {
+    pair.inside = point_inside_both(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->evidence);
+    if (pair.inside) pair.relation = Relation::overlapping;
+  } else {
+    pair.relation = relation_of(pair, a, b);
+  }
   if (question.touching_allowed && pair.relation == Relation::touching) {
     pair.counts = false;
     ++counts.touching_only;

@@ -19,6 +19,9 @@ Box3 rough_box_of(const Part& part);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
 
+// Of shapes that meet, where one stands for a mesh, and the other one has no radius: do they meet as they are?
+void look_closer(PartPair& pair, const Part& a, const Part& b);
+
 // Counts the answer of `pair`, which the method gave, and says whether it counts, and whether they touch or overlap,
 // where that is asked for.
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts);

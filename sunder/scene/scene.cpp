@@ -3,6 +3,8 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/scene/scene.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/represent/of.h>
 
 #include <algorithm>
 #include <utility>
@@ -42,6 +44,7 @@ class Scene {
       pair.answer.evidence = *std::move(apart);
     } else {
       pair.answer = answer_of(a, b, question_);
+      look_closer(pair, a, b);
       count_answer(pair, a, b, question_, answer_.counts);
     }
     answer_.pairs.push_back(std::move(pair));
@@ -56,6 +59,21 @@ class Scene {
 
 }  // namespace
 
+Cost PartPair::cost() const {
+  Cost sum = answer.cost;
+  if (!meshes) return sum;
+  sum.probes += meshes->cost.probes;
+  sum.iterations += meshes->cost.iterations;
+  sum.exact += meshes->cost.exact;
+  sum.proposals += meshes->cost.proposals;
+  return sum;
+}
+
+const solid::Mesh* mesh_of(const Part& part) {
+  if (part.mesh != nullptr) return part.mesh.get();
+  return part.shape.is_polyhedron() ? &solid::represent::of<solid::HullMesh>(part.shape.core()).mesh : nullptr;
+}
+
 std::string part_name(const Body& body, std::uint32_t part) {
   SUNDER_REQUIRE(part < body.parts.size());
   return body.parts.size() == 1 ? body.name : body.name + "/" + body.parts[part].name;
@@ -63,6 +81,9 @@ std::string part_name(const Body& body, std::uint32_t part) {
 
 Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) {
   SUNDER_REQUIRE(pair.meet());
+  if (pair.meshes) {
+    return solid::rounded_point_of(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->evidence);
+  }
   return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
                                  pair.answer.evidence);
 }

@@ -6,13 +6,17 @@
 // apart cost next to nothing.
 //   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so, or, where one has a radius,
 //       round_round: boxes never hide a pair that meets, not even one that only touches. What is undecided there
-//       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart.
+//       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart. Of two parts that meet so, and
+//       of which one is the hull of a mesh, mesh_mesh tells whether they meet as they are; a part with a radius meets
+//       hulls.
 //   S2. Every pair that is listed has its certificate, also where boxes decided (its direction is then an axis); but
 //       for the undecided.
 //   S3. The list is the same for every compiler and machine, and is ordered by body_a, body_b, part_a, part_b.
 #pragma once
 
 #include <sunder/base/error.h>
+#include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -20,9 +24,11 @@
 #include <sunder/solid/round/round_round.h>
 #include <sunder/solid/round/round_round_warm.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +40,7 @@ struct Part {
   std::string name;        // for people
   solid::RoundBody shape;  // also a polyhedron: it becomes one of radius 0
   solid::Pose pose;        // of the shape in the world; of a body with a radius as require_rigid (round_body.h) says
+  std::shared_ptr<const solid::Mesh> mesh{};  // as it is, of which the shape is the hull; null where the shape is meant
 };
 
 struct Body {
@@ -56,28 +63,38 @@ struct Question {
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::RoundAnswer answer;
-  bool by_boxes = false;               // the boxes are apart: no method was called, and answer.cost is zero
-  bool counts = false;                 // they meet, and it is not known to be in a way that is allowed
+  solid::RoundAnswer answer;                  // of the shapes
+  std::optional<solid::MeshAnswer> meshes{};  // where these meet, and one stands for a mesh: what holds instead
+  std::optional<Point3>
+      inside{};           // of such meshes, if it was asked how they meet: a point inside of both, if one was found
+  bool by_boxes = false;  // the boxes are apart: no method was called, and answer.cost is zero
+  bool counts = false;    // they meet, and it is not known to be in a way that is allowed
   Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for
 
-  Verdict verdict() const { return answer.verdict(); }
-  bool meet() const { return answer.meet(); }
-  bool undecided() const { return answer.undecided(); }
+  Verdict verdict() const { return meshes ? meshes->verdict() : answer.verdict(); }
+  bool meet() const { return verdict() == Verdict::meet; }
+  bool undecided() const { return verdict() == Verdict::undecided; }
+  DecidedBy decided_by() const { return meshes ? std::max(answer.decided_by, meshes->decided_by) : answer.decided_by; }
+  Cost cost() const;  // of both
 };
+
+// What the part is as a mesh: its mesh, or its surface. Null where it has a radius.
+const solid::Mesh* mesh_of(const Part& part);
 
 // A common point of two parts that meet, rounded. Requires the parts that the pair is of.
 Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b);
 
 struct Counts {
   std::uint64_t parts = 0;
-  std::uint64_t pairs = 0;          // of parts of different bodies
-  std::uint64_t allowed = 0;        // of these, not tested because of question.allowed
-  std::uint64_t by_boxes = 0;       // parted by their boxes
-  std::uint64_t by_method = 0;      // given to the method; pairs = allowed + by_boxes + by_method
-  std::uint64_t undecided = 0;      // of these, those where it is not known whether they meet
-  std::uint64_t meeting = 0;        // of these, found to meet
-  std::uint64_t touching_only = 0;  // of those, touching where touching is allowed
+  std::uint64_t pairs = 0;           // of parts of different bodies
+  std::uint64_t allowed = 0;         // of these, not tested because of question.allowed
+  std::uint64_t by_boxes = 0;        // parted by their boxes
+  std::uint64_t by_method = 0;       // given to the method; pairs = allowed + by_boxes + by_method
+  std::uint64_t undecided = 0;       // of these, those where it is not known whether they meet
+  std::uint64_t meeting = 0;         // of these, found to meet
+  std::uint64_t touching_only = 0;   // of those, touching where touching is allowed
+  std::uint64_t surfaces_alone = 0;  // apart as meshes, of which one has an open piece: what it seems to enclose is not
+                                     // asked about
 
   bool some_meet() const { return meeting > touching_only; }
   bool none_meet() const { return !some_meet() && undecided == 0; }  // all are known to be apart, or allowed

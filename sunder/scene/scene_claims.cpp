@@ -2,12 +2,14 @@
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/pair_reasons.h>
 #include <sunder/scene/scene_claims.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,8 @@ Numbers numbers_of(std::span<const Body> bodies, const Add& add) {
   return numbers;
 }
 
-// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs.
+// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs. (So
+// is a pair that was decided as meshes, which has a statement of another kind.)
 bool is_open(const PartPair& pair, const Question& question) {
   return pair.undecided() || (question.touching_allowed && pair.meet() && pair.relation == Relation::none);
 }
@@ -63,9 +66,9 @@ class NotesOfPlacement {
   PairReasons allowed_;
 };
 
-// What was asked about, and what counts, by parts of bodies one after the other; undecided: how many of the pairs
-// besides are not allowed.
-AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, std::uint64_t& undecided) {
+// What was asked about, and what counts, by parts of bodies one after the other; others: why pairs besides the allowed
+// are left out.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, PairReasons& others) {
   AllPairs result;
   std::vector<std::uint32_t> first;  // of each body, where its parts begin
   for (std::uint32_t b = 0; b < numbers.size(); ++b) {
@@ -86,8 +89,8 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
-    if (is_open(pair, question)) {
-      ++undecided;
+    if (pair.meshes || is_open(pair, question)) {
+      others.add(pair.meshes ? "meshes as they are, in a statement of their own" : "undecided", 1);
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -101,10 +104,8 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
 // The statement about all pairs of a placement, with what is said of it.
 void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
                    const NotesOfPlacement& note) {
-  std::uint64_t undecided = 0;
-  const AllPairs all = all_pairs(answer, question, numbers, undecided);
   PairReasons others;
-  others.add("undecided", undecided);
+  const AllPairs all = all_pairs(answer, question, numbers, others);
   note(true, others);
   pairs.add_all_pairs(all);
 }
@@ -135,7 +136,48 @@ std::uint32_t add_placed(PairClaims& pairs, const std::string& prefix, std::uint
   return pairs.add_placed(prefix + part_name(body, part), shape, at.pose.affine());
 }
 
-// Requires a pair that is not undecided.
+// The parts that are asked about as meshes, and where they are in each placement: the table `meshes`, which stands
+// before that of bodies.
+class MeshesOfScene {
+ public:
+  MeshesOfScene(ClaimsWriter& file, const SaidOfScene& said) : claims_(file), said_(said) {}
+
+  // Of some placement, from the first to the last; then the end of the table.
+  void add(std::size_t placement, const std::string& prefix, std::span<const Body> placed,
+           std::span<const PartPair> pairs) {
+    for (const PartPair& pair : pairs) {
+      if (!pair.meshes) continue;
+      add(placement, prefix, placed[pair.body_a], pair.body_a, pair.part_a);
+      add(placement, prefix, placed[pair.body_b], pair.body_b, pair.part_b);
+    }
+  }
+  void end_table() { claims_.end_table(); }
+
+  void add_pair(std::size_t placement, std::span<const Body> placed, const PartPair& pair) {
+    claims_.add_pair(stated(placement, placed[pair.body_a], pair.body_a, pair.part_a),
+                     stated(placement, placed[pair.body_b], pair.body_b, pair.part_b), pair.meshes->evidence,
+                     pair.inside);
+  }
+
+ private:
+  void add(std::size_t placement, const std::string& prefix, const Body& body, std::uint32_t b, std::uint32_t p) {
+    const Part& part = body.parts[p];
+    const auto [mesh, is_new] = meshes_.try_emplace({b, p}, 0);
+    if (is_new) mesh->second = claims_.add_mesh(part_name(body, p), *mesh_of(part), said_.as_mesh(b, p));
+    const auto [at, is_new_there] = placed_.try_emplace({placement, b, p}, 0);
+    if (is_new_there) at->second = claims_.add_placed(prefix + part_name(body, p), mesh->second, part.pose);
+  }
+  solid::StatedMesh stated(std::size_t placement, const Body& body, std::uint32_t b, std::uint32_t p) const {
+    return {placed_.at({placement, b, p}), *mesh_of(body.parts[p]), body.parts[p].pose};
+  }
+
+  solid::MeshClaims claims_;
+  const SaidOfScene& said_;
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> meshes_;                           // by body and part
+  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, std::uint32_t> placed_;  // by placement, too
+};
+
+// Requires a pair that is not undecided, and not decided as meshes.
 void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const PartPair& pair, std::uint32_t of_a,
                      std::uint32_t of_b) {
   const Part &a = placed[pair.body_a].parts[pair.part_a], &b = placed[pair.body_b].parts[pair.part_b];
@@ -143,6 +185,17 @@ void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const Part
   solid::RoundContact contact;
   if (pair.relation != Relation::none) contact = round_round_contact(in_a, in_b, pair.answer.evidence);
   add_claims(pairs, of_a, in_a, of_b, in_b, pair.answer.evidence, contact);
+}
+
+// Statements about the pairs that were decided as meshes.
+void add_mesh_pairs(PairClaims& pairs_of_bodies, MeshesOfScene& meshes, std::size_t placement, std::span<const Body> placed,
+                    std::span<const PartPair> pairs, const SaidOfScene& said) {
+  for (const PartPair& pair : pairs) {
+    if (!pair.meshes) continue;
+    pairs_of_bodies.go_to_statements();
+    if (const auto joints = said.joints_of(placement)) pairs_of_bodies.file().note(*joints);
+    meshes.add_pair(placement, placed, pair);
+  }
 }
 
 // What the statements of all placements leave open.
@@ -187,6 +240,11 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   }
   ClaimsWriter file(sink);
   file.add_origin(origin);
+  MeshesOfScene meshes(file, said);
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    meshes.add(k, prefix_of(placements[k]), placements[k].bodies, placements[k].answer.pairs);
+  }
+  meshes.end_table();
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
@@ -200,9 +258,10 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
     const std::span<const Body> placed = placements[k].bodies;
     const Answer& answer = placements[k].answer;
     for (const PartPair& pair : answer.pairs) {
-      if (pair.undecided()) continue;
+      if (pair.undecided() || pair.meshes) continue;
       add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
+    add_mesh_pairs(pairs, meshes, k, placed, answer.pairs, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
     if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, note);
@@ -218,6 +277,12 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
+  MeshesOfScene meshes(file, said);
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    meshes.add(k, placed.title + ": ", placed.bodies, placed.pairs);
+  }
+  meshes.end_table();
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
@@ -234,7 +299,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
       numbers.push_back({of_a, number_of(pair.body_b, pair.part_b)});
     };
     for (const PartPair& pair : placed.pairs) {
-      if (pair.meet()) add(pair);
+      if (pair.meet() && !pair.meshes) add(pair);
     }
     for (const CloserPair& pair : placed.closer) {
       if (!pair.is_undecided) add(pair);
@@ -244,11 +309,12 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     for (const PartPair& pair : placed.pairs) {
-      if (!pair.meet()) continue;
+      if (!pair.meet() || pair.meshes) continue;
       const auto& [of_a, of_b] = *next++;
       if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
     }
+    add_mesh_pairs(pairs, meshes, k, placed.bodies, placed.pairs, said);
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
       const auto& [of_a, of_b] = *next++;
@@ -268,8 +334,16 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
     origin.left_out.push_back(bodies[a].name + " and " + bodies[b].name + ", which may meet");
   }
   add_open(origin, count, placement, question);
+  Question of_all = question;
+  of_all.every_pair = true;
   ClaimsWriter file(sink);
   file.add_origin(origin);
+  MeshesOfScene meshes(file, said);
+  for (std::size_t k = 0; k < count; ++k) {
+    const MeetingPlacement placed = placement(k);
+    meshes.add(k, placed.title + ": ", placed.bodies, meeting_pairs(placed.bodies, of_all).pairs);
+  }
+  meshes.end_table();
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(file, pairs, bodies, said);
   std::vector<Numbers> numbers;  // by placement
@@ -279,16 +353,15 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       return add_placed(pairs, placed.title + ": ", shapes[b][p], placed.bodies[b], p);
     }));
   }
-  Question of_all = question;
-  of_all.every_pair = true;
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     const Answer answer = meeting_pairs(placed.bodies, of_all);
     for (const PartPair& pair : answer.pairs) {
-      if (pair.undecided()) continue;
+      if (pair.undecided() || pair.meshes) continue;
       add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
                       numbers[k][pair.body_b][pair.part_b]);
     }
+    add_mesh_pairs(pairs, meshes, k, placed.bodies, answer.pairs, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
     if (clearance != nullptr) {

@@ -18,7 +18,10 @@ struct SaidOfScene {
   // By which joint values the bodies are placed; none: nothing is said.
   std::function<std::optional<SaidNote>(std::size_t placement)> joints{};
 
+  std::vector<std::vector<Said>> meshes{};  // of each part, what it is made of as a mesh; empty: nothing is said
+
   Said of(std::size_t body, std::size_t part) const { return parts.empty() ? Said() : parts[body][part]; }
+  Said as_mesh(std::size_t body, std::size_t part) const { return meshes.empty() ? Said() : meshes[body][part]; }
   std::optional<SaidNote> joints_of(std::size_t placement) const { return joints ? joints(placement) : std::nullopt; }
 };
 

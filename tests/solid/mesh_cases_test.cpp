@@ -64,7 +64,7 @@ Pose some_map(Random& random) {
 TEST(MeshCases, MeetAsTheirAnswersSay) {
   Random random(chosen_seed(4001));
   int pairs = 0, within = 0, proofs = 0;
-  std::map<std::string, int> relations;
+  std::map<std::string, int> relations, overlapping;
   for (const char* file : {"hand.json", "reports.json", "voxels.json"}) {
     const json cases = json::parse(std::ifstream(std::filesystem::path(cases_folder()) / "assemblies" / file));
     for (const json& c : cases) {
@@ -83,7 +83,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
         ASSERT_EQ(answer.meet(), meet) << k;
         ASSERT_EQ(other.meet(), meet) << k;
         if (a.triangles().size() + b.triangles().size() <= 3000) {
-          proved_pair(a, pose, b, pose, answer);
+          overlapping[relation] += proved_pair(a, pose, b, pose, answer, k == 0) == "overlapping";
           proved_pair(b, pose, a, pose, other);
           ++proofs;
         }
@@ -98,6 +98,10 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
   EXPECT_EQ(pairs, 405);
   EXPECT_GT(within, 10);
   EXPECT_GT(proofs, 750);
+  EXPECT_EQ(overlapping["touch"], 0);
+  for (const char* relation : {"overlap", "inside", "contains", "equal"}) {
+    EXPECT_GE(overlapping[relation], relations[relation] * 19 / 20) << relation;
+  }
   EXPECT_EQ(relations["apart"], 58);
   EXPECT_EQ(relations["touch"], 167);
 }

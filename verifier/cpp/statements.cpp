@@ -151,6 +151,7 @@ const std::vector<QuestionRow> question_rows{
      "a, b: mesh",
      {{"apart", "", "covered a b", "{a} and {b} are apart"},
       {"meet", "point: point", "on_triangle a point, on_triangle b point", "{a} and {b} meet at {point}"},
+      {"overlapping", "point: point", "encloses a point, encloses b point", "{a} and {b} overlap at {point}"},
       {"a_within", "point: point", "on_triangle a point, encloses b point", "{point} of {a} is inside of {b}"},
       {"b_within", "point: point", "encloses a point, on_triangle b point", "{point} of {b} is inside of {a}"}}},
     {"polytopes",

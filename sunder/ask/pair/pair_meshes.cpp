@@ -1,10 +1,12 @@
 // sunder pair where A or B is a mesh that is not convex: both are asked about as they are.
+#include <sunder/ask/evidence.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_overlap.h>
 
 #include <fmt/format.h>
 
@@ -40,7 +42,7 @@ solid::Mesh mesh_of_placed(const PlacedBody& placed) {
 
 // Throws Error for numbers that no product of double precision holds.
 void require_range(const solid::Mesh& mesh, const solid::Pose& pose, const PairSide& side) {
-  if (pose.linear_range().greatest < 0x1p1000 || mesh.sizes().greatest < 0x1p1020) return;
+  if (can_be_placed(mesh, pose)) return;
   throw Error(ErrorCode::bad_pose,
               "has entries of 2^1000 and more, and the mesh coordinates of 2^1020; give smaller ones",
               side.option("pose"));
@@ -85,8 +87,14 @@ class MeshPair : public PairQuestion {
     take(answer_, answer_.decided_by == DecidedBy::filter     ? "signs, by floating-point filters alone"
                   : answer_.decided_by == DecidedBy::evidence ? "signs, with the help of exact arithmetic"
                                                               : decided_text(answer_.decided_by));
-    facts_ = {{"said_of", "meshes", ""},
-              std::visit([this](const auto& found) { return evidence_of(found); }, answer_.evidence)};
+    if (call.classify && meet_) {
+      inside_ = point_inside_both(mesh_a_, pose_a_, mesh_b_, pose_b_, answer_.evidence);
+      if (inside_) contact_ = Relation::overlapping;
+    }
+    facts_ = {{"said_of", "meshes", ""}, evidence()};
+    if (call.classify && meet_ && !inside_) {
+      facts_.push_back({"contact_unknown", true, "whether they touch or overlap is not known"});
+    }
     if (meet_ || is_parted_) return;
     const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
     if (open == 0) return;
@@ -101,7 +109,8 @@ class MeshPair : public PairQuestion {
 
   std::string certificate() const {
     return claims_text(origin(), [this](ClaimsWriter& file) {
-      solid::add_claims(file, {a_.name, mesh_a_, pose_a_, a_.said}, {b_.name, mesh_b_, pose_b_, b_.said}, answer_);
+      solid::add_claims(file, {a_.name, mesh_a_, pose_a_, a_.said}, {b_.name, mesh_b_, pose_b_, b_.said}, answer_,
+                        inside_);
     });
   }
 
@@ -112,42 +121,39 @@ class MeshPair : public PairQuestion {
         pieces.begin(), pieces.end(), [](const auto& piece) { return piece.kind == solid::PieceKind::open; }));
   }
 
-  Fact evidence_of(const solid::MeshesApart&) {
-    const solid::MeshCover cover = mesh_cover(mesh_a_, pose_a_, mesh_b_, pose_b_);
+  Fact evidence() {
+    if (!answer_.meet()) return told(mesh_cover(mesh_a_, pose_a_, mesh_b_, pose_b_));
+    const std::string point = about(rounded_point_of(mesh_a_, pose_a_, mesh_b_, pose_b_, answer_.evidence));
+    std::string text;
+    if (const auto* within = std::get_if<solid::PointWithin>(&answer_.evidence)) {
+      text = fmt::format("a corner of {}, at about {}, is inside of {}", within->is_of_a ? "A" : "B", point,
+                         within->is_of_a ? "B" : "A");
+    } else {
+      const auto& meeting = std::get<solid::MeetingTriangles>(answer_.evidence);
+      text = fmt::format("a common point at about {}, of polygon {} of A and {} of B", point,
+                         mesh_a_.face_of(meeting.of_a), mesh_b_.face_of(meeting.of_b));
+    }
+    return {"evidence", evidence_json(answer_.evidence, mesh_a_, pose_a_, mesh_b_, pose_b_), std::move(text)};
+  }
+
+  Fact told(const solid::MeshCover& cover) {
     const std::size_t planes = cover.directions.size(), rays = cover.rays_a.size() + cover.rays_b.size();
     is_parted_ = planes == 1;
     std::string text = planes == 1 ? "a plane with A on one side and B on the other"
                                    : fmt::format("{} planes, between parts of A and parts of B", planes);
-    if (rays > 0)
+    if (rays > 0) {
       text += fmt::format(";\n{} that neither is inside of the other",
                           rays == 1 ? "1 ray shows" : fmt::format("{} rays show", rays));
+    }
     return {"evidence", {{"planes", planes}, {"rays", rays}}, text};
-  }
-
-  Fact evidence_of(const solid::MeetingTriangles& meeting) const {
-    const CommonPoint common = common_point(mesh_a_, pose_a_, mesh_b_, pose_b_, meeting);
-    const Point3 point = nearest(common.at);
-    const std::uint32_t face_a = mesh_a_.face_of(meeting.of_a), face_b = mesh_b_.face_of(meeting.of_b);
-    return {"evidence",
-            {{"point", to_json(point)}, {"face_a", face_a}, {"face_b", face_b}},
-            fmt::format("a common point at about {}, of polygon {} of A and {} of B", about(point), face_a, face_b)};
-  }
-
-  Fact evidence_of(const solid::PointWithin& within) const {
-    const auto& [of, pose] = within.is_of_a ? std::tie(mesh_a_, pose_a_) : std::tie(mesh_b_, pose_b_);
-    const auto at = coordinates<Dyadic>(Posed3{of.points()[within.point], &pose.affine(), false});
-    const Point3 point{at.x.nearest(), at.y.nearest(), at.z.nearest()};
-    const char *letter = within.is_of_a ? "A" : "B", *other = within.is_of_a ? "B" : "A";
-    return {"evidence",
-            {{"corner", to_json(point)}, {"within", other}},
-            fmt::format("a corner of {}, at about {}, is inside of {}", letter, about(point), other)};
   }
 
   MeshMethod method_;
   const solid::Pose &pose_a_, &pose_b_;
   const solid::Mesh &mesh_a_, &mesh_b_;
   solid::MeshAnswer answer_;
-  bool is_parted_ = false;  // by one plane
+  bool is_parted_ = false;          // by one plane
+  std::optional<Point3> inside_{};  // of both, where --classify found one
 };
 
 // Throws Error for what is asked of convex objects alone.
@@ -158,15 +164,10 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
                             io::quote(mesh.file), mesh.why_hull, what),
                 place);
   };
-  const std::pair<bool, const char*> options[] = {{call.classify, "--classify"},
-                                                  {call.distance, "--distance"},
-                                                  {call.depth, "--depth"},
-                                                  {!call.clearance.empty(), "--clearance"},
-                                                  {!call.a.to.empty(), "--to-a"},
-                                                  {!call.b.to.empty(), "--to-b"},
-                                                  {!call.a.radius.empty(), "--radius-a"},
-                                                  {!call.b.radius.empty(), "--radius-b"},
-                                                  {call.support, "--support"}};
+  const std::pair<bool, const char*> options[] = {
+      {call.distance, "--distance"},          {call.depth, "--depth"},        {!call.clearance.empty(), "--clearance"},
+      {!call.a.to.empty(), "--to-a"},         {!call.b.to.empty(), "--to-b"}, {!call.a.radius.empty(), "--radius-a"},
+      {!call.b.radius.empty(), "--radius-b"}, {call.support, "--support"}};
   for (const auto& [is_given, option] : options) {
     if (is_given) refuse("this option is for convex objects", option);
   }

@@ -1,4 +1,5 @@
 #include <sunder/ask/scene/placements.h>
+#include <sunder/ask/scene/scene_report.h>
 
 #include <sunder/base/error.h>
 #include <sunder/io/robot/robot_motion.h>
@@ -78,7 +79,7 @@ std::size_t list_closer(const scene::Nearness& found, std::vector<scene::CloserP
 
 class Placements : RowRun {
  public:
-  explicit Placements(const RowsAsked& asked) : RowRun(asked, false) {
+  explicit Placements(const RowsAsked& asked) : RowRun(asked, false), surfaces_consented_(asked.surfaces_consented) {
     note_rows_beyond_limits(talk_, table_, rows_.motion());
   }
 
@@ -99,7 +100,7 @@ class Placements : RowRun {
 
  private:
   std::string summary() const {
-    const auto& [some, undecided, meeting, not_kept, closer] = counts_;
+    const auto& [some, undecided, meeting, not_kept, closer, surfaces_alone] = counts_;
     std::string text = beginning(some, asked_, "placement", "bodies that meet");
     if (undecided > 0) text += fmt::format("; placements where this is undecided: {}", undecided);
     if (near_.clearance) text += fmt::format("; closer than asked for, or undecided: {}", not_kept);
@@ -107,6 +108,7 @@ class Placements : RowRun {
       text += fmt::format("; not tested, because they follow the first that meets{}: {}",
                           near_.clearance ? " or is closer" : "", table_.rows() - asked_);
     }
+    if (surfaces_alone > 0) text += "; " + surfaces_alone_text(surfaces_alone, surfaces_consented_);
     std::string proofs = call_.parted ? count_of(asked_, "placement") : count_of(meeting, "pair");
     if (near_.clearance && !call_.parted) proofs += fmt::format(" that meet, and of {} closer", closer);
     return text +
@@ -120,7 +122,8 @@ class Placements : RowRun {
     std::vector<scene::CloserPair> closer;
     found.counts.closer += list_closer(moment.near, closer);
     const bool is_kept = moment.near.is_kept();
-    found.counts.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(), answer.counts.meeting, !is_kept});
+    found.counts.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(), answer.counts.meeting, !is_kept,
+                      0, answer.counts.surfaces_alone});
     if (!call_.meeting_certificate.empty() && !(answer.pairs.empty() && closer.empty())) {
       found.met.push_back({k, answer.pairs, std::move(closer)});
     }
@@ -152,6 +155,7 @@ class Placements : RowRun {
   }
 
   std::vector<Met> met_;  // where there is to be a certificate
+  const bool surfaces_consented_;
   std::size_t asked_ = 0;
   PlacementsCounts counts_;
 };
@@ -164,6 +168,7 @@ void PlacementsCounts::add(const PlacementsCounts& other) {
   meeting += other.meeting;
   not_kept += other.not_kept;
   closer += other.closer;
+  surfaces_alone += other.surfaces_alone;
 }
 
 io::JointTable read_placements(Talk& talk, const PlacementsCall& call, const robot::Cell& cell, InputFiles* inputs) {

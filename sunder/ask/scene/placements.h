@@ -16,9 +16,13 @@ namespace sunder::ask {
 // something is closer than it has to be, or where that is undecided, and all pairs that are known to be closer.
 struct PlacementsCounts {
   std::uint64_t some = 0, undecided = 0, meeting = 0, not_kept = 0, closer = 0;
+  std::uint64_t surfaces_alone = 0;  // pairs, as scene::Counts has them, of all placements
 
   void add(const PlacementsCounts& other);
-  int code() const { return some + undecided + not_kept > 0 ? exit_code::yes : exit_code::no; }
+  int code(bool surfaces_consented) const {
+    const bool is_open = surfaces_alone > 0 && !surfaces_consented;
+    return some + undecided + not_kept > 0 || is_open ? exit_code::yes : exit_code::no;
+  }
 };
 
 // The table with the names of its joints. Throws Error, also where they are not so many as there are columns.

@@ -131,7 +131,7 @@ void RowLines::add(std::size_t row, const scene::Moment& moment, LineTexts& line
     for (const PartPair& pair : answer.pairs) {
       const Names names = of(pair);
       std::string said = pair.undecided() ? "undecided" : question_.contacts ? std::string(contact_name(pair)) : "";
-      said += names.hulls(said.empty() ? "as hulls" : ", as hulls");
+      if (!pair.meshes) said += names.hulls(said.empty() ? "as hulls" : ", as hulls");
       add_to(list, "{}{}", list.empty() ? "" : "; ", names.both());
       if (!said.empty()) add_to(list, " ({})", said);
     }
@@ -190,7 +190,7 @@ void RowLines::add_text(const scene::Answer& answer, std::string& text) const {
   for (const PartPair& pair : answer.pairs) {
     const Names names = of(pair);
     add_to(text, "{}{} {}{}", std::exchange(between, "; "), names.both(), pair.undecided() ? "undecided" : "meet",
-           names.hulls());
+           pair.meshes ? "" : names.hulls());
     if (question_.contacts && pair.meet()) add_to(text, ", {}{}", contact_name(pair), pair.counts ? "" : " (allowed)");
   }
 }
@@ -229,12 +229,11 @@ void RowLines::add_json(const PartPair& pair, std::span<const scene::Body> bodie
   if (question_.contacts && pair.meet()) {
     has_unknown_contact(pair) ? json.member("contact_unknown", true) : json.member("contact", name_of(pair.relation));
   }
-  json.member("said_of", of(pair).said_of()).member("counted", pair.counts).key("evidence");
+  json.member("said_of", pair.meshes ? "meshes" : of(pair).said_of()).member("counted", pair.counts).key("evidence");
   const auto* common = std::get_if<CommonVertices>(&pair.answer.evidence);
-  if (common == nullptr) {
-    const scene::Part &in_a = bodies[pair.body_a].parts[pair.part_a], &in_b = bodies[pair.body_b].parts[pair.part_b];
-    const solid::PlacedRound a(in_a.shape, in_a.pose), b(in_b.shape, in_b.pose);
-    json.written(evidence_json(pair.answer.evidence, a, b).on_one_line()).close('}');
+  if (common == nullptr || pair.meshes) {
+    const scene::Part &a = bodies[pair.body_a].parts[pair.part_a], &b = bodies[pair.body_b].parts[pair.part_b];
+    json.written(pair_evidence_json(pair, a, b).on_one_line()).close('}');
     return;
   }
   const std::span<const std::uint32_t> vertices(common->vertices);

@@ -102,11 +102,13 @@ scene::SaidOfScene RowRun::said_of_rows() const {
                                  [&](const InputFile& input) { return io::one_line(input.name) == table_.file; });
   const auto number =
       file == inputs_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(file - inputs_.begin()));
-  return {said_of(cell_, inputs_), reason_of_each(allowed_), [this, number](std::size_t row) {
+  return {said_of(cell_, inputs_), reason_of_each(allowed_),
+          [this, number](std::size_t row) {
             std::vector<std::pair<std::string, double>> values;
             for (std::size_t c = 0; c < table_.columns; ++c) values.emplace_back(table_.joints[c], table_.row(row)[c]);
             return SaidNote::joint_values(values, row, number);
-          }};
+          },
+          said_of(cell_, inputs_, true)};
 }
 
 }  // namespace sunder::ask

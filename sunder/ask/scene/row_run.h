@@ -43,6 +43,7 @@ struct RowsAsked {
   const io::JointTable& table;
   const InputFiles& inputs;              // what a certificate was made of
   std::span<const AllowedPair> allowed;  // the pairs of question.allowed, with their reasons
+  bool surfaces_consented = false;       // as of SceneReport
 };
 
 // Writes lines to the files that the call names, or prints them if it names none.

@@ -106,14 +106,15 @@ std::vector<AllowedPair> allowed_by_word(Talk& talk, const robot::Cell& cell, co
   return noting(talk, [&](std::vector<std::string>& remarks) { return cell.pairs_in(word, inputs, remarks); });
 }
 
-std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs) {
+std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs, bool as_meshes) {
   std::vector<std::vector<Said>> all;
   for (const robot::CellBody& body : cell.bodies()) {
     all.emplace_back();
     for (const io::BodyPart& part : body.parts) {
       const bool is_mesh = !part.round && !robot::is_urdf(part.body.file) && !io::is_scene_file(part.body.file);
       const std::string name = body.parts.size() == 1 ? body.name : body.name + "/" + part.name;
-      Said said = is_mesh ? said_of_mesh(part.body, inputs, cell.left_out())
+      Said said = is_mesh ? (as_meshes && part.mesh != nullptr ? said_of_triangles : said_of_mesh)(part.body, inputs,
+                                                                                                   cell.left_out())
                           : said_of_file(Said::Source::shape, inputs, part.body.file, name);
       all.back().push_back(said.empty() || part.unit.empty() ? said : said.unit(part.unit));
     }

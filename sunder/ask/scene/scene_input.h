@@ -56,8 +56,8 @@ auto noting(Talk& talk, const Function& function) {
 // Notes which of these values are beyond the limits of their joints: one note, however many there are.
 void note_limits(Talk& talk, const robot::Cell& cell, const std::vector<io::JointValues>& placements);
 
-// What a proof says that each part of each body is made of.
-std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs);
+// What a proof says that each part of each body is made of; as_meshes: as it is, of a mesh.
+std::vector<std::vector<Said>> said_of(const robot::Cell& cell, const InputFiles& inputs, bool as_meshes = false);
 
 std::vector<const MeshBody*> meshes_of(const robot::Cell& cell);  // of the parts that have no radius
 

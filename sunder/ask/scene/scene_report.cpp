@@ -27,7 +27,13 @@ const scene::Part& part_a(const Placed& p, const PartPair& pair) { return p.bodi
 const scene::Part& part_b(const Placed& p, const PartPair& pair) { return p.bodies[pair.body_b].parts[pair.part_b]; }
 
 // Do the parts meet, and do hulls replace meshes in that?
-bool meet_as_hulls(const SceneReport& report, const PartPair& pair) { return pair.meet() && is_hull(report, pair); }
+bool meet_as_hulls(const SceneReport& report, const PartPair& pair) {
+  return pair.meet() && !pair.meshes && is_hull(report, pair);
+}
+
+std::string_view said_of(const SceneReport& report, const PartPair& pair) {
+  return pair.meshes ? "meshes" : meet_as_hulls(report, pair) ? "hulls" : "bodies";
+}
 
 // Of a pair that meets, rounded.
 Point3 common_point(const Placed& placed, const PartPair& pair) {
@@ -170,6 +176,9 @@ std::string meeting_text(const SceneReport& report, const Placed& placed) {
   }
   if (listed > most_listed) text += fmt::format("{}and {} more\n", prefix, count_of(listed - most_listed, "pair"));
   text += undecided_text(placed, prefix);
+  if (const std::uint64_t pairs = placed.answer.counts.surfaces_alone; pairs > 0) {
+    text += prefix + surfaces_alone_text(pairs, report.surfaces_consented) + "\n";
+  }
   const char* const of_those = report.allowed.empty() ? "" : ", among the pairs tested";
   if (listed == 0 && placed.answer.counts.undecided > 0) {
     text += prefix + "no others meet" + of_those + left_out.clause() + "\n";
@@ -251,6 +260,12 @@ void add_contact(const PartPair& pair, Json& json) {
 
 // A part as it was read.
 Json object_json(const io::BodyPart& part) {
+  if (part.mesh != nullptr) {
+    Json json = to_json(part.body);
+    json["shape"] = "mesh";
+    json["surface"] = surface_told(*part.mesh).json;
+    return json;
+  }
   if (!part.round) return to_json(part.body);
   const solid::RoundWords words = words_of(*part.round);
   Json json{{"file", part.body.file}, {"name", part.body.name}, {"format", part.body.format}, {"shape", words.shape}};
@@ -263,13 +278,11 @@ Json pair_json(const SceneReport& report, std::size_t p, const PartPair& pair) {
   Json json = begun_json(report, p, pair);
   json["answer"] = name_of(pair.verdict());
   if (report.question.contacts) add_contact(pair, json);
-  json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
+  json["said_of"] = said_of(report, pair);
   json["counted"] = pair.counts;
-  json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.answer.decided_by));
-  json["cost"] = to_json(pair.answer.cost);
-  const scene::Part &a = part_a(placed, pair), &b = part_b(placed, pair);
-  json["evidence"] =
-      evidence_json(pair.answer.evidence, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose));
+  json["decided_by"] = pair.by_boxes ? "boxes" : std::string(name_of(pair.decided_by()));
+  json["cost"] = to_json(pair.cost());
+  json["evidence"] = pair_evidence_json(pair, part_a(placed, pair), part_b(placed, pair));
   return json;
 }
 
@@ -285,7 +298,7 @@ Json allowed_meeting_json(const SceneReport& report) {
       Json json = begun_json(report, p, pair);
       json["reason"] = reasons.at({pair.body_a, pair.body_b});
       json["answer"] = name_of(pair.verdict());
-      json["said_of"] = meet_as_hulls(report, pair) ? "hulls" : "bodies";
+      json["said_of"] = said_of(report, pair);
       if (pair.meet()) json["point_about"] = to_json(common_point(placed, pair));
       list.push_back(std::move(json));
     }
@@ -294,7 +307,7 @@ Json allowed_meeting_json(const SceneReport& report) {
 }
 
 // What is counted, in the order of reports.
-constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 8> counted{
+constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 9> counted{
     {{"parts", &scene::Counts::parts},
      {"pairs", &scene::Counts::pairs},
      {"allowed", &scene::Counts::allowed},
@@ -302,7 +315,8 @@ constexpr std::array<std::pair<const char*, std::uint64_t scene::Counts::*>, 8> 
      {"by_method", &scene::Counts::by_method},
      {"undecided", &scene::Counts::undecided},
      {"meeting", &scene::Counts::meeting},
-     {"touching_only", &scene::Counts::touching_only}}};
+     {"touching_only", &scene::Counts::touching_only},
+     {"surfaces_alone", &scene::Counts::surfaces_alone}}};
 
 Json to_json(const scene::Counts& counts) {
   Json json;
@@ -316,10 +330,10 @@ std::string decided_by(const SceneReport& report) {
   int rank = 0;
   for (const Placed& placed : report.placements) {
     for (const PartPair& pair : placed.answer.pairs) {
-      const int r = pair.by_boxes ? 0 : 1 + static_cast<int>(pair.answer.decided_by);
+      const int r = pair.by_boxes ? 0 : 1 + static_cast<int>(pair.decided_by());
       if (r <= rank) continue;
       rank = r;
-      strongest = name_of(pair.answer.decided_by);
+      strongest = name_of(pair.decided_by());
     }
   }
   return strongest;
@@ -338,6 +352,12 @@ bool SceneReport::none_undecided() const {
                      [](const Placed& p) { return p.answer.counts.undecided == 0; });
 }
 
+std::uint64_t SceneReport::surfaces_alone() const {
+  std::uint64_t sum = 0;
+  for (const Placed& placed : placements) sum += placed.answer.counts.surfaces_alone;
+  return sum;
+}
+
 bool SceneReport::is_kept() const {
   return std::all_of(placements.begin(), placements.end(), [](const Placed& p) { return p.near.is_kept(); });
 }
@@ -348,6 +368,19 @@ std::string_view contact_name(const PartPair& pair) {
 }
 
 bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.relation == Relation::none; }
+
+std::string surfaces_alone_text(std::uint64_t pairs, bool is_consented) {
+  return fmt::format(
+      "{} apart as surfaces: a mesh of each is open, and what an open piece seems to enclose is not "
+      "asked about{}",
+      pairs == 1 ? "1 pair is" : fmt::format("{} pairs are", pairs),
+      is_consented ? "" : "; --surface consents to that");
+}
+
+Json pair_evidence_json(const PartPair& pair, const scene::Part& a, const scene::Part& b) {
+  if (pair.meshes) return evidence_json(pair.meshes->evidence, *mesh_of(a), a.pose, *mesh_of(b), b.pose);
+  return evidence_json(pair.answer.evidence, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose));
+}
 
 std::vector<std::string> not_proved(const SceneReport& report) {
   for (const Placed& placed : report.placements) {
@@ -372,7 +405,8 @@ std::vector<std::string> picture_notes(const SceneReport& report, const Placed& 
 
 Report report_of(const SceneReport& scene) {
   Report report{.verb = "scene", .answer = std::string(scene.verdict()), .decided_by = decided_by(scene)};
-  report.code = scene.none_meet() && scene.is_kept() ? exit_code::no : exit_code::yes;
+  const bool is_open = scene.surfaces_alone() > 0 && !scene.surfaces_consented;
+  report.code = scene.none_meet() && scene.is_kept() && !is_open ? exit_code::no : exit_code::yes;
   for (const io::BodyPart* part : scene.cell.parts()) report.objects.push_back(object_json(*part));
   const std::vector<scene::Body>& bodies = scene.placements.front().bodies;
   const std::size_t placements = scene.placements.size();
@@ -419,9 +453,10 @@ Report report_of(const SceneReport& scene) {
     for (const PartPair& pair : placed.answer.pairs) {
       pairs.push_back(pair_json(scene, p, pair));
       if (pair.counts) ++meeting;
-      cost.probes += pair.answer.cost.probes;
-      cost.iterations += pair.answer.cost.iterations;
-      cost.exact += pair.answer.cost.exact;
+      const Cost of_pair = pair.cost();
+      cost.probes += of_pair.probes;
+      cost.iterations += of_pair.iterations;
+      cost.exact += of_pair.exact;
     }
   }
   report.add("placements", std::move(of_placements), std::move(text));

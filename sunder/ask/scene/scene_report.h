@@ -34,13 +34,15 @@ struct SceneReport {
   std::vector<std::string> allowed_because{};  // as the user wrote it
   std::vector<AllowedPair> allowed{};          // those of the question, with their reasons
   bool checks_allowed = false;
+  bool surfaces_consented = false;   // what open pieces of meshes seem to enclose need not be asked about
   std::vector<Placed> placements{};  // at least one, all with the same bodies
   bool colour = false;               // mark what meets by terminal colours
 
   std::string_view verdict() const;  // "some", "none"; "undecided": none that is known
   bool none_meet() const { return verdict() == "none"; }
   bool none_undecided() const;
-  bool is_kept() const;  // no pair is closer than its margin
+  bool is_kept() const;                  // no pair is closer than its margin
+  std::uint64_t surfaces_alone() const;  // pairs, as scene::Counts has them
 };
 
 // "hand and post/2"; is one of them a hull that replaces a mesh; which pair a list tells of. A pair has body_a, part_a,
@@ -68,6 +70,11 @@ Json begun_json(const SceneReport& report, std::size_t placement, const Pair& pa
 // "undecided" of a pair that is.
 std::string_view contact_name(const scene::PartPair& pair);
 bool has_unknown_contact(const scene::PartPair& pair);
+
+// Of so many pairs of meshes, of which one has an open piece, that they are apart.
+std::string surfaces_alone_text(std::uint64_t pairs, bool is_consented);
+
+Json pair_evidence_json(const scene::PartPair& pair, const scene::Part& a, const scene::Part& b);
 
 // What of all this a proof does not say, in words.
 std::vector<std::string> not_proved(const SceneReport& report);

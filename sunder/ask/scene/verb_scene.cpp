@@ -35,6 +35,7 @@ struct SceneCall : QuestionCall {
   bool groups = false;
   bool require_convex = false;
   bool leave_out = false;
+  bool hull = false, surface = false;  // of meshes that are not convex
   ClearanceCall clearance;
   bool between = false;
   PlacementsCall placements;  // none where it names no table
@@ -142,7 +143,8 @@ std::size_t write_certificate(const Talk& talk, const std::string& name, const S
   }
   const scene::SaidOfScene said{
       said_of(report.cell, inputs), reason_of_each(report.allowed),
-      [&](std::size_t placement) { return joint_values_note(report.placements[placement].joints); }};
+      [&](std::size_t placement) { return joint_values_note(report.placements[placement].joints); },
+      said_of(report.cell, inputs, true)};
   io::OutputFile file(name, talk.instead(name));
   scene::write_certificate(
       placements, report.question, origin_of(talk, inputs, left_out_texts(report.cell.left_out(), report.allowed)),
@@ -164,6 +166,12 @@ void draw(const Talk& talk, const SceneCall& call, const SceneReport& report) {
                   picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
+// Distances and motion are those of hulls.
+void note_meshes(Talk& talk, const SceneCall& call, const SceneReport& report) {
+  const bool are_hulls = call.hull || call.between || report.clearance || report.asks_for_nearest;
+  (are_hulls ? note_hulls : note_remarks)(talk, meshes_of(report.cell));
+}
+
 Report run(const SceneCall& call, Talk& talk) {
   const PairMethod method = pair_method(call.method);
   InputFiles files;
@@ -171,7 +179,7 @@ Report run(const SceneCall& call, Talk& talk) {
   std::vector<io::Srdf> srdfs;
   for (const std::string& word : call.srdf) srdfs.push_back(io::read_srdf(file_word(word).file, inputs));
   robot::Cell cell = read_cell(talk, call.files, call.poses,
-                               {call.require_convex, call.leave_out, packages_of(talk, call.packages),
+                               {call.require_convex, call.hull, call.leave_out, packages_of(talk, call.packages),
                                 call.groups ? io::PartsOf::objects_and_groups : io::PartsOf::objects},
                                inputs);
   for (std::size_t k = 0; k < srdfs.size(); ++k) {
@@ -210,6 +218,7 @@ Report run(const SceneCall& call, Talk& talk) {
   for (const std::string& file : cell.scene_files()) report.allowed_because.push_back(io::one_line(file));
   report.clearance = clearance_question(talk, call.clearance, cell, question.allowed);
   report.asks_for_nearest = call.clearance.nearest;
+  report.surfaces_consented = call.surface;
   const bool is_one = !is_by_lines && placements.size() == 1;
   report.checks_allowed = !report.allowed.empty() && !call.no_check_allowed && (call.check_allowed || is_one);
   if (is_by_lines) {
@@ -227,10 +236,10 @@ Report run(const SceneCall& call, Talk& talk) {
                   "--meeting-certificate");
     }
     note_limits(talk, cell, extremes_of(table));
-    note_hulls(talk, meshes_of(cell));
+    note_meshes(talk, call, report);
     const scene::NearnessQuestion near{report.clearance, report.asks_for_nearest, question.allowed};
-    const RowsAsked asked{talk, call.placements, cell, question, near, table, files, report.allowed};
-    return told(call.between ? answer_between(asked) : answer_placements(asked).code());
+    const RowsAsked asked{talk, call.placements, cell, question, near, table, files, report.allowed, call.surface};
+    return told(call.between ? answer_between(asked) : answer_placements(asked).code(call.surface));
   }
   report.colour = talk.sinks().has_colours;
   for (const io::JointValues& joints : placements) {
@@ -240,7 +249,7 @@ Report run(const SceneCall& call, Talk& talk) {
 
   const std::size_t proved = call.proves() ? write_certificate(talk, call.certificate, report, files) : 0;
   draw(talk, call, report);
-  note_hulls(talk, meshes_of(cell));
+  note_meshes(talk, call, report);
   Report result = report_of(report);
   result.method = report.method;
   result.function = method.function;
@@ -365,7 +374,15 @@ Verb scene_verb() {
         "find the two parts of different bodies that are nearest to each other, and their distance"},
        {"--classify", &call->classify, "also tell whether two bodies only touch or their interiors overlap"},
        {"--require-convex", &call->require_convex,
-        "refuse a mesh that is not exactly convex (default: replace it by its convex hull)"},
+        "refuse a mesh that is not exactly convex (default: it is asked about as it is)"},
+       {.name = "--hull",
+        .value = &call->hull,
+        .help = "replace each mesh that is not convex by its convex hull",
+        .excludes = {"--require-convex"}},
+       {"--surface", &call->surface,
+        "of meshes that are not closed: ask about the surfaces alone, so that the exit code is 0 if none meet, "
+        "whatever "
+        "an open one seems to enclose"},
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate, "write the proofs of all pairs to FILE"),
        {"--svg", &call->svg, "draw the placements to FILE (SVG)", "FILE"},

@@ -125,7 +125,8 @@ RobotBodies read_robot_bodies(const Robot& robot, const fs::path& file, bool req
 
 scene::Body placed_body(const std::string& name, const std::vector<BodyPart>& parts, const solid::Pose& link) {
   scene::Body placed{name, {}};
-  for (const BodyPart& part : parts) placed.parts.push_back({part.name, part.shape(), compose(link, part.pose)});
+  for (const BodyPart& part : parts)
+    placed.parts.push_back({part.name, part.shape(), compose(link, part.pose), part.mesh});
   return placed;
 }
 

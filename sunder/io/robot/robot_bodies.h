@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct BodyPart {
   // A sphere, a cylinder, a capsule, which is what is meant; `body` then has its file, its name, and its core.
   std::optional<solid::RoundBody> round{};
   std::string unit{};  // of the numbers of the shape, as they are before the pose, where that is known; else empty
+  std::shared_ptr<const solid::Mesh> mesh{};  // as it is, where it is not convex and is asked about so
 
   // What is placed, and asked about.
   solid::RoundBody shape() const { return round ? *round : solid::RoundBody(body.hull); }

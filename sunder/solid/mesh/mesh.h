@@ -10,6 +10,7 @@
 #include <sunder/solid/object/convex_polyhedron.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -88,5 +89,13 @@ class Mesh {
 // The surface of a convex body: a closed piece, without an inside where the body has none. Of a polygon it has both
 // sides, of a segment or a point one triangle without area. Cost: n log n.
 Mesh mesh_of(const ConvexPolyhedron& body);
+
+// The same, made when it is first asked for and kept with the body: represent::of<HullMesh>(body).mesh.
+struct HullMesh {
+  static constexpr std::size_t slot = 8;  // see solid/represent/of.h
+  static HullMesh make(const ConvexPolyhedron& body) { return {mesh_of(body)}; }
+
+  Mesh mesh;
+};
 
 }  // namespace sunder::solid

@@ -1,4 +1,5 @@
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_mesh_internal.h>
 
 #include <sunder/base/interruption.h>
 #include <sunder/solid/mesh/mesh_point.h>
@@ -31,8 +32,8 @@ struct NodePair {
   Box3 box_a{}, box_b{};
 };
 
-std::optional<MeetingTriangles> first_pair_of_leaves(const PlacedMesh& a, const PlacedMesh& b, const NodePair& leaves,
-                                                     Cost& cost, StageTally& tally) {
+bool any_pair_of_leaves(const PlacedMesh& a, const PlacedMesh& b, const NodePair& leaves, Cost& cost, StageTally& tally,
+                        FunctionRef<bool(const MeetingTriangles&)> of_pair) {
   const TriangleRange of_a = a.mesh().tree().triangles(leaves.a), of_b = b.mesh().tree().triangles(leaves.b);
   for (std::uint32_t t = of_a.first; t < of_a.end; ++t) {
     const Box3 box = a.box(t);
@@ -42,15 +43,17 @@ std::optional<MeetingTriangles> first_pair_of_leaves(const PlacedMesh& a, const 
       ++cost.probes;
       if (!meet(box, b.box(u))) continue;
       ++cost.iterations;
-      if (triangles_meet(a.triangle(t), b.triangle(u), &tally)) return MeetingTriangles{t, u};
+      if (triangles_meet(a.triangle(t), b.triangle(u), &tally) && of_pair({t, u})) return true;
     }
   }
-  return std::nullopt;
+  return false;
 }
 
+}  // namespace
+
 // Down both trees at once: of two nodes whose boxes meet the larger one is split.
-std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
-                                                    StageTally& tally) {
+bool any_meeting_triangles(const PlacedMesh& a, const PlacedMesh& b, Cost& cost, StageTally& tally,
+                           FunctionRef<bool(const MeetingTriangles&)> of_pair) {
   const MeshTree &tree_a = a.mesh().tree(), &tree_b = b.mesh().tree();
   std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
   std::size_t count = 0;
@@ -62,7 +65,7 @@ std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const P
     if (!meet(here.box_a, here.box_b)) continue;
     const bool leaf_a = tree_a.is_leaf(here.a), leaf_b = tree_b.is_leaf(here.b);
     if (leaf_a && leaf_b) {
-      if (const auto found = first_pair_of_leaves(a, b, here, cost, tally)) return found;
+      if (any_pair_of_leaves(a, b, here, cost, tally, of_pair)) return true;
       continue;
     }
     const bool of_a = !leaf_a && (leaf_b || longest_side(here.box_a) >= longest_side(here.box_b));
@@ -73,7 +76,19 @@ std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const P
       (of_a ? child.box_a : child.box_b) = (of_a ? a : b).node_box(node);
     }
   }
-  return std::nullopt;
+  return false;
+}
+
+namespace {
+
+std::optional<MeetingTriangles> first_pair_by_trees(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
+                                                    StageTally& tally) {
+  std::optional<MeetingTriangles> first;
+  any_meeting_triangles(a, b, cost, tally, [&](const MeetingTriangles& pair) {
+    first = pair;
+    return true;
+  });
+  return first;
 }
 
 std::optional<MeetingTriangles> first_pair_by_scan(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
@@ -105,6 +120,10 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
 }
 
 }  // namespace
+
+bool can_be_placed(const Mesh& mesh, const Pose& pose) {
+  return pose.linear_range().greatest < 0x1p1000 || mesh.sizes().greatest < 0x1p1020;
+}
 
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
   return answer_by(first_pair_by_trees, a, pose_a, b, pose_b);

@@ -1,7 +1,9 @@
 #include <sunder/base/contract.h>
+#include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/common_point.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_overlap.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 
@@ -28,8 +30,10 @@ std::size_t take_corners(unsigned subset, const PosedTriangle& triangle, std::sp
   return n;
 }
 
-// The fewest corners of either triangle whose hulls have a common point: its weights are unique and positive then.
-CommonPoint common_point_of(const PosedTriangle& t, const PosedTriangle& u) {
+// The fewest corners of either triangle whose hulls have a common point: its weights are unique and positive then. Of
+// triangles that meet there are such; each is a corner of what they have in common. Until of_point(point) is true.
+template <class OfPoint>
+void each_common_point(const PosedTriangle& t, const PosedTriangle& u, const OfPoint& of_point) {
   for (int count = 2; count <= 5; ++count) {
     for (unsigned of_t = 1; of_t < 8; ++of_t) {
       for (unsigned of_u = 1; of_u < 8; ++of_u) {
@@ -44,53 +48,16 @@ CommonPoint common_point_of(const PosedTriangle& t, const PosedTriangle& u) {
         tried.count_a = static_cast<std::uint8_t>(a);
         tried.count_b = static_cast<std::uint8_t>(b);
         std::copy_n(named.begin(), a + b, tried.vertices.begin());
-        return common_point(tried, all);
+        if (of_point(common_point(tried, all))) return;
       }
     }
   }
-  SUNDER_REQUIRE(false);  // it is not so that they have a common point
-  return {};
 }
 
 // Corners 0, 1, 2 by the numbers of the points of their mesh.
 void name_points(const Mesh::Triangle& triangle, Combination& of) {
   for (Weights::Part& part : of.parts) part.index = triangle[part.index];
 }
-
-class MeshFile {
- public:
-  explicit MeshFile(ClaimsWriter& file) : file_(file) {}
-
-  // Returns its index where it is placed.
-  std::uint32_t add(const NamedMesh& of) {
-    begin(of);
-    file_.begin_list("points");
-    for (const Point3& p : of.mesh.points()) file_.add_row(std::array{p.x, p.y, p.z});
-    file_.end_list();
-    file_.begin_list("triangles");
-    for (const Mesh::Triangle& t : of.mesh.triangles()) file_.add_list(t);
-    file_.end_list();
-    file_.end_entry();
-    ++count_;
-    if (of.pose.affine() == Affine3()) return count_ - 1;
-    begin({of.name, of.mesh, of.pose});
-    file_.index("of", count_ - 1);
-    file_.doubles("linear", of.pose.affine().linear);
-    file_.doubles("translation", of.pose.affine().translation);
-    file_.end_entry();
-    return count_++;
-  }
-
- private:
-  void begin(const NamedMesh& of) {
-    file_.say(of.said);
-    file_.begin_entry();
-    file_.text("name", of.name.empty() ? "unnamed" : cut_text(of.name));
-  }
-
-  ClaimsWriter& file_;
-  std::uint32_t count_ = 0;
-};
 
 void add_rays(ClaimsWriter& file, const char* key, const std::vector<MeshCover::Ray>& rays) {
   file.begin_list(key);
@@ -114,8 +81,7 @@ void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combinati
 
 class Statement {
  public:
-  Statement(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, std::uint32_t index_a, std::uint32_t index_b)
-      : file_(file), a_(a), b_(b), index_a_(index_a), index_b_(index_b) {}
+  Statement(ClaimsWriter& file, const StatedMesh& a, const StatedMesh& b) : file_(file), a_(a), b_(b) {}
 
   void operator()(const MeshesApart&) const {
     const MeshCover cover = mesh_cover(a_.mesh, a_.pose, b_.mesh, b_.pose);
@@ -143,7 +109,7 @@ class Statement {
   }
 
   void operator()(const PointWithin& within) const {
-    const NamedMesh &of = within.is_of_a ? a_ : b_, &other = within.is_of_a ? b_ : a_;
+    const StatedMesh &of = within.is_of_a ? a_ : b_, &other = within.is_of_a ? b_ : a_;
     const PlacedMesh placed(of.mesh, of.pose), around(other.mesh, other.pose);
     const Posed3 at = placed.at(within.point);
     const std::array<Dyadic, 3> along = ray_away(around, at);
@@ -168,17 +134,30 @@ class Statement {
     file_.end_statement();
   }
 
+  void overlapping(const Point3& inside) const {
+    const std::array<Dyadic, 3> exact{inside.x, inside.y, inside.z};
+    const Affine3 identity;
+    begin("overlapping");
+    file_.numbers("point", exact);
+    file_.begin_claims();
+    for (const StatedMesh* of : {&a_, &b_}) {
+      file_.begin_claim("encloses");
+      file_.numbers("direction", ray_away(PlacedMesh(of->mesh, of->pose), posed(inside, identity)));
+      file_.end_claim();
+    }
+    file_.end_statement();
+  }
+
  private:
   void begin(const char* verdict) const {
     file_.begin_statement("meshes");
-    file_.index("a", index_a_);
-    file_.index("b", index_b_);
+    file_.index("a", a_.index);
+    file_.index("b", b_.index);
     file_.text("verdict", verdict);
   }
 
   ClaimsWriter& file_;
-  const NamedMesh &a_, &b_;
-  std::uint32_t index_a_, index_b_;
+  const StatedMesh &a_, &b_;
 };
 
 }  // namespace
@@ -186,24 +165,102 @@ class Statement {
 CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                          const MeetingTriangles& evidence) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
-  CommonPoint point = common_point_of(placed_a.triangle(evidence.of_a), placed_b.triangle(evidence.of_b));
+  std::optional<CommonPoint> found;
+  each_common_point(placed_a.triangle(evidence.of_a), placed_b.triangle(evidence.of_b), [&](CommonPoint&& point) {
+    found = std::move(point);
+    return true;
+  });
+  SUNDER_REQUIRE(found.has_value());  // the triangles meet
+  CommonPoint& point = *found;
   name_points(a.triangles()[evidence.of_a], point.of_a);
   name_points(b.triangles()[evidence.of_b], point.of_b);
   return point;
 }
 
-void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer) {
-  file.begin_table("meshes");
-  MeshFile table(file);
-  const std::uint32_t index_a = table.add(a), index_b = table.add(b);
-  file.end_table();
-  std::visit(Statement(file, a, b, index_a, index_b), answer.evidence);
+Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                         const MeetingTriangles& evidence) {
+  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+  Point3 sum;
+  int count = 0;
+  each_common_point(placed_a.triangle(evidence.of_a), placed_b.triangle(evidence.of_b), [&](const CommonPoint& point) {
+    const Point3 p = nearest(point.at);
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += (p[c] - sum[c]) / (count + 1);
+    ++count;
+    return false;
+  });
+  return sum;
+}
+
+Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                        const MeshEvidence& evidence) {
+  if (const auto* meeting = std::get_if<MeetingTriangles>(&evidence)) {
+    return nearest(common_point(a, pose_a, b, pose_b, *meeting).at);
+  }
+  const auto& within = std::get<PointWithin>(evidence);
+  const PlacedMesh placed(within.is_of_a ? a : b, within.is_of_a ? pose_a : pose_b);
+  const Vector3<Dyadic> at = coordinates<Dyadic>(placed.at(within.point));
+  return {at.x.nearest(), at.y.nearest(), at.z.nearest()};
+}
+
+void MeshClaims::begin_entry(const std::string& name, const Said& said) {
+  if (count_ == 0) file_.begin_table("meshes");
+  file_.say(said);
+  file_.begin_entry();
+  file_.text("name", name.empty() ? "unnamed" : cut_text(name));
+}
+
+std::uint32_t MeshClaims::add_mesh(const std::string& name, const Mesh& mesh, const Said& said) {
+  begin_entry(name, said);
+  file_.begin_list("points");
+  for (const Point3& p : mesh.points()) file_.add_row(std::array{p.x, p.y, p.z});
+  file_.end_list();
+  file_.begin_list("triangles");
+  for (const Mesh::Triangle& t : mesh.triangles()) file_.add_list(t);
+  file_.end_list();
+  file_.end_entry();
+  return count_++;
+}
+
+std::uint32_t MeshClaims::add_placed(const std::string& name, std::uint32_t mesh, const Pose& pose) {
+  begin_entry(name, {});
+  file_.index("of", mesh);
+  file_.doubles("linear", pose.affine().linear);
+  file_.doubles("translation", pose.affine().translation);
+  file_.end_entry();
+  return count_++;
+}
+
+void MeshClaims::end_table() {
+  if (count_ > 0) file_.end_table();
+}
+
+void MeshClaims::add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
+                          const std::optional<Point3>& inside) {
+  const Statement statement(file_, a, b);
+  if (inside) return statement.overlapping(*inside);
+  std::visit(statement, evidence);
+}
+
+void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
+                const std::optional<Point3>& inside) {
+  MeshClaims meshes(file);
+  const auto add = [&](const NamedMesh& of) {
+    const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
+    return of.pose.affine() == Affine3() ? mesh : meshes.add_placed(of.name, mesh, of.pose);
+  };
+  const std::uint32_t index_a = add(a), index_b = add(b);
+  meshes.end_table();
+  meshes.add_pair({index_a, a.mesh, a.pose}, {index_b, b.mesh, b.pose}, answer.evidence, inside);
 }
 
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer) {
   ClaimsWriter file(sink);
   file.add_origin(asked.origin);
-  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer);
+  std::optional<Point3> inside;
+  if (asked.tells_relation && answer.meet()) {
+    inside = point_inside_both(asked.a, asked.at_a, asked.b, asked.at_b, answer.evidence);
+  }
+  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer, inside);
   file.end();
 }
 

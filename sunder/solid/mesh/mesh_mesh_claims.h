@@ -9,6 +9,7 @@
 #include <sunder/certificate/said.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 
+#include <optional>
 #include <string>
 
 namespace sunder::solid {
@@ -25,11 +26,50 @@ struct NamedMesh {
 CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                          const MeetingTriangles& evidence);
 
+// About the middle of what the triangles have in common: a point, a segment or a polygon. Requires that they meet.
+Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                         const MeetingTriangles& evidence);
+
+// A point that the meshes have in common, rounded. Requires that they meet.
+Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                        const MeshEvidence& evidence);
+
+// A placed mesh, and its index in the table.
+struct StatedMesh {
+  std::uint32_t index;
+  const Mesh& mesh;
+  const Pose& pose;
+};
+
+// Calls follow the file: meshes and where they are placed, the end of the table, pairs. Keeps a reference to it.
+class MeshClaims {
+ public:
+  explicit MeshClaims(ClaimsWriter& file) : file_(file) {}
+
+  // Each adds an entry, and returns its index.
+  std::uint32_t add_mesh(const std::string& name, const Mesh& mesh, const Said& said = {});
+  std::uint32_t add_placed(const std::string& name, std::uint32_t mesh, const Pose& pose);
+  void end_table();
+
+  // The evidence must be true: what proves it is computed here; inside: a point inside of both, if one is known, which is
+  // stated instead. Cost: that of mesh_cover() where they are apart; else linear in both meshes.
+  void add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
+                const std::optional<Point3>& inside = {});
+
+ private:
+  void begin_entry(const std::string& name, const Said& said);
+
+  ClaimsWriter& file_;
+  std::uint32_t count_ = 0;
+};
+
 // The table, and the one statement; the file's origin stands before, and its end is not written. Cost: that of
 // mesh_cover() where they are apart; else linear in both meshes.
-void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer);
+void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
+                const std::optional<Point3>& inside = {});
 
-// The certificate file of the answer, whole (asked_pair.h).
+// The certificate file of the answer, whole (asked_pair.h). tells_relation: that they overlap, where a point inside of
+// both is found (mesh_overlap.h).
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer);
 
 }  // namespace sunder::solid

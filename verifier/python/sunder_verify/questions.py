@@ -494,6 +494,7 @@ QUESTIONS = {
     "meshes": ("meshes", "a b", {
         "apart": "covered a b",
         "meet": "on_triangle a point, on_triangle b point",
+        "overlapping": "encloses a point, encloses b point",
         "a_within": "on_triangle a point, encloses b point",
         "b_within": "encloses a point, on_triangle b point"}),
     "polytopes": ("polytopes", "a b", {

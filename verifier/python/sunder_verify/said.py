@@ -91,7 +91,7 @@ def words_of(kinds, value, where, read):
 
 def description(value, where, read):
     """What it is made of, then what has become of that, from the first step to the last."""
-    words = []
+    words, value = [], OBJECT(value, where)
     while value is not None:
         form(len(words) < MOST_STEPS, where + " has more than %d steps" % (MOST_STEPS - 1))
         words.append(words_of(DESCRIPTIONS, value, where, read))

@@ -24,6 +24,7 @@ SENTENCES = {  # of the members that a statement has
                "meet": "{a} and {b} meet on their ways, at time {time}, at {point}",
                "first": "{a} and {b} first meet on their ways at time {time}, at {point}"},
     "meshes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
+               "overlapping": "{a} and {b} overlap at {point}",
                "a_within": "{point} of {a} is inside of {b}", "b_within": "{point} of {b} is inside of {a}"},
     "polytopes": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
                   "apart_by_hyperplanes": "{a} and {b} are apart, by half-spaces that hold them"},

@@ -182,7 +182,7 @@ class MeshPairs(unittest.TestCase):
                 self.ask_apart(tables, i, j, a, b, found)
             self.ask_points(tables, i, j, a, b)
         self.twins.compare()
-        for verdict in ("apart", "meet", "a_within", "b_within"):
+        for verdict in ("apart", "meet", "overlapping", "a_within", "b_within"):
             self.assertGreater(files.TRIED["accepted"]["meshes", verdict], 0)
 
     def ask_apart(self, tables, i, j, a, b, found):
@@ -223,6 +223,13 @@ class MeshPairs(unittest.TestCase):
             top, found = self.ask(tables, said, None)
             if found == "accepted":
                 self.assertTrue(other.is_in(point), top)
+            # A point anywhere in a cell of one.
+            cell = dice.choice([*of.cells])
+            place = [of.step * (x + s + Fraction(dice.randint(0, 3), 8)) for x, s in zip(cell, of.shift)]
+            both = [{"claim": "encloses", "direction": direction(dice)} for _ in range(2)]
+            top, found = self.ask(tables, statement("overlapping", i, j, *both, point=told_point(place)), None)
+            if found == "accepted":
+                self.assertTrue(a.is_in(place) and b.is_in(place), top)
             # Two triangles that hold one point.
             back, claim_too = inside(other, dice)
             both = [claim, claim_too] if verdict[0] == "a" else [claim_too, claim]
@@ -258,6 +265,7 @@ class MeshPairs(unittest.TestCase):
             back, claim_too = inside(b, dice)
             ray = {"claim": "encloses", "direction": direction(dice)}
             says += [statement("meet", i, j, claim, claim_too, point=told_point(point)),
+                     statement("overlapping", i, j, ray, ray, point=told_point(back)),
                      statement("a_within", i, j, claim, ray, point=told_point(point)),
                      statement("b_within", i, j, ray, claim_too, point=told_point(back))]
             for said in says:

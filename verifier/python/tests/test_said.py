@@ -66,6 +66,14 @@ class Said(unittest.TestCase):
             for (text, outcome, sentences), (rule, others) in zip(self.files, by_twin):
                 self.assertEqual((rule, others), (outcome, sentences), text)
 
+    def test_null_is_no_description(self):
+        top = of_bodies(None)
+        top["tables"]["bodies"][0]["said"] = None
+        for text in map(json.dumps, (top, of_rows([[2, None]]))):
+            self.assertEqual(told(text)[0], "F")
+            if PROGRAM:
+                self.assertEqual(told_by_twin([text])[0][0], "F")
+
     def test_each_kind_of_each_place(self):
         """With the field the sentence says more; without it, less; with a member of it missing the file is refused."""
         places = {of_bodies: said.DESCRIPTIONS, of_rows: said.DESCRIPTIONS, of_scene: said.NOTES}

@@ -1,0 +1,225 @@
+// Scenes of meshes that are not convex, among convex bodies and balls: which meet, of each pair against mesh_mesh alone;
+// the follower against meeting_pairs; and each certificate by its checker.
+#include <tests/support/scale.h>
+#include <tests/support/shapes.h>
+
+#include <sunder/base/random.h>
+#include <sunder/scene/follower.h>
+#include <sunder/scene/scene_claims.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
+
+#include <verifier/cpp/verify.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::tests {
+namespace {
+
+using scene::Answer;
+using scene::Body;
+using scene::Part;
+using scene::PartPair;
+using scene::Question;
+using solid::ConvexPolyhedron;
+using solid::Mesh;
+using solid::MeshView;
+using solid::Pose;
+using solid::RoundBody;
+
+// A frame of four bars around a hole: of a square of size 4, 1 high; perhaps without its upper side.
+std::shared_ptr<const Mesh> frame_mesh(bool is_open) {
+  std::vector<Point3> points;
+  for (const double z : {0.0, 1.0}) {
+    for (const double size : {2.0, 1.0}) {
+      for (const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+        points.push_back({x * size, y * size, z});
+      }
+    }
+  }
+  std::vector<std::uint32_t> begin{0}, corners;
+  const auto face = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    corners.insert(corners.end(), {a, b, c, d});
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  };
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const std::uint32_t n = (k + 1) % 4;
+    face(k, n, 8 + n, 8 + k);            // outside
+    face(4 + n, 4 + k, 12 + k, 12 + n);  // around the hole
+    face(n, k, 4 + k, 4 + n);            // below
+    if (!is_open) face(8 + k, 8 + n, 12 + n, 12 + k);
+  }
+  return std::make_shared<const Mesh>(MeshView{points, begin, corners});
+}
+
+Part mesh_part(const std::shared_ptr<const Mesh>& mesh, const Pose& pose) {
+  const std::vector<Point3> points(mesh->points().begin(), mesh->points().end());
+  return {"", ConvexPolyhedron(points), pose, mesh};
+}
+
+class MeshScenes {
+ public:
+  explicit MeshScenes(std::uint64_t seed) : random_(chosen_seed(seed)) {}
+
+  std::vector<Body> next() {
+    std::vector<Body> bodies(2 + random_.below(5));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      bodies[b].name = "b" + std::to_string(b);
+      for (std::uint64_t parts = 1 + random_.below(2); parts > 0; --parts) bodies[b].parts.push_back(part());
+    }
+    return bodies;
+  }
+
+  Pose anywhere() {
+    const auto whole = [&] { return static_cast<double>(random_.between(-3, 3)); };
+    const std::array<double, 3> shift{whole(), whole(), whole() / 2};
+    if (random_.below(3) > 0) return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, shift);
+    const auto u = [&] { return random_.uniform(-1, 1); };
+    return Pose::from_quaternion(u(), u(), u(), 1, shift);
+  }
+
+  Random& random() { return random_; }
+
+ private:
+  Pose near() {
+    const auto whole = [&] { return static_cast<double>(random_.between(-1, 1)); };
+    return Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {whole(), whole(), whole() / 2});
+  }
+
+  Part part() {
+    switch (random_.below(5)) {
+      case 0: return mesh_part(open_, anywhere());
+      case 1: return {"", RoundBody(unit_), near()};
+      case 2:
+        return {"", RoundBody::ball({0, 0, 0}, 0.5),
+                Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {static_cast<double>(random_.between(-3, 3)),
+                                                                static_cast<double>(random_.between(-3, 3)), 0.5})};
+      case 3: return mesh_part(closed_, near());
+      default: return mesh_part(closed_, anywhere());
+    }
+  }
+
+  Random random_;
+  std::shared_ptr<const Mesh> closed_ = frame_mesh(false), open_ = frame_mesh(true);
+  ConvexPolyhedron unit_{cube_corners(-0.5, 0.5)};  // fits into the hole
+};
+
+// Of two meshes, or a mesh and a convex body, as they are.
+bool meet_as_meshes(const Part& a, const Part& b) {
+  const auto mesh = [](const Part& part) { return part.mesh != nullptr ? *part.mesh : mesh_of(part.shape.core()); };
+  return mesh_mesh_by_scan(mesh(a), a.pose, mesh(b), b.pose).meet();
+}
+
+void expect_accepted(const std::vector<Body>& bodies, const Answer& answer, const Question& question) {
+  std::string text;
+  write_certificate(std::array{scene::Placement{"here", bodies, answer}}, question, {},
+                    [&](std::string_view piece) { text += piece; });
+  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+  for (const auto& statement : result.statements) {
+    ASSERT_TRUE(statement.accepted) << statement.sentence << ": " << statement.failed_check << ": " << statement.reason;
+  }
+  ASSERT_TRUE(result.accepted()) << result.failed_form << result.error;
+  std::size_t as_meshes = 0, overlapping = 0, stated = 0;
+  for (const auto& statement : result.statements) {
+    stated += statement.sentence.starts_with("the solid of") || statement.sentence.starts_with("the surface of");
+  }
+  for (const PartPair& pair : answer.pairs) {
+    as_meshes += pair.meshes.has_value();
+    overlapping += pair.inside.has_value();
+    ASSERT_EQ(pair.inside.has_value(), pair.meshes && pair.relation == Relation::overlapping);
+  }
+  ASSERT_GE(stated, as_meshes);
+  ASSERT_LE(overlapping, as_meshes);
+}
+
+TEST(SceneMeshesDifferential, PairsAreAsOfMeshesAlone) {
+  MeshScenes scenes(4021);
+  const int times = scaled_count(80);
+  std::map<std::string, int> seen;
+  for (int i = 0; i < times; ++i) {
+    const std::vector<Body> bodies = scenes.next();
+    Question question;
+    question.every_pair = true;
+    question.contacts = i % 2 == 0;
+    question.touching_allowed = i % 4 == 0;
+    const Answer answer = meeting_pairs(bodies, question);
+    for (const PartPair& pair : answer.pairs) {
+      const Part &a = bodies[pair.body_a].parts[pair.part_a], &b = bodies[pair.body_b].parts[pair.part_b];
+      if (a.mesh == nullptr && b.mesh == nullptr) {
+        ASSERT_FALSE(pair.meshes.has_value());
+        continue;
+      }
+      if (!a.shape.is_polyhedron() || !b.shape.is_polyhedron()) {
+        ASSERT_FALSE(pair.meshes.has_value());
+        ++seen[pair.meet() ? "a ball meets a hull" : "a ball is apart"];
+        continue;
+      }
+      ASSERT_EQ(pair.meet(), meet_as_meshes(a, b)) << i;
+      if (!pair.answer.meet()) {
+        ++seen["apart by hulls"];
+        continue;
+      }
+      ASSERT_TRUE(pair.meshes.has_value());
+      ++seen[pair.meet() ? "meet" : "apart as meshes"];
+      if (pair.meet()) (void)rounded_common_point(pair, a, b);
+    }
+    const bool has_open = answer.counts.surfaces_alone > 0;
+    seen["surfaces alone"] += has_open;
+    if (i % 3 > 0) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_accepted(bodies, answer, question));
+  }
+  for (const auto& [what, n] : seen) std::printf("%-20s %d\n", what.c_str(), n);
+  for (const char* what : {"a ball meets a hull", "apart by hulls", "meet", "apart as meshes", "surfaces alone"}) {
+    EXPECT_GE(seen[what], times / 80) << what;
+  }
+}
+
+TEST(SceneMeshesDifferential, TheFollowerAgrees) {
+  MeshScenes scenes(4022);
+  const int times = scaled_count(60);
+  std::uint64_t meeting = 0, alone = 0;
+  for (int i = 0; i < times; ++i) {
+    std::vector<Body> bodies = scenes.next();
+    scene::Follower follower(bodies);
+    for (int step = 0; step < 10; ++step) {
+      const Answer expected = meeting_pairs(bodies);
+      const Answer& answer = follower.ask();
+      std::size_t next = 0;
+      for (const PartPair& pair : expected.pairs) {
+        if (pair.verdict() == Verdict::apart) continue;
+        ASSERT_LT(next, answer.pairs.size());
+        const PartPair& found = answer.pairs[next++];
+        ASSERT_EQ(std::tie(found.body_a, found.part_a, found.body_b, found.part_b),
+                  std::tie(pair.body_a, pair.part_a, pair.body_b, pair.part_b));
+        ASSERT_EQ(found.meshes.has_value(), pair.meshes.has_value());
+      }
+      ASSERT_EQ(next, answer.pairs.size());
+      ASSERT_EQ(answer.counts.meeting, expected.counts.meeting);
+      ASSERT_EQ(answer.counts.surfaces_alone, expected.counts.surfaces_alone);
+      meeting += answer.counts.meeting;
+      alone += answer.counts.surfaces_alone;
+      std::uint32_t number = 0;
+      for (Body& body : bodies) {
+        for (Part& part : body.parts) {
+          if (part.shape.is_polyhedron() && scenes.random().below(2) == 0) {
+            part.pose = scenes.anywhere();
+            follower.place(number, part.pose);
+          }
+          ++number;
+        }
+      }
+    }
+  }
+  EXPECT_GE(meeting, static_cast<std::uint64_t>(times / 30));
+  EXPECT_GE(alone, static_cast<std::uint64_t>(times / 60));
+}
+
+}  // namespace
+}  // namespace sunder::tests
