@@ -253,7 +253,7 @@ class Streams(InFolder):
         self.assertIn(b"standard output: cannot be written", done.stderr)
 
     def test_notes_stay_where_standard_output_is_a_proof(self):
-        done = self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-")
+        done = self.run_here("pair", "--hull", "bent.obj", "bent.obj", "--certificate", "-")
         self.assertIn(b"bent.obj is not exactly convex", done.stderr)
         self.assertEqual(json.loads(done.stdout)["sunder_certificate"], 3)
         self.assertEqual(self.run_here("pair", "bent.obj", "bent.obj", "--certificate", "-", "--quiet").stderr, b"")

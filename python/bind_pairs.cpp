@@ -1,6 +1,7 @@
-// Convex polygons and polyhedra with poses: one pair with its answer, many pairs in one call.
+// Convex polygons and polyhedra, and meshes, with poses: one pair with its answer, many pairs in one call.
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/object/hull_claims.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -172,6 +173,28 @@ std::vector<std::vector<std::uint32_t>> facets_of(const ConvexPolyhedron& body) 
   return facets;
 }
 
+using SharedMesh = std::shared_ptr<solid::Mesh>;
+
+PythonPairAnswer meshes_meet(const SharedMesh& a, const solid::Pose& pose_a, const SharedMesh& b,
+                             const solid::Pose& pose_b) {
+  if (!can_be_placed(*a, pose_a) || !can_be_placed(*b, pose_b)) {
+    throw Error(ErrorCode::bad_pose, "numbers beyond 2^1000; give smaller ones", "pose");
+  }
+  const solid::MeshAnswer answer = unlocked([&] { return mesh_mesh(*a, pose_a, *b, pose_b); });
+  const auto text = [=] { return proof_of(AskedPair{*a, pose_a, *b, pose_b}, answer); };
+  return {{{answer.cost, text}, answer.meet()}, answer.decided_by};
+}
+
+SharedMesh mesh_of(const ArrayLike& vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
+  const std::vector<Point3> points = entries_of<Point3>(vertices, "vertices");
+  std::vector<std::uint32_t> begin{0}, corners;
+  for (const std::vector<std::uint32_t>& face : faces) {
+    corners.insert(corners.end(), face.begin(), face.end());
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  return unlocked([&] { return std::make_shared<solid::Mesh>(solid::MeshView{points, begin, corners}); });
+}
+
 }  // namespace
 
 void bind_planar(nb::module_& module, nb::module_& planar) {
@@ -232,6 +255,16 @@ void bind_solid(nb::module_& module, nb::module_& solid) {
       .def_prop_ro("facets", &facets_of, "The vertices of each facet, counter-clockwise from outside.")
       .def("__len__", [](const ConvexPolyhedron& body) { return body.vertices().size(); });
   bind_pair<Solid>(module, solid, "polyhedron_polyhedron", "polyhedron_polyhedron_contact");
+  nb::class_<solid::Mesh>(solid, "Mesh", "Triangles as they are, and what is inside of their closed pieces.")
+      .def(nb::new_(&mesh_of), nb::arg("vertices"), nb::arg("faces"), "Faces are lists of numbers of vertices.")
+      .def_prop_ro("closed", &solid::Mesh::is_closed, "Is no piece open?")
+      .def_prop_ro("pieces", [](const solid::Mesh& mesh) { return mesh.pieces().size(); })
+      .def("__len__", [](const solid::Mesh& mesh) { return mesh.triangles().size(); }, "How many triangles it has.");
+  constexpr const char* doc = "Do two meshes meet, as they are, placed or not? Touching is meeting.";
+  module.def("intersect", &meshes_meet, nb::arg("a"), nb::arg("pose_a"), nb::arg("b"), nb::arg("pose_b"), doc);
+  module.def(
+      "intersect", [](const SharedMesh& a, const SharedMesh& b) { return meshes_meet(a, {}, b, {}); }, nb::arg("a"),
+      nb::arg("b"), doc);
   solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
             "The certificate file of what the convex hull of these points is, facet by facet.");
   bind_sections(solid);

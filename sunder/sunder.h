@@ -93,8 +93,11 @@
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/mesh/mesh_claims.h>
 #include <sunder/solid/mesh/mesh_convexity.h>
+#include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_departure.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_overlap.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/frame.h>

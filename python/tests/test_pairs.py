@@ -129,3 +129,23 @@ def test_polyhedra():
     assert sorted(map(len, body.facets)) == [3, 3, 3, 3] and solid.ConvexPolyhedron(points[:1]).dimension == 0
     assert "corner" in proved(solid.hull_certificate(points, "corner"))[0]
     refused("bad-value", "name", solid.hull_certificate, points, "")
+
+
+def test_meshes():
+    """A box in the notch of a bracket, on its side, a last bit away, within it; each answer is proved."""
+    corners = [[x, y, z] for x, y in ((0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)) for z in (0, 1)]
+    sides = [[2 * k, (2 * k + 2) % 12, (2 * k + 3) % 12, 2 * k + 1] for k in range(6)]
+    bracket = solid.Mesh(corners, [[10, 8, 6, 4, 2, 0], [1, 3, 5, 7, 9, 11], *sides])
+    unit = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    box = solid.Mesh(unit, np.array(faces))
+    assert (len(box), box.closed, box.pieces) == (12, True, 1) and not solid.Mesh(unit, faces[1:]).closed
+    assert sunder.intersect(bracket, box).meet
+    for x, meet, words in ((1.25, False, "are apart"), (1, True, "meet at"), (np.nextafter(1, 2), False, "are apart"),
+                           (0.25, True, "is inside of")):
+        answer = sunder.intersect(bracket, solid.Pose(), box, solid.Pose.from_matrix(np.eye(3) / 4, [x, max(x, 0.25), 0.25]))
+        assert answer.meet is meet and bool(answer) is meet
+        [sentence] = proved(answer.certificate())
+        assert words in sentence
+    for wrong, place in (([[0, 1, 8]], "face 0"), ([[]], "face 0"), ([], "")):
+        refused("bad-shape", place, solid.Mesh, unit, wrong)

@@ -141,7 +141,14 @@ void Follower::look_at(const MovingBoxes::Pair& of) {
   pair.answer = std::move(answer);
   look_closer(pair, a, b);
   count_answer(pair, a, b, question_, answer_.counts);
-  if (pair.verdict() != Verdict::apart) answer_.pairs.push_back(std::move(pair));
+  if (pair.verdict() != Verdict::apart) list(std::move(pair));
+}
+
+// The list grows by a quarter, as it is most of what a follower of many pairs holds.
+void Follower::list(PartPair&& pair) {
+  std::vector<PartPair>& pairs = answer_.pairs;
+  if (pairs.size() == pairs.capacity()) pairs.reserve(pairs.size() + pairs.size() / 4 + 4);
+  pairs.push_back(std::move(pair));
 }
 
 const Answer& Follower::ask() {

@@ -72,6 +72,7 @@ class Follower {
   void list_few();
   std::span<const MovingBoxes::Pair> follow_near();
   void look_at(const MovingBoxes::Pair& of);
+  void list(PartPair&& pair);
   std::span<solid::KeptParting> kept_of(std::uint32_t slot) {
     return std::span(kept_).subspan(slot * kept_of_pair_, kept_of_pair_);
   }

@@ -35,7 +35,7 @@ void look_closer(PartPair& pair, const Part& a, const Part& b) {
   const solid::Mesh *mesh_a = mesh_of(a), *mesh_b = mesh_of(b);
   if (mesh_a == nullptr || mesh_b == nullptr) return;
   if (can_be_placed(*mesh_a, a.pose) && can_be_placed(*mesh_b, b.pose)) {
-    pair.meshes = mesh_mesh(*mesh_a, a.pose, *mesh_b, b.pose);
+    pair.meshes = std::make_shared<const PairAsMeshes>(PairAsMeshes{mesh_mesh(*mesh_a, a.pose, *mesh_b, b.pose)});
   }
 }
 
@@ -48,8 +48,10 @@ void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& 
   pair.counts = true;
   if (!question.contacts && !question.touching_allowed) return;
   if (pair.meshes) {
-    pair.inside = point_inside_both(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->evidence);
-    if (pair.inside) pair.relation = Relation::overlapping;
+    PairAsMeshes known = *pair.meshes;
+    known.inside = point_inside_both(*mesh_of(a), a.pose, *mesh_of(b), b.pose, known.answer.evidence);
+    if (known.inside) pair.relation = Relation::overlapping;
+    pair.meshes = std::make_shared<const PairAsMeshes>(std::move(known));
   } else {
     pair.relation = relation_of(pair, a, b);
   }

@@ -62,10 +62,10 @@ class Scene {
 Cost PartPair::cost() const {
   Cost sum = answer.cost;
   if (!meshes) return sum;
-  sum.probes += meshes->cost.probes;
-  sum.iterations += meshes->cost.iterations;
-  sum.exact += meshes->cost.exact;
-  sum.proposals += meshes->cost.proposals;
+  sum.probes += meshes->answer.cost.probes;
+  sum.iterations += meshes->answer.cost.iterations;
+  sum.exact += meshes->answer.cost.exact;
+  sum.proposals += meshes->answer.cost.proposals;
   return sum;
 }
 
@@ -82,7 +82,7 @@ std::string part_name(const Body& body, std::uint32_t part) {
 Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) {
   SUNDER_REQUIRE(pair.meet());
   if (pair.meshes) {
-    return solid::rounded_point_of(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->evidence);
+    return solid::rounded_point_of(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->answer.evidence);
   }
   return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
                                  pair.answer.evidence);

@@ -60,21 +60,27 @@ struct Question {
   bool every_pair = false;        // list the pairs that boxes parted too
 };
 
+// Two parts as meshes, whose hulls meet.
+struct PairAsMeshes {
+  solid::MeshAnswer answer;
+  std::optional<Point3> inside{};  // if it was asked how they meet: a point inside of both, if one was found
+};
+
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  solid::RoundAnswer answer;                  // of the shapes
-  std::optional<solid::MeshAnswer> meshes{};  // where these meet, and one stands for a mesh: what holds instead
-  std::optional<Point3>
-      inside{};           // of such meshes, if it was asked how they meet: a point inside of both, if one was found
-  bool by_boxes = false;  // the boxes are apart: no method was called, and answer.cost is zero
-  bool counts = false;    // they meet, and it is not known to be in a way that is allowed
+  solid::RoundAnswer answer;                     // of the shapes
+  std::shared_ptr<const PairAsMeshes> meshes{};  // where these meet, and one stands for a mesh: what holds instead
+  bool by_boxes = false;                         // the boxes are apart: no method was called, and answer.cost is zero
+  bool counts = false;                           // they meet, and it is not known to be in a way that is allowed
   Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for
 
-  Verdict verdict() const { return meshes ? meshes->verdict() : answer.verdict(); }
+  Verdict verdict() const { return meshes ? meshes->answer.verdict() : answer.verdict(); }
   bool meet() const { return verdict() == Verdict::meet; }
   bool undecided() const { return verdict() == Verdict::undecided; }
-  DecidedBy decided_by() const { return meshes ? std::max(answer.decided_by, meshes->decided_by) : answer.decided_by; }
+  DecidedBy decided_by() const {
+    return meshes ? std::max(answer.decided_by, meshes->answer.decided_by) : answer.decided_by;
+  }
   Cost cost() const;  // of both
 };
 

@@ -155,8 +155,8 @@ class MeshesOfScene {
 
   void add_pair(std::size_t placement, std::span<const Body> placed, const PartPair& pair) {
     claims_.add_pair(stated(placement, placed[pair.body_a], pair.body_a, pair.part_a),
-                     stated(placement, placed[pair.body_b], pair.body_b, pair.part_b), pair.meshes->evidence,
-                     pair.inside);
+                     stated(placement, placed[pair.body_b], pair.body_b, pair.part_b), pair.meshes->answer.evidence,
+                     pair.meshes->inside);
   }
 
  private:
@@ -188,8 +188,8 @@ void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const Part
 }
 
 // Statements about the pairs that were decided as meshes.
-void add_mesh_pairs(PairClaims& pairs_of_bodies, MeshesOfScene& meshes, std::size_t placement, std::span<const Body> placed,
-                    std::span<const PartPair> pairs, const SaidOfScene& said) {
+void add_mesh_pairs(PairClaims& pairs_of_bodies, MeshesOfScene& meshes, std::size_t placement,
+                    std::span<const Body> placed, std::span<const PartPair> pairs, const SaidOfScene& said) {
   for (const PartPair& pair : pairs) {
     if (!pair.meshes) continue;
     pairs_of_bodies.go_to_statements();

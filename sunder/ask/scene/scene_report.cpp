@@ -378,7 +378,7 @@ std::string surfaces_alone_text(std::uint64_t pairs, bool is_consented) {
 }
 
 Json pair_evidence_json(const PartPair& pair, const scene::Part& a, const scene::Part& b) {
-  if (pair.meshes) return evidence_json(pair.meshes->evidence, *mesh_of(a), a.pose, *mesh_of(b), b.pose);
+  if (pair.meshes) return evidence_json(pair.meshes->answer.evidence, *mesh_of(a), a.pose, *mesh_of(b), b.pose);
   return evidence_json(pair.answer.evidence, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose));
 }
 

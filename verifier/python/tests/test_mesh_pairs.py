@@ -199,9 +199,14 @@ class MeshPairs(unittest.TestCase):
                 claim = {**claim, "rays_a": rays[0], "rays_b": rays[1]}
                 self.ask(tables, statement("apart", i, j, claim), False if len(found[0]) > 1 else None)
             return
-        if said != "accepted":  # a ray met an edge
-            self.assertEqual(said, "covered")
-            return
+        for _ in range(9):
+            if said == "accepted":
+                break
+            self.assertEqual(said, "covered")  # a ray met an edge: others do not
+            for ray in rays_a + rays_b:
+                ray[1] = direction(dice)
+            top, said = self.ask(tables, statement("apart", i, j, claim), None)
+        self.assertEqual(said, "accepted", top)
         for _ in range(2):
             worse = copy.deepcopy(claim)
             if dice.random() < .5:
@@ -273,6 +278,127 @@ class MeshPairs(unittest.TestCase):
         self.twins.compare()
 
 
+def box(low, size, outwards=True):
+    """Its corners, and two triangles a face."""
+    corners = [[a + k * size for a, k in zip(low, ks)] for ks in itertools.product((0, 1), repeat=3)]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    triangles = [t for a, b, c, d in faces for t in ([a, b, c], [a, c, d])]
+    return corners, [t if outwards else t[::-1] for t in triangles]
+
+
+def mesh(name, *boxes):
+    points, triangles = [], []
+    for corners, some in boxes:
+        triangles += [[k + len(points) for k in t] for t in some]
+        points += corners
+    return {"name": name, "points": [[hexadecimal(Fraction(x)) for x in p] for p in points], "triangles": triangles}
+
+
+class Covers(unittest.TestCase):
+    """Walks and rays, each with one thing wrong."""
+
+    def tell(self, wanted, said, *meshes):
+        twins = Twins(self)
+        self.assertEqual(twins.look(files.file_of({"meshes": list(meshes)}, said)), wanted, said)
+        twins.compare()
+
+    def covered(self, wanted, meshes, cuts, directions, rays_a=(), rays_b=()):
+        self.tell(wanted, statement("apart", 0, 1, {"claim": "covered", "cuts": cuts, "directions": directions,
+                                                    "rays_a": list(rays_a), "rays_b": list(rays_b)}), *meshes)
+
+    RAYS = [[0, ["17", "29", "41"]]], [[0, ["17", "29", "41"]]]
+
+    def test_a_walk(self):
+        near, far, right = mesh("a", box([0, 0, 0], 1)), mesh("b", box([3, 0, 0], 1)), ["1", "0", "0"]
+        self.covered("accepted", (near, far), [0], [right])
+        self.covered("accepted", (near, far), [5, 0, -3, 0, 0], [right] * 3, *self.RAYS)
+        self.covered("accepted", (near, far), [5, 2, 0, 0, 0], [right] * 3, *self.RAYS)
+        for cuts, count in (([], 0), ([0], 2), ([0], 0), ([0, 0], 2), ([5, 0], 1), ([5, 0, 0], 3), ([12, 0, 0], 2),
+                            ([-12, 0, 0], 2), ([13, 0, 0], 2), ([5, 5, 0, 0, 0], 3), ([5, 6, 0, 0, 0], 3),
+                            ([5, 0, 5, 0, 0], 3), ([-5, -5, 0, 0, 0], 3)):
+            self.covered("covered", (near, far), cuts, [right] * count, *self.RAYS)
+        for way in ["-1", "0", "0"], ["0", "0", "0"], ["0", "1", "0"]:
+            self.covered("covered", (near, far), [0], [way])
+        self.covered("covered", (near, mesh("b", box([1, 0, 0], 1))), [0], [right])
+
+    def test_the_order_of_a_walk(self):
+        """What is before a cut comes first: of two boxes of A, one on either side of B."""
+        sides, middle = mesh("a", box([0, 0, 0], 1), box([6, 0, 0], 1)), mesh("b", box([3, 0, 0], 1))
+        right, left, ray = ["1", "0", "0"], ["-1", "0", "0"], ["17", "29", "41"]
+        both = [[0, ray], [12, ray]], [[0, ray]]
+        self.covered("accepted", (sides, middle), [12, 0, 0], [right, left], *both)
+        self.covered("covered", (sides, middle), [12, 0, 0], [left, right], *both)
+        self.covered("accepted", (middle, sides), [-12, 0, 0], [left, right], *both[::-1])
+        self.covered("covered", (middle, sides), [-12, 0, 0], [right, left], *both[::-1])
+
+    def test_each_piece_is_asked_about(self):
+        """Of two boxes of A one is inside of B; and of two in a shell, both are outside."""
+        ray = ["17", "29", "41"]
+        shell = box([0, 0, 0], 16), box([2, 2, 2], 12, False)
+        small = [box([x, 7, 7], 1) for x in (7, 10, 99, Fraction(1, 2))]
+        found = {}
+        for name, boxes in (("inside", (small[3], small[2])), ("inside_last", (small[2], small[3])), ("in_the_hole", (small[0], small[1]))):
+            walk, directions, left = [], [], [((0, 24), (0, 24))]
+            triangles = [[[corners[k] for k in t] for corners, some in those for t in some] for those in (boxes, shell)]
+            while left:
+                parts = left.pop()
+                points = [[p for t in triangles[n][slice(*parts[n])] for p in t] for n in (0, 1)]
+                fits = [(c, w) for c in range(3) for w in (1, -1)
+                        if max(w * p[c] for p in points[0]) < min(w * p[c] for p in points[1])]
+                if fits:
+                    c, w = fits[0]
+                    walk.append(0)
+                    directions.append([str(w * (k == c)) for k in range(3)])
+                    continue
+                n = int(parts[1][1] - parts[1][0] >= parts[0][1] - parts[0][0])
+                first, end = parts[n]
+                middle = (first + end) // 2
+                walk.append(-middle if n else middle)
+                for half in (middle, end), (first, middle):
+                    left.append((parts[0], half) if n else (half, parts[1]))
+            found[name] = mesh("a", *boxes), walk, directions
+        b = mesh("b", *shell)
+        for name, rays in itertools.product(("inside", "inside_last"), ([], [[0, ray]], [[12, ray]], [[0, ray], [12, ray]], [[12, ray], [13, ray]])):
+            inside, walk, directions = found[name]
+            self.covered("covered", (inside, b), walk, directions, rays, [[0, ray], [12, ray]])
+        holes, walk, directions = found["in_the_hole"]
+        self.covered("accepted", (holes, b), walk, directions, [[0, ray], [12, ray]], [[0, ray], [12, ray]])
+        for rays_a, rays_b in (([[0, ray]], [[0, ray], [12, ray]]), ([[0, ray], [12, ray]], [[12, ray]]), ([], [])):
+            self.covered("covered", (holes, b), walk, directions, rays_a, rays_b)
+
+    def encloses(self, wanted, of, point, way, verdict="overlapping"):
+        claim = {"claim": "encloses", "direction": way}
+        self.tell(wanted, statement(verdict, 0, 0, claim, claim, point=point), of)
+
+    def test_rays(self):
+        one = mesh("a", box([0, 0, 0], 4))
+        self.encloses("accepted", one, ["1", "3/2", "2"], ["17", "29", "41"])
+        behind = mesh("a", box([0, 0, 0], 9), box([-5, -5, -5], 1))
+        self.encloses("accepted", behind, ["1", "2", "3"], ["5", "6", "7"])  # a corner is behind
+        for way in ["1", "1", "0"], ["1", "1", "1"], ["0", "0", "0"]:  # to an edge, a corner, the diagonal of a face
+            self.encloses("encloses", one, ["1", "1", "1"], way)
+        self.encloses("encloses", one, ["1", "1", "2"], ["0", "0", "1"])
+        for point in ["0", "1", "2"], ["0", "0", "0"], ["0", "0", "1"]:  # on a face, a corner, an edge
+            self.encloses("encloses", one, point, ["17", "29", "41"])
+        for point in ["-1", "1", "2"], ["5", "1", "2"], ["1", "9", "2"]:
+            for way in ["17", "29", "41"], ["-17", "3", "4"]:
+                self.encloses("encloses", one, point, way)
+
+    def test_how_often_it_winds(self):
+        twice = mesh("a", box([0, 0, 0], 9), box([2, 2, 2], 3))
+        hole = mesh("a", box([0, 0, 0], 9), box([2, 2, 2], 3, False))
+        turned = mesh("a", box([0, 0, 0], 9), box([2, 2, 2], 3))
+        turned["triangles"][0].reverse()
+        for of, inner, outer in (twice, "accepted", "accepted"), (hole, "encloses", "accepted"), (turned, "encloses", "accepted"):
+            self.encloses(inner, of, ["3", "7/2", "4"], ["17", "29", "41"])
+            self.encloses(outer, of, ["1", "3/2", "8"], ["17", "29", "41"])
+
+    def test_points_are_different(self):
+        double = mesh("a", box([0, 0, 0], 1))
+        double["points"].append(double["points"][0])
+        self.covered("F", (double, mesh("b", box([3, 0, 0], 1))), [0], [["1", "0", "0"]])
+
+
 class Pieces(unittest.TestCase):
     """Which triangles bound an inside, as sentences tell."""
 
@@ -314,6 +440,8 @@ class Pieces(unittest.TestCase):
         points, faces = self.TETRAHEDRON
         loose = points + [[1, 5, 0], [4, 2, 0], [7, 7, 0]]
         self.assertEqual(self.sentence(loose, faces + [[4, 5, 6]]), "the solid of 4 triangles and the surface of 1 triangle")
+        inner = points + [[1, 5, 0], [2, 4, 0], [7, 7, 0], [3, 3, 0]]  # within one half of the cut edge
+        self.assertEqual(self.sentence(inner, faces[:3] + [[1, 7, 3], [7, 2, 3], [4, 5, 6]]), "the surface of 6 triangles")
         cut = loose + [[3, 3, 0]]
         self.assertEqual(self.sentence(cut, faces[:3] + [[1, 7, 3], [7, 2, 3], [4, 5, 6]]), "the surface of 6 triangles")
 
