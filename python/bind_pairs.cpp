@@ -37,18 +37,22 @@ struct Solid {
   using Pose = solid::Pose;
 };
 
-// Two placed objects, kept for the certificate.
-template <class Kind>
-struct Placed {
-  std::shared_ptr<typename Kind::Object> a, b;
-  typename Kind::Pose pose_a, pose_b;
-};
+// Objects and poses are kept for the certificate.
+template <class Object, class Pose>
+PythonPairAnswer answer_of(const std::shared_ptr<Object>& a, const Pose& pose_a, const std::shared_ptr<Object>& b,
+                           const Pose& pose_b) {
+  using Found = decltype(intersect(*a, pose_a, *b, pose_b));
+  const auto answer = std::make_shared<const Found>(unlocked([&] { return intersect(*a, pose_a, *b, pose_b); }));
+  const auto text = [=] { return proof_of(AskedPair{*a, pose_a, *b, pose_b}, *answer); };
+  return {{{answer->cost, text}, answer->meet()}, answer->decided_by};
+}
 
-template <class Kind>
-PythonPairAnswer answer_of(const Placed<Kind>& pair) {
-  const PairAnswer answer = intersect(*pair.a, pair.pose_a, *pair.b, pair.pose_b);
-  const auto text = [pair, answer] { return proof_of(AskedPair{*pair.a, pair.pose_a, *pair.b, pair.pose_b}, answer); };
-  return {{{answer.cost, text}, answer.meet()}, answer.decided_by};
+template <class Object, class Pose>
+void bind_intersect(nb::module_& module, const char* doc) {
+  const nb::arg a("a"), pose_a("pose_a"), b("b"), pose_b("pose_b");
+  module.def("intersect", &answer_of<Object, Pose>, a, pose_a, b, pose_b, doc);
+  using Shared = std::shared_ptr<Object>;
+  module.def("intersect", [](const Shared& x, const Shared& y) { return answer_of(x, Pose(), y, Pose()); }, a, b, doc);
 }
 
 // Binds the class Pose, but for what only one dimension has.
@@ -142,20 +146,14 @@ auto meet_many(const std::vector<const typename Kind::Object*>& a, const Doubles
 template <class Kind>
 void bind_pair(nb::module_& module, nb::module_& chapter, const char* name, const char* name_of_contact) {
   using Object = typename Kind::Object;
-  using Shared = std::shared_ptr<Object>;
   using Pose = typename Kind::Pose;
-  const auto placed = [](const Shared& a, const Pose& pose_a, const Shared& b, const Pose& pose_b) {
-    return answer_of<Kind>({a, b, pose_a, pose_b});
-  };
-  const auto as_they_are = [](const Shared& a, const Shared& b) { return answer_of<Kind>({a, b, Pose(), Pose()}); };
   const auto contact = [](const Object& a, const Pose& pose_a, const Object& b, const Pose& pose_b) {
     return name_of(Kind::contact(a, pose_a, b, pose_b));
   };
   constexpr const char* doc = "Do two convex objects meet, placed or as they are? Touching is meeting.";
   const nb::arg a("a"), pose_a("pose_a"), b("b"), pose_b("pose_b");
-  chapter.def(name, placed, a, pose_a, b, pose_b, doc);
-  module.def("intersect", placed, a, pose_a, b, pose_b, doc);
-  module.def("intersect", as_they_are, a, b, doc);
+  chapter.def(name, &answer_of<Object, Pose>, a, pose_a, b, pose_b, doc);
+  bind_intersect<Object, Pose>(module, doc);
   chapter.def(name_of_contact, contact, a, pose_a, b, pose_b, "\"none\", \"touching\" or \"overlapping\".");
   chapter.def("_meet", &meet_many<Kind>);
 }
@@ -173,19 +171,7 @@ std::vector<std::vector<std::uint32_t>> facets_of(const ConvexPolyhedron& body) 
   return facets;
 }
 
-using SharedMesh = std::shared_ptr<solid::Mesh>;
-
-PythonPairAnswer meshes_meet(const SharedMesh& a, const solid::Pose& pose_a, const SharedMesh& b,
-                             const solid::Pose& pose_b) {
-  if (!can_be_placed(*a, pose_a) || !can_be_placed(*b, pose_b)) {
-    throw Error(ErrorCode::bad_pose, "numbers beyond 2^1000; give smaller ones", "pose");
-  }
-  const solid::MeshAnswer answer = unlocked([&] { return mesh_mesh(*a, pose_a, *b, pose_b); });
-  const auto text = [=] { return proof_of(AskedPair{*a, pose_a, *b, pose_b}, answer); };
-  return {{{answer.cost, text}, answer.meet()}, answer.decided_by};
-}
-
-SharedMesh mesh_of(const ArrayLike& vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
+std::shared_ptr<solid::Mesh> mesh_of(const ArrayLike& vertices, const std::vector<std::vector<std::uint32_t>>& faces) {
   const std::vector<Point3> points = entries_of<Point3>(vertices, "vertices");
   std::vector<std::uint32_t> begin{0}, corners;
   for (const std::vector<std::uint32_t>& face : faces) {
@@ -260,11 +246,8 @@ void bind_solid(nb::module_& module, nb::module_& solid) {
       .def_prop_ro("closed", &solid::Mesh::is_closed, "Is no piece open?")
       .def_prop_ro("pieces", [](const solid::Mesh& mesh) { return mesh.pieces().size(); })
       .def("__len__", [](const solid::Mesh& mesh) { return mesh.triangles().size(); }, "How many triangles it has.");
-  constexpr const char* doc = "Do two meshes meet, as they are, placed or not? Touching is meeting.";
-  module.def("intersect", &meshes_meet, nb::arg("a"), nb::arg("pose_a"), nb::arg("b"), nb::arg("pose_b"), doc);
-  module.def(
-      "intersect", [](const SharedMesh& a, const SharedMesh& b) { return meshes_meet(a, {}, b, {}); }, nb::arg("a"),
-      nb::arg("b"), doc);
+  bind_intersect<solid::Mesh, solid::Pose>(module,
+                                           "Do two meshes meet, as they are, placed or not? Touching is meeting.");
   solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
             "The certificate file of what the convex hull of these points is, facet by facet.");
   bind_sections(solid);

@@ -136,3 +136,16 @@ MeshAnswer mesh_mesh_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, c
 }
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+solid::MeshAnswer intersect(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
+                            const solid::Pose& pose_b) {
+  if (!can_be_placed(a, pose_a) || !can_be_placed(b, pose_b)) {
+    throw Error(ErrorCode::bad_pose,
+                "entries of 2^1000 and more, of a mesh with coordinates of 2^1020; give smaller ones");
+  }
+  return mesh_mesh(a, pose_a, b, pose_b);
+}
+
+}  // namespace sunder

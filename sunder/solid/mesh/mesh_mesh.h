@@ -49,3 +49,11 @@ MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pos
 MeshAnswer mesh_mesh_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
 }  // namespace sunder::solid
+
+namespace sunder {
+
+// As solid::mesh_mesh. Throws Error bad_pose where one cannot be placed so.
+solid::MeshAnswer intersect(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
+                            const solid::Pose& pose_b);
+
+}  // namespace sunder
