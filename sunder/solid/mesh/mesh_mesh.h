@@ -5,6 +5,7 @@
 // of the other with all its points. Touching is meeting. What an open piece seems to enclose is not asked.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/object/pose.h>
