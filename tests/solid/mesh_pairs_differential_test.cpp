@@ -6,6 +6,7 @@
 #include <tests/support/solid_shapes.h>
 
 #include <sunder/base/random.h>
+#include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/object/convex_polyhedron.h>
@@ -150,6 +151,52 @@ TEST(MeshPairsDifferential, LooksGrowAsALogarithmOrNearContactAsARoot) {
     EXPECT_LE(near, 220 * std::sqrt(static_cast<double>(n)));
     EXPECT_LE(deep, 75 * log_n);
     EXPECT_LE(within, 610 * log_n);
+  }
+}
+
+// A sphere with bumps.
+Mesh bumpy(std::size_t n, Random& random) {
+  const ConvexPolyhedron sphere(solid_shapes::sphere(n, random));
+  Soup soup;
+  for (const Point3& p : sphere.vertices()) {
+    const double size = 1 + 0.1 * std::sin(9 * p.x + 1) * std::sin(8 * p.y) * std::sin(10 * p.z + 2);
+    soup.points.push_back({p.x * size, p.y * size, p.z * size});
+  }
+  for (std::uint32_t f = 0; f < sphere.facet_count(); ++f) {
+    soup.add_face({sphere.facet(f).begin(), sphere.facet(f).end()});
+  }
+  return soup.mesh();
+}
+
+// Of two that are apart by the last bit of how far one is moved: how many planes are a cover?
+TEST(MeshPairsDifferential, CoversAreShortToTheLastBit) {
+  Random random(chosen_seed(4014));
+  for (const std::size_t n : {100u, 1000u, 10000u}) {
+    const Mesh a = bumpy(n, random), b = bumpy(n, random);
+    const double log_n = std::log2(static_cast<double>(n));
+    std::size_t most = 0;
+    const int times = scaled_count(12);
+    for (int i = 0; i < times; ++i) {
+      const Point3 d = on_sphere(random);
+      const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+      const auto at = [&](double distance) {
+        return Pose::from_quaternion(w, x, y, 1, {distance * d.x, distance * d.y, distance * d.z});
+      };
+      double meeting = 0, apart = 4;
+      while (true) {
+        const double middle = meeting + (apart - meeting) / 2;
+        if (middle <= meeting || middle >= apart) break;
+        (mesh_mesh(a, Pose(), b, at(middle)).meet() ? meeting : apart) = middle;
+      }
+      const Pose pose = at(apart);
+      const solid::MeshCover cover = mesh_cover(a, Pose(), b, pose);
+      most = std::max(most, cover.directions.size());
+      if (n <= 1000) {
+        proved_pair(a, Pose(), b, pose, mesh_mesh(a, Pose(), b, pose));
+      }
+    }
+    std::printf("n %6zu: %zu planes at most, %.1f times log2 n\n", n, most, static_cast<double>(most) / log_n);
+    EXPECT_LE(static_cast<double>(most), 22 * log_n);
   }
 }
 
