@@ -38,8 +38,8 @@ std::string index_or_null(const std::optional<std::size_t>& index) { return inde
 }  // namespace
 
 Said Said::all(Source what, std::size_t input, std::string_view part, const std::vector<std::string>& without) {
-  return Said(object(name_in<Source::shape>({"vertices", "triangles", "points", "half_spaces", "lines", "centre_lines", "polygons",
-                                             "circles", "boxes", "half_planes", "shape"},
+  return Said(object(name_in<Source::shape>({"vertices", "triangles", "points", "half_spaces", "lines", "centre_lines",
+                                             "polygons", "circles", "boxes", "half_planes", "shape"},
                                             what),
                      member("input", std::to_string(input)) + member("part", part.empty() ? "null" : json_text(part)) +
                          member("without", list_of(without, json_text))));

@@ -51,7 +51,7 @@ void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& 
     PairAsMeshes known = *pair.meshes;
     known.inside = point_inside_both(*mesh_of(a), a.pose, *mesh_of(b), b.pose, known.answer.evidence);
     if (known.inside) pair.relation = Relation::overlapping;
-    pair.meshes = std::make_shared<const PairAsMeshes>(std::move(known));
+    pair.meshes = std::make_shared<const PairAsMeshes>(known);
   } else {
     pair.relation = relation_of(pair, a, b);
   }

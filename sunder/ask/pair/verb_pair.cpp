@@ -194,8 +194,8 @@ void require_pair_fit(const PairCall& call, const std::vector<std::string>& kind
 Verb pair_verb() {
   const auto call = std::make_shared<PairCall>();
   return {"pair", "Do two objects meet? Finds a common point, or a direction that separates them.",
-          "0 apart, or with --clearance that far apart; 1 meet, or not that far apart, or not known to be apart", pair_options(*call),
-          [call](Talk& talk) { return run(*call, talk); }};
+          "0 apart, or with --clearance that far apart; 1 meet, or not that far apart, or not known to be apart",
+          pair_options(*call), [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

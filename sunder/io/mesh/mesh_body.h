@@ -37,7 +37,7 @@ struct MeshBody {
   std::string why_hull;                           // in words, with numbers of the file; empty unless shape is hull
   std::optional<solid::MeshDeparture> departure;  // of a mesh from its hull: where shape is hull, of dimension 3
   solid::ConvexPolyhedron hull;
-  std::uint64_t inner_vertices = 0;  // unused ones of the file in the hull of the others: not taken, to be told
+  std::uint64_t inner_vertices = 0;    // unused ones of the file in the hull of the others: not taken, to be told
   std::shared_ptr<const Mesh> mesh{};  // as it is, with the vertices in use; null for a set of points
 };
 

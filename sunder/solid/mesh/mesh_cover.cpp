@@ -19,7 +19,7 @@ namespace {
 
 // What the walk knows of a mesh: the images of its points, rounded and times a power of two, for searches.
 struct Searched {
-  Searched(const PlacedMesh& of, double scale) : placed(of), seen(of.mesh().points().size(), 0) {
+  Searched(const PlacedMesh& of, double scale) : placed(of), seen_(of.mesh().points().size(), 0) {
     const auto& [m, t] = *of.at(0u).pose;
     for (const Point3& p : of.mesh().points()) {
       const auto row = [&](std::size_t r) {
@@ -31,11 +31,11 @@ struct Searched {
 
   // The corners of triangles, each once.
   std::vector<std::uint32_t> corners_of(const TriangleRange& range) {
-    ++round;
+    ++round_;
     std::vector<std::uint32_t> corners;
     for (std::uint32_t t = range.first; t < range.end; ++t) {
       for (const std::uint32_t corner : placed.mesh().triangles()[t]) {
-        if (std::exchange(seen[corner], round) != round) corners.push_back(corner);
+        if (std::exchange(seen_[corner], round_) != round_) corners.push_back(corner);
       }
     }
     return corners;
@@ -45,8 +45,8 @@ struct Searched {
   std::vector<Point3> images;
 
  private:
-  std::vector<std::uint32_t> seen;  // in which round a corner was seen last
-  std::uint32_t round = 0;
+  std::vector<std::uint32_t> seen_;  // in which round a corner was seen last
+  std::uint32_t round_ = 0;
 };
 
 // Triangles that follow each other, down to single ones.

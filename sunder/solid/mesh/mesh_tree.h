@@ -9,7 +9,6 @@
 #include <sunder/predicate/point.h>
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -41,8 +40,9 @@ class MeshTree {
   const Box3& box(std::size_t node) const { return nodes_[node]; }
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
   TriangleRange triangles(std::size_t node) const {
-    const std::size_t below = leaves() >> (std::bit_width(node) - 1), first = node * below - leaves();
-    return {begin_of(first), begin_of(first + below)};
+    std::size_t first = node, end = node + 1;
+    while (!is_leaf(first)) first *= 2, end *= 2;
+    return {begin_of(first - leaves()), begin_of(end - leaves())};
   }
   std::size_t memory() const { return nodes_.size() * sizeof(nodes_[0]); }
 
