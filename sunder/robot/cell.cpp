@@ -182,7 +182,7 @@ void Cell::require_some_body(std::vector<std::string>* remarks) const {
             files_.back().name.empty() ? io::one_line(files_.back().file) : files_.back().name);
 }
 
-// Of meshes that are not convex, each once.
+// Keeps each mesh that is not convex once, for all bodies that show it.
 void Cell::keep_meshes() {
   std::map<const io::Mesh*, std::shared_ptr<const solid::Mesh>> known;
   for (CellBody& body : bodies_) {

@@ -19,7 +19,8 @@ Box3 rough_box_of(const Part& part);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
 
-// Of shapes that meet, where one stands for a mesh, and the other one has no radius: do they meet as they are?
+// Asks about meshes as they are, where the shapes of `pair` meet, one of them is the hull of a mesh, and neither has a
+// radius. The answer is kept in pair.meshes, which stays empty for poses beyond can_be_placed().
 void look_closer(PartPair& pair, const Part& a, const Part& b);
 
 // Counts the answer of `pair`, which the method gave, and says whether it counts, and whether they touch or overlap,

@@ -142,7 +142,7 @@ class MeshesOfScene {
  public:
   MeshesOfScene(ClaimsWriter& file, const SaidOfScene& said) : claims_(file), said_(said) {}
 
-  // Of some placement, from the first to the last; then the end of the table.
+  // Adds the meshes of the pairs of one placement. Placements come in their order; end_table() is called after the last.
   void add(std::size_t placement, const std::string& prefix, std::span<const Body> placed,
            std::span<const PartPair> pairs) {
     for (const PartPair& pair : pairs) {

@@ -65,7 +65,7 @@ struct MeshPieces {
   std::vector<std::size_t> piece;
   std::vector<bool> is_closed;
   std::size_t closed = 0;  // how many are
-  bool by_winding = true;  // else what is inside of the closed ones is told by parity
+  bool by_winding = true;  // a winding number tells what is inside of the closed pieces; if false, parity does
 };
 
 // Requires points that are all different.

@@ -70,7 +70,7 @@ class Prepared {
     return method_(a_, pose_a, b_, pose_b);
   }
 
-  // Requires that ask() used trees, and said that they are apart.
+  // Hyperplanes between A and B. Requires that ask() used trees, and found A and B apart.
   HyperplaneEvidence hyperplanes(const polytope::Pose& pose_a, const polytope::Pose& pose_b,
                                  const PolytopeAnswer& answer) const {
     if (walks_a_) return parting_hyperplanes(*walks_a_, pose_a, *walks_b_, pose_b, answer);

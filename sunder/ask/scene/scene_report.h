@@ -71,7 +71,7 @@ Json begun_json(const SceneReport& report, std::size_t placement, const Pair& pa
 std::string_view contact_name(const scene::PartPair& pair);
 bool has_unknown_contact(const scene::PartPair& pair);
 
-// Of so many pairs of meshes, of which one has an open piece, that they are apart.
+// Says that `pairs` pairs of meshes are apart as surfaces, where a mesh of each pair has an open piece.
 std::string surfaces_alone_text(std::uint64_t pairs, bool is_consented);
 
 Json pair_evidence_json(const scene::PartPair& pair, const scene::Part& a, const scene::Part& b);

@@ -381,8 +381,8 @@ Verb scene_verb() {
         .excludes = {"--require-convex"}},
        {"--surface", &call->surface,
         "of meshes that are not closed: ask about the surfaces alone, so that the exit code is 0 if none meet, "
-        "whatever "
-        "an open one seems to enclose"},
+        "whatever an "
+        "open one seems to enclose"},
        {"--leave-out", &call->leave_out, leave_out_help},
        certificate_option(call->certificate, "write the proofs of all pairs to FILE"),
        {"--svg", &call->svg, "draw the placements to FILE (SVG)", "FILE"},

@@ -246,7 +246,7 @@ class Covering {
     return parts(WorldDirection(Vector3<Dyadic>{twice[0], twice[1], twice[2]})) ? twice : exact;
   }
 
-  // Where a part of one mesh is parted from all of the other one, its pieces are outside of that.
+  // Marks the pieces in `part` as outside of the other mesh, if `other_part` is the whole of that.
   static void tell_outside(const Searched& of, const Part& part, const Searched& other, const Part& other_part,
                            std::vector<bool>& outside) {
     if (other_part.triangles.size() < other.placed.mesh().triangles().size()) return;

@@ -14,7 +14,7 @@
 
 namespace sunder::solid {
 
-// A mesh, where it is, and what it is called, and said to be made of.
+// A placed mesh with its name in the file, and the source that the file says it was made from.
 struct NamedMesh {
   std::string name;
   const Mesh& mesh;
