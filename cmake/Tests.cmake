@@ -193,7 +193,12 @@ foreach(source ${sources})
 endforeach()
 
 file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/examples/*.cpp)
-set(arguments_of_robot ${PROJECT_SOURCE_DIR}/cases/panda/panda.urdf 100000 ${PROJECT_BINARY_DIR}/examples/robot.json)
+set(placements 100000)
+if(SUNDER_SANITIZE)
+  set(placements 2000)
+endif()
+set(arguments_of_robot
+  ${PROJECT_SOURCE_DIR}/cases/panda/panda.urdf ${placements} ${PROJECT_BINARY_DIR}/examples/robot.json)
 foreach(source ${sources})
   cmake_path(GET source STEM name)
   sunder_add_executable(example_${name} examples SOURCES ${source})
