@@ -29,10 +29,12 @@ enum class Relation : std::uint8_t {
   a_inside_b,   // A is in the interior of B
   b_inside_a,
   equal,
-  meeting,  // they meet, and one of them has no inside; or no more is told
+  meeting,      // they meet, and one of them has no inside; or no more is told
+  a_part_of_b,  // what is inside of A is inside of B or on its boundary, and the boundaries meet (of meshes)
+  b_part_of_a,
 };
 
-// "none", "touching", "overlapping", "A inside B", "B inside A", "equal", "meeting".
+// "none", "touching", "overlapping", "A inside B", "B inside A", "equal", "meeting", "A part of B", "B part of A".
 std::string_view name_of(Relation);
 
 // A direction in the world. (Planar objects are bodies in the plane z = 0.) Where doubles hold one that does the job,

@@ -6,6 +6,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_relation.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ namespace {
 using nlohmann::json;
 using solid::Mesh;
 using solid::MeshAnswer;
+using solid::MeshRelation;
 using solid::MeshView;
 using solid::Pose;
 
@@ -61,6 +63,22 @@ Pose some_map(Random& random) {
   }
 }
 
+std::string word_of(const MeshRelation& found) {
+  if (!found.is_known) return "unknown";
+  switch (found.relation) {
+    case Relation::none: return "apart";
+    case Relation::touching: return "touch";
+    case Relation::overlapping: return "overlap";
+    case Relation::a_inside_b:
+    case Relation::a_part_of_b: return "inside";
+    case Relation::b_inside_a:
+    case Relation::b_part_of_a: return "contains";
+    case Relation::equal: return "equal";
+    case Relation::meeting: break;
+  }
+  return "meet";
+}
+
 TEST(MeshCases, MeetAsTheirAnswersSay) {
   Random random(chosen_seed(4001));
   int pairs = 0, within = 0, proofs = 0;
@@ -87,6 +105,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
           proved_pair(b, pose, a, pose, other);
           ++proofs;
         }
+        EXPECT_EQ(word_of(mesh_relation(a, pose, b, pose, answer)), relation) << k;
         within += std::holds_alternative<solid::PointWithin>(answer.evidence);
         ASSERT_EQ(answer.evidence.index(), other.evidence.index());
         if (a.triangles().size() * b.triangles().size() <= 3000) {

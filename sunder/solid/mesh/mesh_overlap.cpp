@@ -42,6 +42,8 @@ Point3 middle_about(const PlacedMesh& placed, std::uint32_t triangle) {
   return middle;
 }
 
+bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
 // About the way from one to the other, of length 1 at most.
 Point3 way_to(const Point3& from, const Point3& to) {
   const Point3 way = minus(to, from);
@@ -95,7 +97,7 @@ class InnerPoint {
 
   bool is_inside_both(const Point3& p) const {
     may_be_interrupted(10);
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+    if (!is_finite(p)) return false;
     return mesh_point(a_, pose_a_, p).place == MeshPlace::inside &&
            mesh_point(b_, pose_b_, p).place == MeshPlace::inside;
   }
@@ -106,25 +108,46 @@ class InnerPoint {
   double size_;  // of the smaller one
 };
 
-constexpr std::uint32_t most_pairs = 64;  // that are tried
-
 }  // namespace
 
 std::optional<Point3> point_inside_both(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
-                                        const MeshEvidence& evidence) {
+                                        const MeshEvidence& evidence, std::uint32_t pairs) {
   if (!a.has_inside() || !b.has_inside()) return std::nullopt;
   InnerPoint search(a, pose_a, b, pose_b);
   if (const auto* within = std::get_if<PointWithin>(&evidence)) return search.near(*within);
   std::optional<Point3> found;
-  std::uint32_t pairs = 0;
   Cost cost;
   StageTally tally;
   any_meeting_triangles(PlacedMesh(a, pose_a), PlacedMesh(b, pose_b), cost, tally,
                         [&](const MeetingTriangles& meeting) {
                           found = search.near(meeting);
-                          return found || ++pairs == most_pairs;
+                          return found || --pairs == 0;
                         });
   return found;
+}
+
+bool knows_point_of_first_only(const Mesh& first, const Pose& pose_first, const Mesh& other, const Pose& pose_other,
+                               std::uint32_t triangles) {
+  const PlacedMesh placed(first, pose_first);
+  const double size = longest_side(placed.node_box(1));
+  const auto all = static_cast<std::uint32_t>(first.triangles().size());
+  triangles = std::min(triangles, all);
+  for (std::uint32_t k = 0; k < triangles; ++k) {
+    may_be_interrupted(100);
+    const auto t = static_cast<std::uint32_t>(std::uint64_t{k} * all / triangles);
+    const Point3 at = middle_about(placed, t), n = normal_about(placed, t);
+    if (!is_finite(at) || mesh_point(other, pose_other, at).place != MeshPlace::outside) continue;
+    for (int digits = 4; digits <= 40; digits += 12) {
+      for (const double step : {std::ldexp(-size, -digits), std::ldexp(size, -digits)}) {
+        const Point3 p{at.x + step * n.x, at.y + step * n.y, at.z + step * n.z};
+        if (is_finite(p) && mesh_point(first, pose_first, p).place == MeshPlace::inside &&
+            mesh_point(other, pose_other, p).place == MeshPlace::outside) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace sunder::solid

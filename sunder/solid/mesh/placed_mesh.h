@@ -45,6 +45,7 @@ class PlacedMesh {
   PlacedMesh(const Mesh&&, const Pose&) = delete;
 
   const Mesh& mesh() const { return mesh_; }
+  const Pose& pose() const { return pose_; }
   Posed3 at(std::uint32_t point) const { return at(mesh_.points()[point]); }
   // Of a point whose coordinates are each one of some point of the mesh.
   Posed3 at(const Point3& p) const { return {p, &pose_.affine(), tame_, reach_}; }

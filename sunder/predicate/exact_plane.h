@@ -1,0 +1,48 @@
+// Planes of space with exact coefficients, points that such planes cut out, and on which side of a plane these are.
+// Also called: constructions in homogeneous coordinates; a side-of-plane predicate for a binary space partition.
+#pragma once
+
+#include <sunder/number/interval.h>
+#include <sunder/predicate/exact_point.h>
+#include <sunder/predicate/posed.h>
+
+#include <array>
+
+namespace sunder {
+
+// A point with an enclosure of its coordinates, which decides most signs.
+struct EnclosedPoint {
+  ExactPoint3 exact;
+  Vector3<Interval> about;
+
+  EnclosedPoint() = default;
+  explicit EnclosedPoint(ExactPoint3 p);  // the denominator may be negative; it is not zero
+};
+
+// The points x with normal . x = offset; above it is where normal . x is greater.
+struct ExactPlane {
+  Vector3<Dyadic> normal;
+  Dyadic offset;
+  Vector3<Interval> normal_about;
+  Interval offset_about;
+
+  ExactPlane(Vector3<Dyadic> given_normal, Dyadic given_offset);
+  // The points whose coordinate on that axis is `at`: above is where it is greater.
+  static ExactPlane across_axis(std::size_t axis, double at);
+  // Through three points; above it they appear counter-clockwise. Its normal is zero if they are on one line.
+  static ExactPlane through(const Vector3<Dyadic>& p, const Vector3<Dyadic>& q, const Vector3<Dyadic>& r);
+
+  bool has_no_normal() const;
+  // positive: the point is above. Exact.
+  Sign side_of(const EnclosedPoint& p, StageTally* tally = nullptr) const;
+  // normal . x - offset, times the denominator of the point.
+  Dyadic height(const ExactPoint3& p) const;
+};
+
+// Where the segment between two points on different sides of a plane meets it. Bits: as of the plane, and those of both.
+EnclosedPoint crossing_of(const ExactPlane& plane, const ExactPoint3& p, const ExactPoint3& q);
+
+// The point that three planes have in common. Requires that there is one, and no other. Cramer's rule.
+EnclosedPoint common_point(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h);
+
+}  // namespace sunder

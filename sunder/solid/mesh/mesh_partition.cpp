@@ -1,0 +1,621 @@
+#include <sunder/solid/mesh/mesh_partition.h>
+
+#include <sunder/base/interruption.h>
+#include <sunder/base/random.h>
+#include <sunder/predicate/coordinates.h>
+#include <sunder/predicate/exact_plane.h>
+#include <sunder/solid/mesh/mesh_point.h>
+#include <sunder/solid/mesh/placed_mesh.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+namespace sunder::solid {
+
+namespace {
+
+// A corner of a polygon, and what the edge to the next one lies on, beside the polygon's own plane: plane number `edge`
+// of the tree, or, of a triangle, its own side -1 - edge.
+struct RingCorner {
+  std::uint32_t corner;
+  std::int32_t edge;
+};
+
+// A convex polygon: ring_[begin] to ring_[begin + size]. `of`: of a part of a triangle that triangle; of a facet of a
+// cell the plane.
+struct Polygon {
+  std::uint32_t of = 0, begin = 0, size = 0;
+};
+using Polygons = std::vector<Polygon>;
+
+// A plane that may cut a cell: how it is made exactly, and about where it is.
+struct Candidate {
+  int axis = -1;  // across it, or
+  bool is_of_b = false;
+  std::uint32_t triangle = 0;  // through one of this mesh
+  Point3 normal;
+  double offset = 0;
+};
+
+struct Side {
+  std::int32_t plane;
+  Sign sign;
+};
+
+// What is known of a mesh in a cell: all is outside, or all is inside; or neither is known.
+enum class Known : std::uint8_t { nothing, outside, inside };
+
+struct CellParts {
+  std::array<Polygons, 2> parts;  // of triangles of A and of B that go through the cell
+  Polygons facets;                // of what of the cell is in a box around both meshes
+  std::array<Known, 2> known{};
+};
+
+double dot(const Point3& n, const Point3& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
+
+class Partitioning {
+ public:
+  Partitioning(const PlacedMesh& a, const PlacedMesh& b, InsideKinds known)
+      : meshes_{&a, &b}, found_(known), random_(20261201) {
+    const double n = static_cast<double>(a.mesh().triangles().size() + b.mesh().triangles().size());
+    most_ = static_cast<std::uint64_t>(100 * n * (2 + std::log2(n)));
+  }
+
+  Partitioned run() {
+    Partitioned result;
+    CellParts root;
+    for (const std::size_t m : {0u, 1u}) add_triangles(m, root.parts[m]);
+    add_box(root.facets);
+    if (!is_spent_) divide(std::move(root));
+    if (!is_spent_ && !found_.are_all()) add_rays();
+    result.is_decided = !is_spent_ || found_.are_all();
+    result.found = found_;
+    result.in_both = in_both_;
+    result.partition = std::move(partition_);
+    result.cost = cost_;
+    return result;
+  }
+
+ private:
+  // ---- What there is at first.
+
+  void add_triangles(std::size_t m, Polygons& parts) {
+    const Mesh& mesh = meshes_[m]->mesh();
+    first_corner_[m] = static_cast<std::uint32_t>(corners_.size());
+    for (std::uint32_t k = 0; k < mesh.points().size(); ++k) {
+      add_corner(EnclosedPoint(exact_point(coordinates<Dyadic>(meshes_[m]->at(k)))));
+    }
+    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+      if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
+      const Mesh::Triangle& corners = mesh.triangles()[t];
+      const auto at = [&](std::size_t k) { return mesh.points()[corners[k]]; };
+      if (are_on_a_line(at(0), at(1), at(2))) {
+        has_needles_[m] = true;
+        continue;
+      }
+      parts.push_back({t, static_cast<std::uint32_t>(ring_.size()), 3});
+      for (std::size_t k = 0; k < 3; ++k) {
+        ring_.push_back({first_corner_[m] + corners[k], -1 - static_cast<std::int32_t>(k)});
+      }
+    }
+  }
+
+  static bool are_on_a_line(const Point3& p, const Point3& q, const Point3& r) {
+    const ExactPlane plane =
+        ExactPlane::through(coordinates<Dyadic>(p), coordinates<Dyadic>(q), coordinates<Dyadic>(r));
+    return plane.has_no_normal();
+  }
+
+  // Six planes around both meshes, which are none of the tree.
+  void add_box(Polygons& facets) {
+    const Box3 around = hull(meshes_[0]->node_box(1), meshes_[1]->node_box(1));
+    Point3 low, high;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double size = around.high[c] - around.low[c];
+            low[c] = around.low[c] - size / 4 - 0x1p-1000;
+      high[c] = around.high[c] + size / 4 + 0x1p-1000;
+      if (!(size < 0x1p1000 && low[c] < around.low[c] && around.high[c] < high[c])) is_spent_ = true;
+    }
+    if (is_spent_) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      planes_.push_back(ExactPlane::across_axis(axis, low[axis]));
+      planes_.push_back(ExactPlane::across_axis(axis, high[axis]));
+    }
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      add_corner(EnclosedPoint(
+          exactly(Point3{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z})));
+    }
+    // Facet 2 axis + end has its corners in a cycle; the edge to the next corner is on the plane that both are on.
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t i = 1u << (axis + 1) % 3, j = 1u << (axis + 2) % 3;
+      const auto u = static_cast<std::int32_t>(2 * ((axis + 1) % 3)), v = static_cast<std::int32_t>(2 * ((axis + 2) % 3));
+      for (const std::uint32_t end : {0u, 1u}) {
+        const std::uint32_t at = first + (end << axis);
+        facets.push_back({2 * axis + end, static_cast<std::uint32_t>(ring_.size()), 4});
+        if (end == 1) {  // counter-clockwise, as it is seen from outside
+          for (const RingCorner& c : {RingCorner{at, v}, {at + i, u + 1}, {at + i + j, v + 1}, {at + j, u}}) ring_.push_back(c);
+        } else {
+          for (const RingCorner& c : {RingCorner{at, u}, {at + j, v + 1}, {at + i + j, u + 1}, {at + i, v}}) ring_.push_back(c);
+        }
+      }
+    }
+  }
+
+  std::uint32_t add_corner(EnclosedPoint at) {
+    near_.push_back({middle(at.about.x), middle(at.about.y), middle(at.about.z)});
+    corners_.push_back(std::move(at));
+    signs_.push_back({-1, Sign::zero});
+    return static_cast<std::uint32_t>(corners_.size() - 1);
+  }
+  static double middle(const Interval& x) { return x.low / 2 + x.high / 2; }
+
+  // ---- Cuts.
+
+  Sign sign_at(std::uint32_t corner, std::int32_t plane) {
+    Side& known = signs_[corner];
+    if (known.plane != plane) {
+      if (++cost_.probes > most_) is_spent_ = true;
+      StageTally tally;
+      known = {plane, planes_[static_cast<std::size_t>(plane)].side_of(corners_[corner], &tally)};
+      cost_.exact += tally.exact;
+    }
+    return known.sign;
+  }
+
+  // On which sides of a plane a polygon has points.
+  std::pair<bool, bool> above_and_below(const Polygon& polygon, std::int32_t plane) {
+    bool above = false, below = false;
+    for (std::uint32_t k = 0; k < polygon.size; ++k) {
+      const Sign sign = sign_at(ring_[polygon.begin + k].corner, plane);
+      above |= sign == Sign::positive;
+      below |= sign == Sign::negative;
+    }
+    return {above, below};
+  }
+
+  // The part of a polygon on one side of a plane; requires that it has points on both.
+  template <class CornerOn>
+  Polygon clipped(const Polygon& polygon, std::int32_t plane, Sign side, const CornerOn& corner_on) {
+    Polygon result{polygon.of, static_cast<std::uint32_t>(ring_.size()), 0};
+    for (std::uint32_t k = 0; k < polygon.size; ++k) {
+      const RingCorner here = ring_[polygon.begin + k], next = ring_[polygon.begin + (k + 1) % polygon.size];
+      const Sign sign = sign_at(here.corner, plane), sign_next = sign_at(next.corner, plane);
+      const bool leaves = sign_next != Sign::zero && sign_next != side;
+      if (sign == side || sign == Sign::zero) {
+        ring_.push_back({here.corner, sign == Sign::zero && leaves ? plane : here.edge});
+      }
+      if (sign == Sign::zero || sign_next == Sign::zero || sign == sign_next) continue;
+      ring_.push_back({corner_on(here.edge), leaves ? plane : here.edge});
+    }
+    result.size = static_cast<std::uint32_t>(ring_.size()) - result.begin;
+    return result;
+  }
+
+  const ExactPlane& plane_of(std::size_t m, std::uint32_t triangle) {
+    auto found = triangle_planes_[m].find(triangle);
+    if (found == triangle_planes_[m].end()) {
+      const PosedTriangle corners = meshes_[m]->triangle(triangle);
+      found = triangle_planes_[m]
+                  .emplace(triangle, ExactPlane::through(coordinates<Dyadic>(corners[0]), coordinates<Dyadic>(corners[1]),
+                                                         coordinates<Dyadic>(corners[2])))
+                  .first;
+    }
+    return found->second;
+  }
+
+  void cut_parts(std::size_t m, const Polygons& parts, std::int32_t plane, Polygons& above, Polygons& below) {
+    for (const Polygon& part : parts) {
+      const auto [has_above, has_below] = above_and_below(part, plane);
+      if (has_above && has_below) {
+        std::vector<RingCorner> made;  // two edges are crossed at most, once for both sides
+        const auto corner_on = [&](std::int32_t edge) {
+          for (const RingCorner& known : made) {
+            if (known.edge == edge) return known.corner;
+          }
+          made.push_back({add_corner(part_corner(m, part.of, edge, plane)), edge});
+          signs_[made.back().corner] = {plane, Sign::zero};
+          return made.back().corner;
+        };
+        above.push_back(clipped(part, plane, Sign::positive, corner_on));
+        below.push_back(clipped(part, plane, Sign::negative, corner_on));
+      } else if (has_above) {
+        above.push_back(part);
+      } else if (has_below) {
+        below.push_back(part);
+      }
+    }
+  }
+
+  EnclosedPoint part_corner(std::size_t m, std::uint32_t triangle, std::int32_t edge, std::int32_t plane) {
+    const ExactPlane& cut = planes_[static_cast<std::size_t>(plane)];
+    if (edge >= 0) return common_point(plane_of(m, triangle), planes_[static_cast<std::size_t>(edge)], cut);
+    const Mesh::Triangle& corners = meshes_[m]->mesh().triangles()[triangle];
+    const auto k = static_cast<std::size_t>(-1 - edge);
+    return crossing_of(cut, corners_[first_corner_[m] + corners[k]].exact,
+                       corners_[first_corner_[m] + corners[(k + 1) % 3]].exact);
+  }
+
+  // The facets of the part of a cell on one side of a plane, which goes through the cell.
+  Polygons cut_facets(const Polygons& facets, std::int32_t plane, Sign side) {
+    Polygons result;
+    struct Edge {
+      std::uint32_t from, to;
+      std::int32_t on;
+    };
+    std::vector<Edge> rim;  // edges of the new facet
+    for (const Polygon& facet : facets) {
+      const auto [above, below] = above_and_below(facet, plane);
+      if (!(side == Sign::positive ? above : below)) continue;
+      Polygon kept = facet;
+      if (above && below) {
+        kept = clipped(facet, plane, side, [&](std::int32_t edge) {
+          const std::uint32_t corner = add_corner(common_point(planes_[facet.of], planes_[static_cast<std::size_t>(edge)],
+                                                               planes_[static_cast<std::size_t>(plane)]));
+          signs_[corner] = {plane, Sign::zero};
+          return corner;
+        });
+      }
+      result.push_back(kept);
+      for (std::uint32_t k = 0; k < kept.size; ++k) {
+        const std::uint32_t here = ring_[kept.begin + k].corner, next = ring_[kept.begin + (k + 1) % kept.size].corner;
+        if (sign_at(here, plane) == Sign::zero && sign_at(next, plane) == Sign::zero) {
+          rim.push_back({next, here, static_cast<std::int32_t>(facet.of)});
+        }
+      }
+    }
+    Polygon cap{static_cast<std::uint32_t>(plane), static_cast<std::uint32_t>(ring_.size()), 0};
+    std::uint32_t at = rim.empty() ? 0 : rim.front().from;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+      const auto next = std::find_if(rim.begin() + static_cast<std::ptrdiff_t>(k), rim.end(),
+                                     [&](const Edge& edge) { return are_equal(edge.from, at); });
+      if (next == rim.end()) break;
+      std::swap(rim[k], *next);
+      ring_.push_back({rim[k].from, rim[k].on});
+      at = rim[k].to;
+    }
+    cap.size = static_cast<std::uint32_t>(ring_.size()) - cap.begin;
+    if (cap.size < 3 || cap.size < rim.size()) is_spent_ = true;  // never: the plane goes through the cell
+    result.push_back(cap);
+    return result;
+  }
+
+  bool are_equal(std::uint32_t i, std::uint32_t j) const {
+    if (i == j) return true;
+    const EnclosedPoint &p = corners_[i], &q = corners_[j];
+    const auto are_apart = [](const Interval& x, const Interval& y) { return x.high < y.low || y.high < x.low; };
+    if (are_apart(p.about.x, q.about.x) || are_apart(p.about.y, q.about.y) || are_apart(p.about.z, q.about.z)) {
+      return false;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(p.exact[c] * q.exact.denominator == q.exact[c] * p.exact.denominator)) return false;
+    }
+    return true;
+  }
+
+  // ---- Points.
+
+  // A point within the cell, of few digits if there is one; any, where is_spent_ is set. Each try is about another one.
+  FinePoint point_in(const Polygons& facets, int tries) {
+    Point3 middle, low = near_[ring_[facets[0].begin].corner], high = low;
+    double count = 0;
+    for (const Polygon& facet : facets) {
+      for (std::uint32_t k = 0; k < facet.size; ++k) {
+        const Point3& p = near_[ring_[facet.begin + k].corner];
+        const double weight = tries == 0 ? 1 : random_.uniform(0.5, 1.5);
+        count += weight;
+        for (std::size_t c = 0; c < 3; ++c) {
+          middle[c] += (p[c] - middle[c]) * (weight / count);
+          low[c] = std::min(low[c], p[c]);
+          high[c] = std::max(high[c], p[c]);
+        }
+      }
+    }
+    for (const int digits : {2, 5, 10, 20}) {
+      FinePoint rounded;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double unit = std::ldexp(1.0, std::ilogb(std::max(high[c] - low[c], 0x1p-1000)) - digits);
+        rounded.high[c] = std::nearbyint(middle[c] / unit) * unit;
+      }
+      if (is_in_cell(rounded)) return rounded;
+    }
+    if (const FinePoint doubles{middle, {}}; is_in_cell(doubles)) return doubles;
+    const FinePoint fine = fine_middle(facets);
+    if (!is_in_cell(fine)) is_spent_ = true;
+    return fine;
+  }
+
+  FinePoint fine_middle(const Polygons& facets) const {
+    std::array<Dyadic, 3> sum;
+    double count = 0;
+    for (const Polygon& facet : facets) {
+      for (std::uint32_t k = 0; k < facet.size; ++k, ++count) {
+        const ExactPoint3& p = corners_[ring_[facet.begin + k].corner].exact;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const auto [high, low] = in_two(p[c], p.denominator);
+          if (std::isfinite(high)) sum[c] = sum[c] + Dyadic(high) + Dyadic(low);
+        }
+      }
+    }
+    FinePoint result;
+    for (std::size_t c = 0; c < 3; ++c) std::tie(result.high[c], result.low[c]) = in_two(sum[c], Dyadic(count));
+    return result;
+  }
+
+  static std::pair<double, double> in_two(const Dyadic& numerator, const Dyadic& denominator) {
+    const double high = nearest_ratio(numerator, denominator);
+    if (!std::isfinite(high)) return {high, 0};  // is in no cell
+    return {high, nearest_ratio(numerator - Dyadic(high) * denominator, denominator)};
+  }
+
+  static EnclosedPoint exact_of(const FinePoint& p) {
+    return EnclosedPoint(ExactPoint3{Dyadic(p.high.x) + Dyadic(p.low.x), Dyadic(p.high.y) + Dyadic(p.low.y),
+                                     Dyadic(p.high.z) + Dyadic(p.low.z), Dyadic(1.0)});
+  }
+
+  bool is_in_cell(const FinePoint& point) const {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!std::isfinite(point.high[c])) return false;
+    }
+    const EnclosedPoint at = exact_of(point);
+    return std::all_of(path_.begin(), path_.end(), [&](const Side& side) {
+      return planes_[static_cast<std::size_t>(side.plane)].side_of(at) == side.sign;
+    });
+  }
+
+  // A point within the cell which is on no triangle without an area of a mesh that has no other ones there.
+  FinePoint clear_point(const CellParts& cell) {
+    for (int tries = 0; tries < 20 && !is_spent_; ++tries) {
+      const FinePoint point = point_in(cell.facets, tries);
+      const auto is_clear = [&](std::size_t m) {
+        return !has_needles_[m] || !cell.parts[m].empty() || place_of(point, m) != MeshPlace::on;
+      };
+      if (is_spent_ || (is_clear(0) && is_clear(1))) return point;
+    }
+    is_spent_ = true;
+    return {};
+  }
+
+  MeshPlace place_of(const FinePoint& point, std::size_t m) const {
+    Affine3 pose;
+    return mesh_point(meshes_[m]->mesh(), meshes_[m]->pose(), posed_at(point, pose)).place;
+  }
+
+  // ---- Which plane?
+
+  struct Extent {
+    Point3 low{most, most, most}, high{-most, -most, -most};
+    static constexpr double most = std::numeric_limits<double>::infinity();
+  };
+  Extent extent(const Polygons& parts) const {
+    Extent result;
+    for (const Polygon& part : parts) {
+      for (std::uint32_t k = 0; k < part.size; ++k) {
+        const Point3& p = near_[ring_[part.begin + k].corner];
+        for (std::size_t c = 0; c < 3; ++c) {
+          result.low[c] = std::min(result.low[c], p[c]);
+          result.high[c] = std::max(result.high[c], p[c]);
+        }
+      }
+    }
+    return result;
+  }
+
+  static Candidate across(std::size_t axis, double at) {
+    Candidate result;
+    result.axis = static_cast<int>(axis);
+    result.normal[axis] = 1;
+    result.offset = at;
+    return result;
+  }
+
+  Candidate through(std::size_t m, std::uint32_t triangle) const {
+    Candidate result;
+    result.is_of_b = m == 1;
+    result.triangle = triangle;
+    const Mesh::Triangle& of = meshes_[m]->mesh().triangles()[triangle];
+    const auto corner = [&](std::size_t k) { return near_[first_corner_[m] + of[k]]; };
+    const Point3 p = corner(0), q = corner(1), r = corner(2);
+    const Point3 u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
+    result.normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+    result.offset = dot(result.normal, p);
+    return result;
+  }
+
+  struct Counts {
+    double above = 0, below = 0, both = 0;
+  };
+  // Of some of the parts, as floating point sees them: for searches.
+  Counts counts(const Polygons& parts, const Candidate& candidate, double size) const {
+    Counts result;
+    const std::size_t step = 1 + parts.size() / 128;
+    const double width = 1e-11 * size * (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
+    for (std::size_t i = 0; i < parts.size(); i += step) {
+      bool above = false, below = false;
+      for (std::uint32_t k = 0; k < parts[i].size; ++k) {
+        const double height = dot(candidate.normal, near_[ring_[parts[i].begin + k].corner]) - candidate.offset;
+        above |= height > width;
+        below |= height < -width;
+      }
+      result.above += above;
+      result.below += below;
+      result.both += above && below;
+    }
+    const double times = static_cast<double>(step);
+    return {result.above * times, result.below * times, result.both * times};
+  }
+
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  // How much is left to do, about, behind the cut: pairs of a part of A and one of B in one cell.
+  double left_after(const CellParts& cell, const Candidate& candidate, double size) const {
+    const Counts a = counts(cell.parts[0], candidate, size), b = counts(cell.parts[1], candidate, size);
+    if (cell.parts[0].empty() || cell.parts[1].empty()) {
+      return std::max(a.above, a.below) + std::max(b.above, b.below) + 2 * (a.both + b.both);
+    }
+    return a.above * b.above + a.below * b.below + 0.01 * (a.both + b.both);
+  }
+
+  Candidate choose(const CellParts& cell) {
+    const std::array<Extent, 2> of{extent(cell.parts[0]), extent(cell.parts[1])};
+    double size = 0;
+    std::vector<Candidate> candidates;
+    const bool are_two = !cell.parts[0].empty() && !cell.parts[1].empty();
+    const double now = are_two ? static_cast<double>(cell.parts[0].size()) * static_cast<double>(cell.parts[1].size())
+                               : static_cast<double>(cell.parts[0].size() + cell.parts[1].size());
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (const Extent& e : of) {
+        if (e.low.x <= e.high.x) size = std::max({size, std::fabs(e.low[c]), std::fabs(e.high[c])});
+      }
+      if (are_two) {
+        candidates.push_back(across(c, std::max(of[0].low[c], of[1].low[c])));
+        candidates.push_back(across(c, std::min(of[0].high[c], of[1].high[c])));
+      }
+      if (cell.parts[0].size() + cell.parts[1].size() > 8) candidates.push_back(across(c, middle_part(cell, c)));
+    }
+    Candidate best;
+    double least = never;
+    const auto look = [&](const Candidate& candidate) {
+      const double left = left_after(cell, candidate, size);
+      if (left < least) least = left, best = candidate;
+    };
+    for (const Candidate& candidate : candidates) look(candidate);
+    if (least > 0.9 * now) least = never;  // too little
+    for (const std::size_t m : {0u, 1u}) {
+      const Polygons& parts = cell.parts[m];
+      const std::size_t tried = std::min<std::size_t>(8, parts.size());
+      for (std::size_t k = 0; k < tried; ++k) {
+        if (least == 0) break;
+        const std::size_t from = k * parts.size() / tried, end = (k + 1) * parts.size() / tried;
+        look(through(m, parts[from + random_.below(end - from)].of));
+      }
+    }
+    return best;
+  }
+
+  // About the median of where parts are along an axis.
+  double middle_part(const CellParts& cell, std::size_t axis) {
+    std::vector<double> places;
+    for (const Polygons& parts : cell.parts) {
+      const std::size_t step = 1 + parts.size() / 64;
+      for (std::size_t i = 0; i < parts.size(); i += step) places.push_back(near_[ring_[parts[i].begin].corner][axis]);
+    }
+    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+    std::nth_element(places.begin(), middle, places.end());
+    return *middle;
+  }
+
+  ExactPlane exact_of(const Candidate& candidate) {
+    return candidate.axis >= 0 ? ExactPlane::across_axis(static_cast<std::size_t>(candidate.axis), candidate.offset)
+                               : plane_of(candidate.is_of_b ? 1 : 0, candidate.triangle);
+  }
+
+  // ---- The walk.
+
+  bool may_be(Known a, Known b) const {
+    return (!found_.both && a != Known::outside && b != Known::outside) ||
+           (!found_.only_a && a != Known::outside && b != Known::inside) ||
+           (!found_.only_b && a != Known::inside && b != Known::outside);
+  }
+
+  void divide(CellParts cell) {
+    may_be_interrupted(10);
+    std::optional<FinePoint> point;
+    for (const std::size_t m : {0u, 1u}) {
+      if (!cell.parts[m].empty() || cell.known[m] != Known::nothing) continue;
+      if (!point) point = clear_point(cell);
+      if (is_spent_) return;
+      cell.known[m] = place_of(*point, m) == MeshPlace::inside ? Known::inside : Known::outside;
+    }
+    if (point && cell.known[0] != Known::nothing && cell.known[1] != Known::nothing) {
+      const bool in_a = cell.known[0] == Known::inside, in_b = cell.known[1] == Known::inside;
+      if (in_a && in_b && !found_.both) in_both_ = point;
+      found_.both |= in_a && in_b;
+      found_.only_a |= in_a && !in_b;
+      found_.only_b |= in_b && !in_a;
+    }
+    if (found_.are_all()) return;
+    if (!may_be(cell.known[0], cell.known[1])) {
+      partition_.cuts.push_back(0);
+      partition_.cells.push_back({point ? *point : clear_point(cell), {}, {}});
+      known_.push_back(cell.known);
+      return;
+    }
+    if (path_.size() > 2000) is_spent_ = true;
+    if (is_spent_) return;
+    const auto plane = static_cast<std::int32_t>(planes_.size());
+    planes_.push_back(exact_of(choose(cell)));
+    const ExactPlane& made = planes_.back();
+    partition_.cuts.push_back(1);
+    partition_.planes.push_back({{made.normal.x, made.normal.y, made.normal.z, made.offset}});
+    std::array<CellParts, 2> sides;
+    for (CellParts& side : sides) side.known = cell.known;
+    for (const std::size_t m : {0u, 1u}) {
+      cut_parts(m, cell.parts[m], plane, sides[0].parts[m], sides[1].parts[m]);
+    }
+    for (const std::size_t k : {0u, 1u}) {
+      sides[k].facets = cut_facets(cell.facets, plane, k == 0 ? Sign::positive : Sign::negative);
+    }
+    cell = {};
+    for (const std::size_t k : {0u, 1u}) {
+      path_.push_back({plane, k == 0 ? Sign::positive : Sign::negative});
+      divide(std::move(sides[k]));
+      path_.pop_back();
+      if (is_spent_ || found_.are_all()) return;
+    }
+  }
+
+  // For each cell rays that tell that what is not found is not in it.
+  void add_rays() {
+    for (std::size_t k = 0; k < known_.size(); ++k) {
+      const auto [a, b] = known_[k];
+      bool of_a = false, of_b = false;
+      const auto need = [&](bool is_found, bool by_a, bool by_b) {
+        if (is_found || (of_a && by_a) || (of_b && by_b)) return;
+        (by_a ? of_a : of_b) = true;
+      };
+      need(found_.both, a == Known::outside, b == Known::outside);
+      need(found_.only_a, a == Known::outside, b == Known::inside);
+      need(found_.only_b, a == Known::inside, b == Known::outside);
+      MeshPartition::Cell& cell = partition_.cells[k];
+      Affine3 pose;
+      const Posed3 at = posed_at(cell.point, pose);
+      if (of_a) cell.ray_a = ray_away(*meshes_[0], at);
+      if (of_b) cell.ray_b = ray_away(*meshes_[1], at);
+    }
+  }
+
+  std::array<const PlacedMesh*, 2> meshes_;
+  InsideKinds found_;
+  Random random_;
+  std::uint64_t most_ = 0;
+  Cost cost_;
+  bool is_spent_ = false;  // the budget is, or a point in a cell was not found
+  std::array<bool, 2> has_needles_{};  // triangles without an area
+  std::optional<FinePoint> in_both_;
+
+  std::vector<EnclosedPoint> corners_;
+  std::vector<Point3> near_;  // the same, about
+  std::vector<Side> signs_;   // of each corner the side of the plane that it was compared with last
+  std::array<std::uint32_t, 2> first_corner_{};
+  std::vector<RingCorner> ring_;
+  std::vector<ExactPlane> planes_;  // those of the box, then those of the tree
+  std::array<std::unordered_map<std::uint32_t, ExactPlane>, 2> triangle_planes_;
+
+  std::vector<Side> path_;
+  MeshPartition partition_;
+  std::vector<std::array<Known, 2>> known_;  // of each cell
+};
+
+}  // namespace
+
+Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known) {
+  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+  return Partitioning(placed_a, placed_b, known).run();
+}
+
+}  // namespace sunder::solid

@@ -1,0 +1,62 @@
+// A tree of planes that tells where what two meshes bound has common points, and where it has not.
+// Also called: binary space partition (BSP tree); set membership classification; regularized Boolean operations.
+//
+// A cell is the open part of space on one side of each plane of a path down the tree. Where no triangle of a mesh goes
+// through it, all of a cell is inside of that mesh or nothing is. Cells are cut, by planes of triangles and across the
+// axes, until that tells enough.
+#pragma once
+
+#include <sunder/base/cost.h>
+#include <sunder/number/dyadic.h>
+#include <sunder/solid/mesh/fine_point.h>
+#include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/object/pose.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sunder::solid {
+
+// Does something of these kinds exist: a point that is inside of both meshes, of A and not of B, of B and not of A, and
+// on no triangle of either?
+struct InsideKinds {
+  bool both = false, only_a = false, only_b = false;
+
+  bool are_all() const { return both && only_a && only_b; }
+};
+
+struct MeshPartition {
+  struct Plane {
+    std::array<Dyadic, 4> numbers;  // the points x with n x = d: n, d
+  };
+  // No triangle with an area of a mesh of which a ray is told has a point in the cell, and the ray from the point meets
+  // no edge of that mesh.
+  struct Cell {
+    FinePoint point;
+    std::optional<std::array<Dyadic, 3>> ray_a, ray_b;
+  };
+
+  // A walk from the root, which is all of space: 1, the cell is cut by the next plane, and what follows is about the part
+  // above it (n x > d), then about the part below; 0, the next one of `cells`.
+  std::vector<std::int64_t> cuts;
+  std::vector<Plane> planes;
+  std::vector<Cell> cells;
+};
+
+struct Partitioned {
+  // False: the budget was spent, or a cell was too thin for a point with coordinates of two doubles.
+  bool is_decided = false;
+  InsideKinds found;
+  std::optional<FinePoint> in_both;  // a point that is inside of both, where that was not known
+  // Where they are not all found: rays tell of each cell that what is not found is not in it. Else not whole.
+  MeshPartition partition;
+  Cost cost;  // probes: corners that were compared with a plane
+};
+
+// Which kinds there are, besides those that are known. Exact. Requires that both meshes are closed, and what mesh_mesh()
+// requires. Cost: at most 100 n (2 + log2 n) comparisons of a corner with a plane, n the triangles of both, which is the budget.
+Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known);
+
+}  // namespace sunder::solid
