@@ -1,5 +1,5 @@
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/mesh/mesh_overlap.h>
+#include <sunder/solid/mesh/mesh_relation.h>
 
 #include <tuple>
 #include <utility>
@@ -49,8 +49,9 @@ void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& 
   if (!question.contacts && !question.touching_allowed) return;
   if (pair.meshes) {
     PairAsMeshes known = *pair.meshes;
-    known.inside = point_inside_both(*mesh_of(a), a.pose, *mesh_of(b), b.pose, known.answer.evidence);
-    if (known.inside) pair.relation = Relation::overlapping;
+    known.relation = mesh_relation(*mesh_of(a), a.pose, *mesh_of(b), b.pose, known.answer);
+    // of surfaces no more is known than that they meet
+    if (known.relation.relation != Relation::meeting) pair.relation = known.relation.relation;
     pair.meshes = std::make_shared<const PairAsMeshes>(known);
   } else {
     pair.relation = relation_of(pair, a, b);

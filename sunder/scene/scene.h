@@ -16,7 +16,7 @@
 
 #include <sunder/base/error.h>
 #include <sunder/solid/mesh/mesh.h>
-#include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_relation.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -63,7 +63,7 @@ struct Question {
 // Two parts as meshes, whose hulls meet.
 struct PairAsMeshes {
   solid::MeshAnswer answer;
-  std::optional<Point3> inside{};  // if it was asked how they meet: a point inside of both, if one was found
+  solid::MeshRelation relation{};  // if it was asked how they meet: as far as that was found
 };
 
 struct PartPair {
@@ -73,7 +73,8 @@ struct PartPair {
   std::shared_ptr<const PairAsMeshes> meshes{};  // where these meet, and one stands for a mesh: what holds instead
   bool by_boxes = false;                         // the boxes are apart: no method was called, and answer.cost is zero
   bool counts = false;                           // they meet, and it is not known to be in a way that is allowed
-  Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for
+  Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for; of
+                                       // meshes also one inside of the other or a part of it, or equal
 
   Verdict verdict() const { return meshes ? meshes->answer.verdict() : answer.verdict(); }
   bool meet() const { return verdict() == Verdict::meet; }

@@ -156,7 +156,7 @@ class MeshesOfScene {
   void add_pair(std::size_t placement, std::span<const Body> placed, const PartPair& pair) {
     claims_.add_pair(stated(placement, placed[pair.body_a], pair.body_a, pair.part_a),
                      stated(placement, placed[pair.body_b], pair.body_b, pair.part_b), pair.meshes->answer.evidence,
-                     pair.meshes->inside);
+                     &pair.meshes->relation);
   }
 
  private:

@@ -122,21 +122,23 @@ std::int64_t winding(const char* rule, const MeshBody& mesh, const Numbers& alon
 }
 
 using Pair = std::array<Part, 2>;
+using Pieces = std::set<std::size_t>;
 
-void check_covered(const Groups& cuts, const Points& directions, const StatedRays& rays_a, const StatedRays& rays_b,
-                   const MeshBody& a, const MeshBody& b) {
+// Requires that each triangle of A is parted from each of B. The pieces of each that are parted from all of the other.
+std::array<Pieces, 2> parted(const char* rule, const Groups& cuts, const Points& directions, const MeshBody& a,
+                             const MeshBody& b) {
   const std::array<const MeshBody*, 2> meshes{&a, &b};
   const Pair whole{Part{0, a.pieces->triangles.size()}, Part{0, b.pieces->triangles.size()}};
-  std::array<std::set<std::size_t>, 2> outside;  // pieces
+  std::array<Pieces, 2> outside;
   std::vector<Pair> left{whole};
   std::size_t used = 0;
   for (const std::int64_t k : cuts) {
-    require(!left.empty(), "covered", "the walk goes on where no pair of parts is left");
+    require(!left.empty(), rule, "the walk goes on where no pair of parts is left");
     const Pair pair = left.back();
     left.pop_back();
     if (k != 0) {
       const std::size_t which = k > 0 ? 0 : 1, at = static_cast<std::size_t>(std::abs(k));
-      require(pair[which].first < at && at < pair[which].end, "covered",
+      require(pair[which].first < at && at < pair[which].end, rule,
               "a part is cut where it has no triangles on both sides");
       Pair before = pair, behind = pair;
       before[which].end = behind[which].first = at;
@@ -144,10 +146,10 @@ void check_covered(const Groups& cuts, const Points& directions, const StatedRay
       left.push_back(before);
       continue;
     }
-    require(used < directions.size(), "covered", "there is no direction for a pair of parts");
+    require(used < directions.size(), rule, "there is no direction for a pair of parts");
     const Integers direction = common(directions[used++]).integers;
     const Extent of_a = extent(a, direction, pair[0]), of_b = extent(b, direction, pair[1]);
-    require(compare(of_a.greatest, of_a.e, of_b.least, of_b.e) < 0, "covered",
+    require(compare(of_a.greatest, of_a.e, of_b.least, of_b.e) < 0, rule,
             "a part of " + a.quoted + " is not strictly less far along its direction than one of " + b.quoted);
     for (const std::size_t which : {0u, 1u}) {
       if (pair[1 - which] != whole[1 - which]) continue;
@@ -156,25 +158,57 @@ void check_covered(const Groups& cuts, const Points& directions, const StatedRay
                             piece + static_cast<std::ptrdiff_t>(pair[which].end));
     }
   }
-  require(left.empty() && used == directions.size(), "covered",
-          "the walk does not end with its numbers and directions");
-  const std::array<const StatedRays*, 2> rays{&rays_a, &rays_b};
-  for (const std::size_t which : {0u, 1u}) {
-    const MeshBody &mesh = *meshes[which], &other = *meshes[1 - which];
-    for (const auto& [triangle, along] : *rays[which]) {
-      auto [place, e] = image(mesh, mesh.pieces->triangles[triangle][0]);
-      for (Integer& n : place) n = shifted(n, std::max<std::int64_t>(e, 0));
-      place.push_back(shifted(1, std::max<std::int64_t>(-e, 0)));
-      require(winding("covered", other, along, place) == 0, "covered",
-              "triangle " + std::to_string(triangle) + " of " + mesh.quoted + " is inside of " + other.quoted);
-      outside[which].insert(mesh.pieces->piece[triangle]);
-    }
-    const auto& all = mesh.pieces->piece;
-    const bool are_all = other.pieces->closed == 0 || std::all_of(all.begin(), all.end(), [&](std::size_t piece) {
-                           return outside[which].contains(piece);
-                         });
-    require(are_all, "covered", "a piece of " + mesh.quoted + " is not shown to be outside of " + other.quoted);
+  require(left.empty() && used == directions.size(), rule, "the walk does not end with its numbers and directions");
+  return outside;
+}
+
+Integers place_of(const MeshBody& mesh, std::size_t point) {
+  auto [place, e] = image(mesh, point);
+  for (Integer& n : place) n = shifted(n, std::max<std::int64_t>(e, 0));
+  place.push_back(shifted(1, std::max<std::int64_t>(-e, 0)));
+  return place;
+}
+
+// Adds the pieces that rays from first corners of triangles tell to be inside of another mesh, or outside of it.
+void add_told(const char* rule, const MeshBody& mesh, const MeshBody& other, const StatedRays& rays, bool inside,
+              Pieces& pieces) {
+  for (const auto& [triangle, along] : rays) {
+    require(triangle < mesh.pieces->triangles.size(), rule, "a ray is of a triangle that is not there");
+    const bool is_inside = winding(rule, other, along, place_of(mesh, mesh.pieces->triangles[triangle][0])) != 0;
+    require(is_inside == inside, rule,
+            "triangle " + std::to_string(triangle) + " of " + mesh.quoted + (inside ? " is not" : " is") +
+                " inside of " + other.quoted);
+    pieces.insert(mesh.pieces->piece[triangle]);
   }
+}
+
+bool are_all_in(const MeshBody& mesh, const Pieces& pieces) {
+  const auto& all = mesh.pieces->piece;
+  return std::all_of(all.begin(), all.end(), [&](std::size_t piece) { return pieces.contains(piece); });
+}
+
+void require_outside(const char* rule, const MeshBody& mesh, const MeshBody& other, const StatedRays& rays,
+                     Pieces pieces) {
+  add_told(rule, mesh, other, rays, false, pieces);
+  require(other.pieces->closed == 0 || are_all_in(mesh, pieces), rule,
+          "a piece of " + mesh.quoted + " is not shown to be outside of " + other.quoted);
+}
+
+void check_covered(const Groups& cuts, const Points& directions, const StatedRays& rays_a, const StatedRays& rays_b,
+                   const MeshBody& a, const MeshBody& b) {
+  const std::array<Pieces, 2> outside = parted("covered", cuts, directions, a, b);
+  require_outside("covered", a, b, rays_a, outside[0]);
+  require_outside("covered", b, a, rays_b, outside[1]);
+}
+
+void check_covered_within(const Groups& cuts, const Points& directions, const StatedRays& inner,
+                          const StatedRays& outer, const MeshBody& a, const MeshBody& b) {
+  const std::array<Pieces, 2> outside = parted("covered_within", cuts, directions, a, b);
+  Pieces inside;
+  add_told("covered_within", a, b, inner, true, inside);
+  require(are_all_in(a, inside), "covered_within",
+          "a piece of " + a.quoted + " is not shown to be inside of " + b.quoted);
+  require_outside("covered_within", b, a, outer, outside[1]);
 }
 
 void check_on_triangle(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
@@ -192,10 +226,176 @@ void check_encloses(const Numbers& along, const MeshBody& mesh, const Numbers& p
           "the point is not inside of " + mesh.quoted);
 }
 
+// ---- A tree of planes.
+
+// A convex polygon, by its corners x, .., w in lowest terms.
+using Corners = std::vector<Integers>;
+using PolygonsOfBoth = std::array<std::vector<Corners>, 2>;
+
+// Numbers x, .., w for a point, with a positive w.
+Integers lowest_terms(Integers row) {
+  if (row.back() < 0) row = opposite(std::move(row));
+  return reduced(std::move(row));
+}
+
+Integer height(const Integers& plane, const Integers& point) {
+  return plane[0] * point[0] + plane[1] * point[1] + plane[2] * point[2] - plane[3] * point[3];
+}
+
+// What of a polygon is above a plane, and what is below; no corners, where it has no point there.
+std::array<Corners, 2> halves(const Corners& polygon, const Integers& plane) {
+  Integers heights;
+  for (const Integers& corner : polygon) heights.push_back(height(plane, corner));
+  const auto [least, greatest] = std::minmax_element(heights.begin(), heights.end());
+  if (*least >= 0) return {*greatest > 0 ? polygon : Corners(), Corners()};
+  if (*greatest <= 0) return {Corners(), polygon};
+  std::array<Corners, 2> result;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t next = after(k, polygon.size());
+    const Integer &here = heights[k], &there = heights[next];
+    if (here >= 0) result[0].push_back(polygon[k]);
+    if (here <= 0) result[1].push_back(polygon[k]);
+    if (sign(here) * sign(there) >= 0) continue;
+    Integers crossing;
+    for (std::size_t c = 0; c < 4; ++c) crossing.push_back(here * polygon[next][c] - there * polygon[k][c]);
+    crossing = lowest_terms(std::move(crossing));
+    for (Corners& half : result) half.push_back(crossing);
+  }
+  return result;
+}
+
+bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) {
+  return !all_zero(cross(minus(rows[triangle[1]], rows[triangle[0]]), minus(rows[triangle[2]], rows[triangle[0]])));
+}
+
+std::vector<Corners> polygons_of(const MeshBody& mesh) {
+  const MeshPieces& pieces = *mesh.pieces;
+  take_steps(16 * pieces.closed, 2 * mesh.given->bits, 2 * mesh.given->bits);
+  std::vector<Integers> corners;
+  for (std::size_t k = 0; k < mesh.rows().size(); ++k) corners.push_back(lowest_terms(place_of(mesh, k)));
+  std::vector<Corners> result;
+  for (std::size_t t = 0; t < pieces.triangles.size(); ++t) {
+    const MeshTriangle& triangle = pieces.triangles[t];
+    if (!pieces.is_closed[t] || !have_area(triangle, mesh.rows())) continue;
+    result.push_back({corners[triangle[0]], corners[triangle[1]], corners[triangle[2]]});
+  }
+  return result;
+}
+
+// Is a cell outside of a mesh, or inside of it?
+enum class Told : std::uint8_t { nothing, outside, inside };
+using ToldCells = std::vector<std::array<Told, 2>>;
+
+struct CutCell {
+  std::vector<std::pair<std::size_t, int>> path;  // planes, and on which side of each the cell is
+  PolygonsOfBoth parts;                           // of triangles that go through it
+};
+
+std::size_t most_bits(const Corners& polygon) {
+  std::size_t most = 0;
+  for (const Integers& corner : polygon) most = std::max(most, bits(corner));
+  return most;
+}
+
+std::array<CutCell, 2> cut_by(const Integers& plane, std::size_t index, CutCell cell) {
+  std::array<CutCell, 2> sides;
+  for (const std::size_t which : {0u, 1u}) {
+    for (const Corners& polygon : cell.parts[which]) {
+      take_steps(8 * polygon.size(), bits(plane), most_bits(polygon));
+      std::array<Corners, 2> half = halves(polygon, plane);
+      for (const std::size_t k : {0u, 1u}) {
+        if (!half[k].empty()) sides[k].parts[which].push_back(std::move(half[k]));
+      }
+    }
+  }
+  sides[0].path = sides[1].path = std::move(cell.path);
+  sides[0].path.emplace_back(index, 1);
+  sides[1].path.emplace_back(index, -1);
+  return sides;
+}
+
+// What is told of each cell of a tree of planes.
+ToldCells told_cells(const char* rule, const Groups& cuts, const Points& planes, const Points& cells,
+                     const std::array<const StatedRays*, 2>& rays, const std::array<const MeshBody*, 2>& meshes) {
+  std::vector<Integers> places, of_planes;
+  for (const Numbers& cell : cells) places.push_back(projective(cell));
+  ToldCells told(cells.size());
+  CutCell root;
+  for (const std::size_t which : {0u, 1u}) {
+    for (const auto& [cell, along] : *rays[which]) {
+      require(cell < cells.size(), rule, "a ray is of a cell that is not there");
+      told[cell][which] = winding(rule, *meshes[which], along, places[cell]) != 0 ? Told::inside : Told::outside;
+    }
+  }
+  for (const std::size_t which : {0u, 1u}) root.parts[which] = polygons_of(*meshes[which]);
+  std::vector<CutCell> left;
+  left.push_back(std::move(root));
+  std::size_t used = 0;
+  for (const std::int64_t cut : cuts) {
+    require(!left.empty() && (cut == 0 || cut == 1), rule,
+            "the walk goes on where no cell is left, or a number is not 0 or 1");
+    CutCell cell = std::move(left.back());
+    left.pop_back();
+    if (cut == 1) {
+      require(of_planes.size() < planes.size(), rule, "there is no plane for a cut");
+      of_planes.push_back(common(planes[of_planes.size()]).integers);
+      std::array<CutCell, 2> sides = cut_by(of_planes.back(), of_planes.size() - 1, std::move(cell));
+      left.push_back(std::move(sides[1]));
+      left.push_back(std::move(sides[0]));
+      continue;
+    }
+    require(used < cells.size(), rule, "there is no point for a cell");
+    const std::string name = "cell " + std::to_string(used);
+    for (const std::size_t which : {0u, 1u}) {
+      require(told[used][which] == Told::nothing || cell.parts[which].empty(), rule,
+              "a triangle of " + meshes[which]->quoted + " goes through " + name);
+    }
+    const Integers& place = places[used++];
+    for (const auto& [plane, side] : cell.path) {
+      take_steps(8, bits(of_planes[plane]), bits(place));
+      require(sign(height(of_planes[plane], place)) == side, rule, "the point of " + name + " is not in it");
+    }
+  }
+  require(left.empty() && of_planes.size() == planes.size() && used == cells.size(), rule,
+          "the walk does not end with its numbers, planes and points");
+  return told;
+}
+
+void check_insides_apart(const Groups& cuts, const Points& planes, const Points& cells, const StatedRays& first,
+                         const StatedRays& second, const MeshBody& a, const MeshBody& b) {
+  for (const auto& [in_a, in_b] : told_cells("insides_apart", cuts, planes, cells, {&first, &second}, {&a, &b})) {
+    require(in_a == Told::outside || in_b == Told::outside, "insides_apart", "a cell is not shown to be outside of one");
+  }
+}
+
+void check_part_of(const Groups& cuts, const Points& planes, const Points& cells, const StatedRays& first,
+                   const StatedRays& second, const MeshBody& a, const MeshBody& b) {
+  for (const auto& [in_a, in_b] : told_cells("part_of", cuts, planes, cells, {&first, &second}, {&a, &b})) {
+    require(in_a == Told::outside || in_b == Told::inside, "part_of",
+            "a cell is not shown to be outside of " + a.quoted + " or inside of " + b.quoted);
+  }
+}
+
+void check_equal_insides(const Groups& cuts, const Points& planes, const Points& cells, const StatedRays& first,
+                         const StatedRays& second, const MeshBody& a, const MeshBody& b) {
+  for (const auto& [in_a, in_b] : told_cells("equal_insides", cuts, planes, cells, {&first, &second}, {&a, &b})) {
+    require(in_a != Told::nothing && in_a == in_b, "equal_insides",
+            "a cell is not shown to be inside of both or outside");
+  }
+}
+
+constexpr const char* partition =
+    "cuts: cuts; planes: planes; cells: points; rays_first: told rays; rays_second: told rays";
+
 }  // namespace
 
 const ClaimRows claims_of_meshes{
     {"covered", "cuts: cuts; directions: points; rays_a: rays of a; rays_b: rays of b", rule<check_covered>},
+    {"covered_within", "cuts: cuts; directions: points; rays_inner: told rays; rays_outer: told rays",
+     rule<check_covered_within>},
+    {"insides_apart", partition, rule<check_insides_apart>},
+    {"part_of", partition, rule<check_part_of>},
+    {"equal_insides", partition, rule<check_equal_insides>},
     {"on_triangle", "triangle: triangle of subject; weights: weights of subject", rule<check_on_triangle>},
     {"encloses", "direction: point", rule<check_encloses>},
 };

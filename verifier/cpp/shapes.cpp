@@ -337,13 +337,15 @@ SurfaceEnd surface_end(const Json& value, const HullBody& body, const Told& t, c
   return end;
 }
 
-Value read_rays_of(const Told& t) {
-  const std::size_t size = as<MeshBody>(of(t)).pieces->triangles.size();
+Value read_rays(const Told& t, std::size_t size) {
   return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
     if (!entry.is_array() || entry.size() != 2) refuse_form(where + " is not a list of 2");
     return StatedRay{read_index(entry[0], size, where), read_numbers(as_list(entry[1], where), 3, where)};
   });
 }
+
+Value read_rays_of(const Told& t) { return read_rays(t, as<MeshBody>(of(t)).pieces->triangles.size()); }
+Value read_told_rays(const Told& t) { return read_rays(t, static_cast<std::size_t>(most_number) + 1); }
 
 Value read_two_ends_of(const Told& t) {
   require_list_of_two(as_list(t.value, t.where), t.where);
@@ -479,6 +481,12 @@ Shape shape_named(const std::string& shape) {
          });
        }},
       {"rays", read_rays_of},
+      {"told rays", read_told_rays},
+      {"planes",
+       [](const Told& t) -> Value {
+         return each(t.value, t.where,
+                     [](const Json& entry, const std::string& where) { return read_numbers(as_list(entry, where), 4, where); });
+       }},
       {"polytope", [](const Told& t) { return of_one_dimension(t, polytope(t), polytope(t).dimension); }},
       {"half-spaces",
        [](const Told& t) -> Value {

@@ -73,9 +73,9 @@ struct SurfaceEnd {
   Numbers point, from;  // not of a hull; from: of an ellipsoid only
 };
 
-// From the first corner of a triangle along a direction.
+// From the first corner of a triangle, or the point of a cell, along a direction.
 struct StatedRay {
-  std::size_t triangle = 0;
+  std::size_t of = 0;
   Numbers along;
 };
 using StatedRays = std::vector<StatedRay>;

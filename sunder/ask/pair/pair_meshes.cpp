@@ -6,13 +6,12 @@
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
-#include <sunder/solid/mesh/mesh_overlap.h>
+#include <sunder/solid/mesh/mesh_relation.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -88,13 +87,11 @@ class MeshPair : public PairQuestion {
                   : answer_.decided_by == DecidedBy::evidence ? "signs, with the help of exact arithmetic"
                                                               : decided_text(answer_.decided_by));
     if (call.classify && meet_) {
-      inside_ = point_inside_both(mesh_a_, pose_a_, mesh_b_, pose_b_, answer_.evidence);
-      if (inside_) contact_ = Relation::overlapping;
+      relation_ = mesh_relation(mesh_a_, pose_a_, mesh_b_, pose_b_, answer_);
+      if (relation_.relation != Relation::meeting) contact_ = relation_.relation;
     }
     facts_ = {{"said_of", "meshes", ""}, evidence()};
-    if (call.classify && meet_ && !inside_) {
-      facts_.push_back({"contact_unknown", true, "whether they touch or overlap is not known"});
-    }
+    if (call.classify && meet_) add_what_is_unknown();
     if (meet_ || is_parted_) return;
     const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
     if (open == 0) return;
@@ -110,7 +107,7 @@ class MeshPair : public PairQuestion {
   std::string certificate() const {
     return claims_text(origin(), [this](ClaimsWriter& file) {
       solid::add_claims(file, {a_.name, mesh_a_, pose_a_, a_.said}, {b_.name, mesh_b_, pose_b_, b_.said}, answer_,
-                        inside_);
+                        &relation_);
     });
   }
 
@@ -119,6 +116,16 @@ class MeshPair : public PairQuestion {
     const auto pieces = mesh.pieces();
     return static_cast<std::size_t>(std::count_if(
         pieces.begin(), pieces.end(), [](const auto& piece) { return piece.kind == solid::PieceKind::open; }));
+  }
+
+  void add_what_is_unknown() {
+    if (contact_ == Relation::none) {
+      facts_.push_back({"contact_unknown", true,
+                        relation_.is_known ? "whether they touch or overlap is not known: one has an open piece, or no inside"
+                                           : "whether they touch or overlap is not known"});
+    } else if (!relation_.is_known) {
+      facts_.push_back({"part_unknown", true, "whether one is a part of the other is not known"});
+    }
   }
 
   Fact evidence() {
@@ -153,7 +160,7 @@ class MeshPair : public PairQuestion {
   const solid::Mesh &mesh_a_, &mesh_b_;
   solid::MeshAnswer answer_;
   bool is_parted_ = false;          // by one plane
-  std::optional<Point3> inside_{};  // of both, where --classify found one
+  solid::MeshRelation relation_;    // where --classify asks for it
 };
 
 // Throws Error for what is asked of convex objects alone.

@@ -262,7 +262,7 @@ class Covering {
     for (std::size_t k = 0; k < outside.size(); ++k) {
       if (outside[k]) continue;
       const std::uint32_t first = of.mesh().pieces()[k].first;
-      result.push_back({first, ray_away(other, of.at(of.mesh().triangles()[first][0]))});
+      result.push_back({first, ray_away(other, of.at(of.mesh().triangles()[first][0])).along});
     }
     return result;
   }

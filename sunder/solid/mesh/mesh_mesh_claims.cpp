@@ -3,7 +3,6 @@
 #include <sunder/predicate/point/common_point.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
-#include <sunder/solid/mesh/mesh_overlap.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 
@@ -84,27 +83,35 @@ class Statement {
   Statement(ClaimsWriter& file, const StatedMesh& a, const StatedMesh& b) : file_(file), a_(a), b_(b) {}
 
   void operator()(const MeshesApart&) const {
-    const MeshCover cover = mesh_cover(a_.mesh, a_.pose, b_.mesh, b_.pose);
     begin("apart");
-    file_.begin_claims();
-    file_.begin_claim("covered");
-    file_.integers("cuts", cover.cuts);
-    file_.begin_list("directions");
-    for (const auto& direction : cover.directions) file_.add_numbers(direction);
-    file_.end_list();
-    add_rays(file_, "rays_a", cover.rays_a);
-    add_rays(file_, "rays_b", cover.rays_b);
-    file_.end_claim();
-    file_.end_statement();
+    cover("covered", a_, b_, "rays_a", "rays_b");
+  }
+
+  // By what is known of how they lie to each other. False: nothing is stated.
+  bool related(const MeshRelation& known, const MeshEvidence& evidence) const {
+    switch (known.relation) {
+      case Relation::touching: touching(*known.partition, std::get<MeetingTriangles>(evidence)); return true;
+      case Relation::overlapping: overlapping(*known.inside); return true;
+      case Relation::a_part_of_b: parted("a_part_of_b", "part_of", *known.partition, true); return true;
+      case Relation::b_part_of_a: parted("b_part_of_a", "part_of", *known.partition, false); return true;
+      case Relation::equal: parted("equal", "equal_insides", *known.partition, true); return true;
+      case Relation::a_inside_b:
+        begin("a_inside_b");
+        cover("covered_within", a_, b_, "rays_inner", "rays_outer");
+        return true;
+      case Relation::b_inside_a:
+        begin("b_inside_a");
+        cover("covered_within", b_, a_, "rays_inner", "rays_outer");
+        return true;
+      case Relation::none:
+      case Relation::meeting: break;
+    }
+    return false;
   }
 
   void operator()(const MeetingTriangles& meeting) const {
-    const CommonPoint point = common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting);
     begin("meet");
-    file_.fractions("point", point.at);
-    file_.begin_claims();
-    add_on_triangle(file_, meeting.of_a, point.of_a);
-    add_on_triangle(file_, meeting.of_b, point.of_b);
+    common_point_of(meeting);
     file_.end_statement();
   }
 
@@ -112,7 +119,7 @@ class Statement {
     const StatedMesh &of = within.is_of_a ? a_ : b_, &other = within.is_of_a ? b_ : a_;
     const PlacedMesh placed(of.mesh, of.pose), around(other.mesh, other.pose);
     const Posed3 at = placed.at(within.point);
-    const std::array<Dyadic, 3> along = ray_away(around, at);
+    const std::array<Dyadic, 3> along = ray_away(around, at).along;
     const Vector3<Dyadic> point = coordinates<Dyadic>(at);
     const auto has_point = [&](const Mesh::Triangle& t) {
       return std::find(t.begin(), t.end(), within.point) != t.end();
@@ -134,21 +141,86 @@ class Statement {
     file_.end_statement();
   }
 
-  void overlapping(const Point3& inside) const {
-    const std::array<Dyadic, 3> exact{inside.x, inside.y, inside.z};
-    const Affine3 identity;
+  void overlapping(const FinePoint& inside) const {
+    Affine3 pose;
+    const Posed3 at = posed_at(inside, pose);
     begin("overlapping");
-    file_.numbers("point", exact);
+    file_.numbers("point", exact(inside));
     file_.begin_claims();
     for (const StatedMesh* of : {&a_, &b_}) {
       file_.begin_claim("encloses");
-      file_.numbers("direction", ray_away(PlacedMesh(of->mesh, of->pose), posed(inside, identity)));
+      file_.numbers("direction", ray_away(PlacedMesh(of->mesh, of->pose), at).along);
       file_.end_claim();
     }
     file_.end_statement();
   }
 
  private:
+  void touching(const MeshPartition& partition, const MeetingTriangles& meeting) const {
+    begin("touching");
+    common_point_of(meeting);
+    add_partition("insides_apart", partition, true);
+    file_.end_statement();
+  }
+
+  void parted(const char* verdict, const char* rule, const MeshPartition& partition, bool is_a_first) const {
+    begin(verdict);
+    file_.begin_claims();
+    add_partition(rule, partition, is_a_first);
+    file_.end_statement();
+  }
+
+  void common_point_of(const MeetingTriangles& meeting) const {
+    const CommonPoint point = common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting);
+    file_.fractions("point", point.at);
+    file_.begin_claims();
+    add_on_triangle(file_, meeting.of_a, point.of_a);
+    add_on_triangle(file_, meeting.of_b, point.of_b);
+  }
+
+  void cover(const char* rule, const StatedMesh& a, const StatedMesh& b, const char* key_a, const char* key_b) const {
+    const MeshCover cover = mesh_cover(a.mesh, a.pose, b.mesh, b.pose);
+    file_.begin_claims();
+    file_.begin_claim(rule);
+    file_.integers("cuts", cover.cuts);
+    file_.begin_list("directions");
+    for (const auto& direction : cover.directions) file_.add_numbers(direction);
+    file_.end_list();
+    add_rays(file_, key_a, cover.rays_a);
+    add_rays(file_, key_b, cover.rays_b);
+    file_.end_claim();
+    file_.end_statement();
+  }
+
+  void add_partition(const char* rule, const MeshPartition& partition, bool is_a_first) const {
+    file_.begin_claim(rule);
+    file_.integers("cuts", partition.cuts);
+    file_.begin_list("planes");
+    for (const MeshPartition::Plane& plane : partition.planes) file_.add_numbers(plane.numbers);
+    file_.end_list();
+    file_.begin_list("cells");
+    for (const MeshPartition::Cell& cell : partition.cells) file_.add_numbers(exact(cell.point));
+    file_.end_list();
+    for (const bool is_first : {true, false}) {
+      file_.begin_list(is_first ? "rays_first" : "rays_second");
+      for (std::uint32_t k = 0; k < partition.cells.size(); ++k) {
+        const MeshPartition::Cell& cell = partition.cells[k];
+        const auto& ray = is_first == is_a_first ? cell.ray_a : cell.ray_b;
+        if (!ray) continue;
+        file_.begin_list();
+        file_.add_index(k);
+        file_.add_numbers(*ray);
+        file_.end_list();
+      }
+      file_.end_list();
+    }
+    file_.end_claim();
+  }
+
+  static std::array<Dyadic, 3> exact(const FinePoint& p) {
+    return {Dyadic(p.high.x) + Dyadic(p.low.x), Dyadic(p.high.y) + Dyadic(p.low.y), Dyadic(p.high.z) + Dyadic(p.low.z)};
+  }
+
   void begin(const char* verdict) const {
     file_.begin_statement("meshes");
     file_.index("a", a_.index);
@@ -235,14 +307,13 @@ void MeshClaims::end_table() {
 }
 
 void MeshClaims::add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
-                          const std::optional<Point3>& inside) {
+                          const MeshRelation* relation) {
   const Statement statement(file_, a, b);
-  if (inside) return statement.overlapping(*inside);
-  std::visit(statement, evidence);
+  if (relation == nullptr || !statement.related(*relation, evidence)) std::visit(statement, evidence);
 }
 
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
-                const std::optional<Point3>& inside) {
+                const MeshRelation* relation) {
   MeshClaims meshes(file);
   const auto add = [&](const NamedMesh& of) {
     const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
@@ -250,17 +321,15 @@ void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, cons
   };
   const std::uint32_t index_a = add(a), index_b = add(b);
   meshes.end_table();
-  meshes.add_pair({index_a, a.mesh, a.pose}, {index_b, b.mesh, b.pose}, answer.evidence, inside);
+  meshes.add_pair({index_a, a.mesh, a.pose}, {index_b, b.mesh, b.pose}, answer.evidence, relation);
 }
 
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer) {
   ClaimsWriter file(sink);
   file.add_origin(asked.origin);
-  std::optional<Point3> inside;
-  if (asked.tells_relation && answer.meet()) {
-    inside = point_inside_both(asked.a, asked.at_a, asked.b, asked.at_b, answer.evidence);
-  }
-  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer, inside);
+  MeshRelation relation;
+  if (asked.tells_relation) relation = mesh_relation(asked.a, asked.at_a, asked.b, asked.at_b, answer);
+  add_claims(file, {asked.name_a, asked.a, asked.at_a}, {asked.name_b, asked.b, asked.at_b}, answer, &relation);
   file.end();
 }
 

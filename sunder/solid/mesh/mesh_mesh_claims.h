@@ -8,8 +8,8 @@
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/said.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_relation.h>
 
-#include <optional>
 #include <string>
 
 namespace sunder::solid {
@@ -51,10 +51,10 @@ class MeshClaims {
   std::uint32_t add_placed(const std::string& name, std::uint32_t mesh, const Pose& pose);
   void end_table();
 
-  // The evidence must be true: what proves it is computed here; inside: a point inside of both, if one is known, which is
-  // stated instead. Cost: that of mesh_cover() where they are apart; else linear in both meshes.
+  // The evidence must be true: what proves it is computed here. So must be the relation, if one is given; what it knows is
+  // stated instead. Cost: that of mesh_cover() where surfaces are apart; else linear in both meshes and the partition.
   void add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
-                const std::optional<Point3>& inside = {});
+                const MeshRelation* relation = nullptr);
 
  private:
   void begin_entry(const std::string& name, const Said& said);
@@ -63,13 +63,13 @@ class MeshClaims {
   std::uint32_t count_ = 0;
 };
 
-// The table, and the one statement; the file's origin stands before, and its end is not written. Cost: that of
-// mesh_cover() where they are apart; else linear in both meshes.
+// The table, and the one statement; the file's origin stands before, and its end is not written. Cost: as of
+// MeshClaims::add_pair().
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
-                const std::optional<Point3>& inside = {});
+                const MeshRelation* relation = nullptr);
 
-// The certificate file of the answer, whole (asked_pair.h). tells_relation: that they overlap, where a point inside of
-// both is found (mesh_overlap.h).
+// The certificate file of the answer, whole (asked_pair.h). tells_relation: how they lie to each other, as far as that is
+// found (mesh_relation.h).
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer);
 
 }  // namespace sunder::solid

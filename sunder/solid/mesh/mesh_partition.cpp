@@ -55,6 +55,14 @@ struct CellParts {
   std::array<Known, 2> known{};
 };
 
+// From the point of a cell, where they have been made.
+using Rays = std::array<std::optional<RayAway>, 2>;
+
+struct KnownCell {
+  std::array<Known, 2> known;
+  Rays rays;
+};
+
 double dot(const Point3& n, const Point3& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
 
 class Partitioning {
@@ -176,6 +184,16 @@ class Partitioning {
       below |= sign == Sign::negative;
     }
     return {above, below};
+  }
+
+  bool goes_through(const Polygons& facets, std::int32_t plane) {
+    bool above = false, below = false;
+    for (const Polygon& facet : facets) {
+      const auto [has_above, has_below] = above_and_below(facet, plane);
+      above |= has_above;
+      below |= has_below;
+    }
+    return above && below;
   }
 
   // The part of a polygon on one side of a plane; requires that it has points on both.
@@ -460,7 +478,7 @@ class Partitioning {
     return a.above * b.above + a.below * b.below + 0.01 * (a.both + b.both);
   }
 
-  Candidate choose(const CellParts& cell) {
+  Candidate choose(const CellParts& cell, bool may_be_across) {
     const std::array<Extent, 2> of{extent(cell.parts[0]), extent(cell.parts[1])};
     double size = 0;
     std::vector<Candidate> candidates;
@@ -471,10 +489,9 @@ class Partitioning {
       for (const Extent& e : of) {
         if (e.low.x <= e.high.x) size = std::max({size, std::fabs(e.low[c]), std::fabs(e.high[c])});
       }
-      if (are_two) {
-        candidates.push_back(across(c, std::max(of[0].low[c], of[1].low[c])));
-        candidates.push_back(across(c, std::min(of[0].high[c], of[1].high[c])));
-      }
+    }
+    for (std::size_t c = 0; may_be_across && c < 3; ++c) {
+      if (are_two) add_ends(candidates, of, c, 1e-11 * size);
       if (cell.parts[0].size() + cell.parts[1].size() > 8) candidates.push_back(across(c, middle_part(cell, c)));
     }
     Candidate best;
@@ -497,7 +514,21 @@ class Partitioning {
     return best;
   }
 
-  // About the median of where parts are along an axis.
+  // Where one ends before the other begins, there; else around what both have in common, with a margin: so cuts leave
+  // no slivers, and have few digits.
+  static void add_ends(std::vector<Candidate>& candidates, const std::array<Extent, 2>& of, std::size_t axis, double hair) {
+    const double low = std::max(of[0].low[axis], of[1].low[axis]), high = std::min(of[0].high[axis], of[1].high[axis]);
+    if (high - low < hair) {
+      candidates.push_back(across(axis, low));
+      candidates.push_back(across(axis, high));
+      return;
+    }
+    const double unit = std::ldexp(1.0, std::ilogb(high - low) - 8);
+    candidates.push_back(across(axis, std::floor(low / unit - 0.5) * unit));
+    candidates.push_back(across(axis, std::ceil(high / unit + 0.5) * unit));
+  }
+
+  // About the median of where parts are along an axis, with few digits.
   double middle_part(const CellParts& cell, std::size_t axis) {
     std::vector<double> places;
     for (const Polygons& parts : cell.parts) {
@@ -506,7 +537,9 @@ class Partitioning {
     }
     const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
     std::nth_element(places.begin(), middle, places.end());
-    return *middle;
+    const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
+    const double unit = std::ldexp(1.0, std::ilogb(std::max(*greatest - *least, 0x1p-1000)) - 8);
+    return std::nearbyint(*middle / unit) * unit + unit / 4;
   }
 
   ExactPlane exact_of(const Candidate& candidate) {
@@ -525,11 +558,14 @@ class Partitioning {
   void divide(CellParts cell) {
     may_be_interrupted(10);
     std::optional<FinePoint> point;
+    Rays rays;
     for (const std::size_t m : {0u, 1u}) {
       if (!cell.parts[m].empty() || cell.known[m] != Known::nothing) continue;
       if (!point) point = clear_point(cell);
       if (is_spent_) return;
-      cell.known[m] = place_of(*point, m) == MeshPlace::inside ? Known::inside : Known::outside;
+      Affine3 pose;
+      rays[m] = ray_away(*meshes_[m], posed_at(*point, pose));
+      cell.known[m] = rays[m]->winding != 0 ? Known::inside : Known::outside;
     }
     if (point && cell.known[0] != Known::nothing && cell.known[1] != Known::nothing) {
       const bool in_a = cell.known[0] == Known::inside, in_b = cell.known[1] == Known::inside;
@@ -542,13 +578,17 @@ class Partitioning {
     if (!may_be(cell.known[0], cell.known[1])) {
       partition_.cuts.push_back(0);
       partition_.cells.push_back({point ? *point : clear_point(cell), {}, {}});
-      known_.push_back(cell.known);
+      known_.push_back({cell.known, std::move(rays)});
       return;
     }
     if (path_.size() > 2000) is_spent_ = true;
     if (is_spent_) return;
     const auto plane = static_cast<std::int32_t>(planes_.size());
-    planes_.push_back(exact_of(choose(cell)));
+    planes_.push_back(exact_of(choose(cell, true)));
+    if (!goes_through(cell.facets, plane)) {  // floating point did not see that it does not
+      planes_.back() = exact_of(choose(cell, false));
+      std::fill(signs_.begin(), signs_.end(), Side{-1, Sign::zero});
+    }
     const ExactPlane& made = planes_.back();
     partition_.cuts.push_back(1);
     partition_.planes.push_back({{made.normal.x, made.normal.y, made.normal.z, made.offset}});
@@ -572,7 +612,7 @@ class Partitioning {
   // For each cell rays that tell that what is not found is not in it.
   void add_rays() {
     for (std::size_t k = 0; k < known_.size(); ++k) {
-      const auto [a, b] = known_[k];
+      const auto [a, b] = known_[k].known;
       bool of_a = false, of_b = false;
       const auto need = [&](bool is_found, bool by_a, bool by_b) {
         if (is_found || (of_a && by_a) || (of_b && by_b)) return;
@@ -582,10 +622,13 @@ class Partitioning {
       need(found_.only_a, a == Known::outside, b == Known::inside);
       need(found_.only_b, a == Known::inside, b == Known::outside);
       MeshPartition::Cell& cell = partition_.cells[k];
-      Affine3 pose;
-      const Posed3 at = posed_at(cell.point, pose);
-      if (of_a) cell.ray_a = ray_away(*meshes_[0], at);
-      if (of_b) cell.ray_b = ray_away(*meshes_[1], at);
+      const auto along = [&](std::size_t m) {
+        Affine3 pose;
+        const std::optional<RayAway>& ray = known_[k].rays[m];
+        return ray ? ray->along : ray_away(*meshes_[m], posed_at(cell.point, pose)).along;
+      };
+      if (of_a) cell.ray_a = along(0);
+      if (of_b) cell.ray_b = along(1);
     }
   }
 
@@ -608,7 +651,7 @@ class Partitioning {
 
   std::vector<Side> path_;
   MeshPartition partition_;
-  std::vector<std::array<Known, 2>> known_;  // of each cell
+  std::vector<KnownCell> known_;  // of each cell
 };
 
 }  // namespace

@@ -118,28 +118,29 @@ std::int64_t winding_of(const PlacedMesh& placed, const Posed3& point, Cost& cos
     const std::optional<std::int64_t> sum = crossings_along(placed, point, end, cost);
     if (!sum) continue;
     of_end(end);
-    return *sum;
+    return placed.mesh().is_by_winding() ? *sum : std::int64_t{*sum % 2 != 0};
   }
 }
 
 }  // namespace
 
-std::array<Dyadic, 3> ray_away(const PlacedMesh& placed, const Posed3& point) {
-  std::array<Dyadic, 3> along;
+RayAway ray_away(const PlacedMesh& placed, const Posed3& point) {
+  RayAway ray;
   Cost cost;
-  winding_of(placed, point, cost, [&](const Posed3& end) {
+  ray.winding = winding_of(placed, point, cost, [&](const Posed3& end) {
     const Vector3<Dyadic> way = coordinates<Dyadic>(end) - coordinates<Dyadic>(point);
-    along = {way.x, way.y, way.z};
+    ray.along = {way.x, way.y, way.z};
   });
-  return along;
+  return ray;
 }
 
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
   MeshPoint result;
   StageTally tally;
-  const bool is_on = any_triangle_near(placed, enclosure(point), result.cost.probes, [&](std::uint32_t t) {
-    return triangles_meet({point, point, point}, placed.triangle(t), &tally);
+  const Box3 around = enclosure(point);
+  const bool is_on = any_triangle_near(placed, around, result.cost.probes, [&](std::uint32_t t) {
+    return meet(placed.box(t), around) && triangles_meet({point, point, point}, placed.triangle(t), &tally);
   });
   result.cost.exact = tally.exact;
   if (is_on) {
@@ -147,7 +148,6 @@ MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
     return result;
   }
   result.winding = winding_of(placed, point, result.cost, [](const Posed3&) {});
-  if (!mesh.is_by_winding()) result.winding = *result.winding % 2 == 0 ? 0 : 1;
   result.place = *result.winding == 0 ? MeshPlace::outside : MeshPlace::inside;
   return result;
 }

@@ -42,9 +42,13 @@ struct MeshPoint {
 // Exact. cost.probes grows by the boxes of the tree and the triangles that are looked at.
 std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to, Cost& cost);
 
-// From a point that is on no triangle, the direction of a ray that meets no edge of a closed piece, and goes on beyond
-// the mesh. Exact. What mesh_point() requires, and costs.
-std::array<Dyadic, 3> ray_away(const PlacedMesh& placed, const Posed3& point);
+// From a point that is on no triangle of a closed piece: the direction of a ray that meets no edge of a closed piece, and
+// goes on beyond the mesh; and what it tells, as MeshPoint::winding. Exact. What mesh_point() requires, and costs.
+struct RayAway {
+  std::array<Dyadic, 3> along;
+  std::int64_t winding = 0;
+};
+RayAway ray_away(const PlacedMesh& placed, const Posed3& point);
 
 // Exact. Both in the world. Requires that the entries of the pose are below 2^1000, or the coordinates of the mesh
 // below 2^1020. Cost: what is near the point, and near a segment from it out of the mesh.

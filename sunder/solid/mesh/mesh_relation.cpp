@@ -68,6 +68,10 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     if (!known.are_all()) result.partition = std::move(partitioned.partition);
   }
   result.relation = relation_of(known);
+  // surfaces that are apart touch nowhere: it is a sheet that is inside of the other one
+  if (result.relation == Relation::touching && std::holds_alternative<PointWithin>(answer.evidence)) {
+    result.relation = Relation::meeting;
+  }
   if (result.relation == Relation::meeting) result.partition.reset();
   return result;
 }

@@ -147,38 +147,160 @@ def meshes(value, where, read):
     return result
 
 
-def covered(steps, cuts, directions, rays_a, rays_b, a, b):
-    """Each triangle of A is parted from each of B; and each piece of one is outside of the other."""
+def parted(rule, steps, cuts, directions, a, b):
+    """Each triangle of A is parted from each of B; the pieces of each that are parted from all of the other."""
     whole = [(0, len(mesh.triangles)) for mesh in (a, b)]
     pairs, outside, left = [whole], (set(), set()), iter(directions)
     for k in cuts:
-        require(pairs, "covered", "the walk goes on where no pair of parts is left")
+        require(pairs, rule, "the walk goes on where no pair of parts is left")
         parts = pairs.pop()
         if k:
             which = k < 0
             first, end = parts[which]
-            require(first < abs(k) < end, "covered", "a part is cut where it has no triangles on both sides")
+            require(first < abs(k) < end, rule, "a part is cut where it has no triangles on both sides")
             for half in (abs(k), end), (first, abs(k)):
                 pairs.append([half, parts[1]] if k > 0 else [parts[0], half])
             continue
         direction = next(left, None)
-        require(direction, "covered", "there is no direction for a pair of parts")
+        require(direction, rule, "there is no direction for a pair of parts")
         d = common(direction)[0]
         (_, last, e), (begin, _, f) = a.ends(steps, d, *parts[0]), b.ends(steps, d, *parts[1])
-        require(last << max(e - f, 0) < begin << max(f - e, 0), "covered",
+        require(last << max(e - f, 0) < begin << max(f - e, 0), rule,
                 "a part of %s is not strictly less far along its direction than one of %s" % (a.name, b.name))
         for mesh, of, part, other in (a, 0, parts[0], 1), (b, 1, parts[1], 0):
             if parts[other] == whole[other]:
                 outside[of].update(mesh.piece[part[0]:part[1]])
-    require(not pairs and next(left, None) is None, "covered", "the walk does not end with its numbers and directions")
-    for mesh, other, rays, out in (a, b, rays_a, outside[0]), (b, a, rays_b, outside[1]):
-        for t, direction in rays:
-            place = mesh.image(mesh.triangles[t][0])[:4]
-            wound = other.winding(steps, "covered", common(direction)[0], place)
-            require(not wound, "covered", "triangle %d of %s is inside of %s" % (t, mesh.name, other.name))
-            out.add(mesh.piece[t])
-        require(not other.closed or out.issuperset(mesh.piece), "covered",
-                "a piece of %s is not shown to be outside of %s" % (mesh.name, other.name))
+    require(not pairs and next(left, None) is None, rule, "the walk does not end with its numbers and directions")
+    return outside
+
+
+def told_pieces(rule, steps, mesh, other, rays, inside):
+    """The pieces of a mesh that rays from first corners of triangles tell to be inside of another one, or outside."""
+    for t, direction in rays:
+        require(t < len(mesh.triangles), rule, "a ray is of a triangle that is not there")
+        wound = other.winding(steps, rule, common(direction)[0], mesh.image(mesh.triangles[t][0])[:4])
+        require(bool(wound) == inside, rule, "triangle %d of %s is %s of %s" % (
+            t, mesh.name, "not inside" if inside else "inside", other.name))
+        yield mesh.piece[t]
+
+
+def outside_of(rule, steps, mesh, other, rays, parted_pieces):
+    pieces = parted_pieces.union(told_pieces(rule, steps, mesh, other, rays, False))
+    require(not other.closed or pieces.issuperset(mesh.piece), rule,
+            "a piece of %s is not shown to be outside of %s" % (mesh.name, other.name))
+
+
+def covered(steps, cuts, directions, rays_a, rays_b, a, b):
+    """Each triangle of A is parted from each of B; and each piece of one is outside of the other."""
+    outside = parted("covered", steps, cuts, directions, a, b)
+    outside_of("covered", steps, a, b, rays_a, outside[0])
+    outside_of("covered", steps, b, a, rays_b, outside[1])
+
+
+def covered_within(steps, cuts, directions, inner, outer, a, b):
+    """Likewise; and each piece of A is inside of B, each one of B outside of A."""
+    outside = parted("covered_within", steps, cuts, directions, a, b)
+    pieces = {*told_pieces("covered_within", steps, a, b, inner, True)}
+    require(pieces.issuperset(a.piece), "covered_within", "a piece of %s is not shown to be inside of %s" % (a.name, b.name))
+    outside_of("covered_within", steps, b, a, outer, outside[1])
+
+
+def halves(polygon, heights):
+    """What of a convex polygon is above a plane, and what is below, as its corners' heights tell; nothing where it has no
+    point there."""
+    above, below = [], []
+    if max(heights) > 0 > min(heights):
+        for corner, height, following, its_height in zip(
+                polygon, heights, polygon[1:] + polygon[:1], heights[1:] + heights[:1]):
+            if height >= 0:
+                above.append(corner)
+            if height <= 0:
+                below.append(corner)
+            if height > 0 > its_height or height < 0 < its_height:
+                crossing = lowest_terms([height * y - its_height * x for x, y in zip(corner, following)])
+                above.append(crossing)
+                below.append(crossing)
+    elif max(heights) > 0:
+        above = polygon
+    elif min(heights) < 0:
+        below = polygon
+    return above, below
+
+
+def lowest_terms(row):
+    share = math.gcd(*row) if row[-1] > 0 else -math.gcd(*row)
+    return [n // share for n in row]
+
+
+def partition(rule, steps, cuts, planes, cells, rays, meshes):
+    """Of each cell of a tree of planes: is it outside of each mesh (False), inside (True), or is that not told (None)?"""
+    places, told = [*map(projective, cells)], [[None, None] for _ in cells]
+    for which, mesh in enumerate(meshes):
+        for k, direction in rays[which]:
+            require(k < len(cells), rule, "a ray is of a cell that is not there")
+            told[k][which] = bool(mesh.winding(steps, rule, common(direction)[0], places[k]))
+    parts = []
+    for mesh in meshes:
+        steps.take(16 * len(mesh.closed), 2 * mesh.bits, 2 * mesh.bits)
+        images, e = mesh.images
+        corners = [lowest_terms([n << max(e, 0) for n in image] + [1 << max(-e, 0)]) for image in images]
+        parts.append([[corners[i] for i in triangle] for triangle in mesh.closed if has_area(*(mesh.rows[i] for i in triangle))])
+    planes, left = iter(planes), enumerate(places)
+    waiting = [((), parts)]
+    for cut in cuts:
+        require(waiting and cut in (0, 1), rule, "the walk goes on where no cell is left, or a number is not 0 or 1")
+        path, parts = waiting.pop()
+        if not cut:
+            k, place = next(left, (None, None))
+            require(place, rule, "there is no point for a cell")
+            for which, mesh in enumerate(meshes):
+                require(told[k][which] is None or not parts[which], rule, "a triangle of %s goes through cell %d" % (mesh.name, k))
+            while path:
+                (plane, sign), path = path
+                steps.take(8, bits(plane), bits(place))
+                require(sign * (dot(plane[:3], place) - plane[3] * place[3]) > 0, rule, "the point of cell %d is not in it" % k)
+            continue
+        plane = next(planes, None)
+        require(plane, rule, "there is no plane for a cut")
+        plane = common(plane)[0]
+        sides = [], []
+        for polygons in parts:
+            both = [], []
+            for polygon in polygons:
+                steps.take(8 * len(polygon), bits(plane), max(map(bits, polygon)))
+                x, y, z, w = plane
+                for side, half in zip(both, halves(polygon, [x * p + y * q + z * r - w * s for p, q, r, s in polygon])):
+                    if half:
+                        side.append(half)
+            for side, those in zip(sides, both):
+                side.append(those)
+        waiting.append((((plane, -1), path), sides[1]))
+        waiting.append((((plane, 1), path), sides[0]))
+    require(not waiting and next(planes, None) is None and next(left, None) is None, rule,
+            "the walk does not end with its numbers, planes and points")
+    return told
+
+
+def has_area(p, q, r):
+    return any(cross([y - x for x, y in zip(p, q)], [y - x for x, y in zip(p, r)]))
+
+
+def insides_apart(steps, cuts, planes, cells, rays_first, rays_second, a, b):
+    """No point is inside of both."""
+    for k, (in_a, in_b) in enumerate(partition("insides_apart", steps, cuts, planes, cells, (rays_first, rays_second), (a, b))):
+        require(in_a is False or in_b is False, "insides_apart", "cell %d is not shown to be outside of one" % k)
+
+
+def part_of(steps, cuts, planes, cells, rays_first, rays_second, a, b):
+    """What is inside of A is inside of B, or on a triangle of it."""
+    for k, (in_a, in_b) in enumerate(partition("part_of", steps, cuts, planes, cells, (rays_first, rays_second), (a, b))):
+        require(in_a is False or in_b, "part_of", "cell %d is not shown to be outside of %s or inside of %s" % (k, a.name, b.name))
+
+
+def equal_insides(steps, cuts, planes, cells, rays_first, rays_second, a, b):
+    """What is inside of one is inside of the other, or on a triangle of it."""
+    for k, (in_a, in_b) in enumerate(partition("equal_insides", steps, cuts, planes, cells, (rays_first, rays_second), (a, b))):
+        require(in_a is not None and in_a is in_b, "equal_insides", "cell %d is not shown to be inside of both or outside" % k)
 
 
 def on_triangle(steps, triangle, weights, mesh, point):

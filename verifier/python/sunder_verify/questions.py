@@ -378,6 +378,8 @@ SAID = {  # what verdicts and claims say
     "by_b": some_multipliers("b"),
     "triangle": lambda value, where, read: index(value, len(subject(read).triangles), where),
     "cuts": list_of(whole(-MOST_NUMBER)), "directions": list_of(vector), "rays_a": rays_from("a"), "rays_b": rays_from("b"),
+    **dict.fromkeys(("rays_inner", "rays_outer", "rays_first", "rays_second"), list_of(row_of(whole(0), vector))),
+    "planes": list_of(row_of(*4 * [number])), "cells": list_of(vector),
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
     "vertices": some_places, "fans": cones_of_vertices,
     "dimension": lambda value, where, read: index(value, read["half_spaces"].dimension + 1, where),
@@ -414,6 +416,9 @@ CLAIMS = {
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
     "covered": (meshes.covered, "cuts", "directions", "rays_a", "rays_b"),
+    "covered_within": (meshes.covered_within, "cuts", "directions", "rays_inner", "rays_outer"),
+    **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
+        meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
     "on_triangle": (meshes.on_triangle, "triangle", "weights"),
     "encloses": (meshes.encloses, "direction"),
     "normal_fan": (vertices.normal_fan, "fans"),
@@ -495,6 +500,9 @@ QUESTIONS = {
         "apart": "covered a b",
         "meet": "on_triangle a point, on_triangle b point",
         "overlapping": "encloses a point, encloses b point",
+        "touching": "on_triangle a point, on_triangle b point, insides_apart a b",
+        "a_part_of_b": "part_of a b", "b_part_of_a": "part_of b a", "equal": "equal_insides a b",
+        "a_inside_b": "covered_within a b", "b_inside_a": "covered_within b a",
         "a_within": "on_triangle a point, encloses b point",
         "b_within": "encloses a point, on_triangle b point"}),
     "polytopes": ("polytopes", "a b", {
