@@ -35,7 +35,7 @@ NEVER_SEEN = {
 # Keys that may be missing, by the object that holds them: "" is the report.
 OPTIONAL = {
     "": "attached hull lemmas left_out not_proved coordinate_systems skipped mended remarks contact enclosed said_of distance depth clearance nearest time cut support planes group layer across_layers count counts "
-        "contact_unknown unit "
+        "contact_unknown part_unknown partition unit "
         "best contradiction formats",
     "objects[]": "surface why_hull frame moves moved_about departure groups layers left_out coordinate_systems remarks properties box without inputs against call "
                  "proved",
@@ -170,7 +170,13 @@ scene cases/panda/panda.urdf --allow adjacent --allow touch --joints-file cases/
 scene cases/panda/panda.urdf --hull --allow adjacent --joints-file cases/scene/folded.joints
 scene cases/panda/panda.urdf --hull --joints-file cases/scene/folded.joints --allow adjacent --check-allowed
 scene cases/mesh/bracket.obj cases/mesh/cube.obj@1.5,1.5,0 --classify --certificate OUT
-pair cases/mesh/bracket.obj cases/mesh/cube.obj --pose-b 1.5,1.5,0 --classify
+pair cases/mesh/bracket.obj cases/mesh/cube.obj --pose-b 1.5,1.5,0 --classify --certificate OUT
+pair cases/mesh/bracket.obj cases/mesh/bracket.obj --classify --certificate OUT
+pair cases/mesh/bracket.obj cases/mesh/cube.obj --pose-b 0.5,0.5,0.5 --classify --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/bracket.obj --pose-a 0.5,0.5,0.5 --classify --certificate OUT
+pair cases/mesh/cube.obj cases/mesh/bracket.obj --pose-a 0.25,0,0,0.5,0,0.25,0,0.5,0,0,0.25,0.5 --classify --certificate OUT
+pair cases/mesh/bracket.obj cases/mesh/cube.obj --pose-b 0.25,0,0,0.5,0,0.25,0,0.5,0,0,0.25,0.5 --classify --certificate OUT
+pair cases/mesh/bracket.obj mixed.obj --classify
 scene cases/panda/panda.urdf --joints panda_joint1=0.5 --joints home:panda_joint2=0.1 --svg OUT --classify
 scene cases/mesh/arm.urdf --leave-out --srdf cases/scene/arm.srdf --state up --state hand/open --certificate OUT
 scene cases/mesh/two_nodes.dae cases/mesh/two_nodes.wrl@0,0,9 cases/mesh/two_nodes.gltf@0,9,0 --groups
@@ -313,6 +319,7 @@ FILES = {
     # Lengths beyond the range of doubles.
     "vast.obj": "".join("v %d.7e308 %d.7e308 %d.7e308\n" % xyz for xyz in itertools.product((-1, 1), repeat=3)),
     "open.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\n",
+    "mixed.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 5 6 7\n",
     "left.obj": "v -1.7e308 0 0\nv -1.6e308 0 0\nv -1.7e308 1e307 0\nv -1.7e308 0 1e307\n",
     "right.obj": "v 1.7e308 0 0\nv 1.6e308 0 0\nv 1.7e308 1e307 0\nv 1.7e308 0 1e307\n",
     "sited.csv": "x,y,r\n0,0,2\n1,1,2\n", "sited.prj": "EPSG:28992\n", "shapes.prj": "EPSG:28992\n",

@@ -62,9 +62,9 @@ std::string_view name_of(DecidedBy decided_by) {
 }
 
 std::string_view name_of(Relation relation) {
-  return name_in<Relation::b_part_of_a>({"none", "touching", "overlapping", "A inside B", "B inside A", "equal",
-                                         "meeting", "A part of B", "B part of A"},
-                                        relation);
+  return name_in<Relation::b_part_of_a>(
+      {"none", "touching", "overlapping", "A inside B", "B inside A", "equal", "meeting", "A part of B", "B part of A"},
+      relation);
 }
 
 }  // namespace sunder

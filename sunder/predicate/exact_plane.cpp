@@ -34,10 +34,10 @@ EnclosedPoint::EnclosedPoint(ExactPoint3 p) : exact(std::move(p)) {
   SUNDER_REQUIRE(exact.denominator.sign() == Sign::positive);
   const std::int64_t top = exact.denominator.top();
   const Interval w = enclosure(exact.denominator, top);
-  about = w.low == 1 && w.high == 1
-              ? Vector3<Interval>{enclosure(exact.x, top), enclosure(exact.y, top), enclosure(exact.z, top)}
-              : Vector3<Interval>{enclosure(exact.x, top) / w, enclosure(exact.y, top) / w,
-                                  enclosure(exact.z, top) / w};
+  about =
+      w.low == 1 && w.high == 1
+          ? Vector3<Interval>{enclosure(exact.x, top), enclosure(exact.y, top), enclosure(exact.z, top)}
+          : Vector3<Interval>{enclosure(exact.x, top) / w, enclosure(exact.y, top) / w, enclosure(exact.z, top) / w};
 }
 
 ExactPlane::ExactPlane(Vector3<Dyadic> given_normal, Dyadic given_offset)
@@ -69,14 +69,12 @@ Sign ExactPlane::side_of(const EnclosedPoint& p, StageTally* tally) const {
   return counted(&StageTally::exact, tally, height(p.exact).sign());
 }
 
-Dyadic ExactPlane::height(const ExactPoint3& p) const {
-  return dot(normal, p.numerators()) - offset * p.denominator;
-}
+Dyadic ExactPlane::height(const ExactPoint3& p) const { return dot(normal, p.numerators()) - offset * p.denominator; }
 
 EnclosedPoint crossing_of(const ExactPlane& plane, const ExactPoint3& p, const ExactPoint3& q) {
   const Dyadic s = plane.height(p), t = plane.height(q);
-  return EnclosedPoint(ExactPoint3{s * q.x - t * p.x, s * q.y - t * p.y, s * q.z - t * p.z,
-                                   s * q.denominator - t * p.denominator});
+  return EnclosedPoint(
+      ExactPoint3{s * q.x - t * p.x, s * q.y - t * p.y, s * q.z - t * p.z, s * q.denominator - t * p.denominator});
 }
 
 EnclosedPoint common_point(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h) {

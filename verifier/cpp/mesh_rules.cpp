@@ -364,7 +364,8 @@ ToldCells told_cells(const char* rule, const Groups& cuts, const Points& planes,
 void check_insides_apart(const Groups& cuts, const Points& planes, const Points& cells, const StatedRays& first,
                          const StatedRays& second, const MeshBody& a, const MeshBody& b) {
   for (const auto& [in_a, in_b] : told_cells("insides_apart", cuts, planes, cells, {&first, &second}, {&a, &b})) {
-    require(in_a == Told::outside || in_b == Told::outside, "insides_apart", "a cell is not shown to be outside of one");
+    require(in_a == Told::outside || in_b == Told::outside, "insides_apart",
+            "a cell is not shown to be outside of one");
   }
 }
 

@@ -484,8 +484,9 @@ Shape shape_named(const std::string& shape) {
       {"told rays", read_told_rays},
       {"planes",
        [](const Told& t) -> Value {
-         return each(t.value, t.where,
-                     [](const Json& entry, const std::string& where) { return read_numbers(as_list(entry, where), 4, where); });
+         return each(t.value, t.where, [](const Json& entry, const std::string& where) {
+           return read_numbers(as_list(entry, where), 4, where);
+         });
        }},
       {"polytope", [](const Told& t) { return of_one_dimension(t, polytope(t), polytope(t).dimension); }},
       {"half-spaces",

@@ -91,7 +91,10 @@ class MeshPair : public PairQuestion {
       if (relation_.relation != Relation::meeting) contact_ = relation_.relation;
     }
     facts_ = {{"said_of", "meshes", ""}, evidence()};
-    if (call.classify && meet_) add_what_is_unknown();
+    if (call.classify && meet_) {
+      if (relation_.partition) facts_.push_back(told(*relation_.partition));
+      add_what_is_unknown();
+    }
     if (meet_ || is_parted_) return;
     const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
     if (open == 0) return;
@@ -121,8 +124,9 @@ class MeshPair : public PairQuestion {
   void add_what_is_unknown() {
     if (contact_ == Relation::none) {
       facts_.push_back({"contact_unknown", true,
-                        relation_.is_known ? "whether they touch or overlap is not known: one has an open piece, or no inside"
-                                           : "whether they touch or overlap is not known"});
+                        relation_.is_known
+                            ? "whether they touch or overlap is not known: one has an open piece, or no inside"
+                            : "whether they touch or overlap is not known"});
     } else if (!relation_.is_known) {
       facts_.push_back({"part_unknown", true, "whether one is a part of the other is not known"});
     }
@@ -143,6 +147,18 @@ class MeshPair : public PairQuestion {
     return {"evidence", evidence_json(answer_.evidence, mesh_a_, pose_a_, mesh_b_, pose_b_), std::move(text)};
   }
 
+  Fact told(const solid::MeshPartition& partition) const {
+    const std::size_t planes = partition.planes.size(), cells = partition.cells.size();
+    const char* const none = contact_ == Relation::touching      ? "inside of both"
+                             : contact_ == Relation::a_part_of_b ? "inside of A alone"
+                             : contact_ == Relation::b_part_of_a ? "inside of B alone"
+                                                                 : "inside of one alone";
+    return {"partition",
+            {{"planes", planes}, {"cells", cells}},
+            fmt::format("{} space into {} cells, none of which is {}",
+                        planes == 1 ? "a plane cuts" : fmt::format("{} planes cut", planes), cells, none)};
+  }
+
   Fact told(const solid::MeshCover& cover) {
     const std::size_t planes = cover.directions.size(), rays = cover.rays_a.size() + cover.rays_b.size();
     is_parted_ = planes == 1;
@@ -159,8 +175,8 @@ class MeshPair : public PairQuestion {
   const solid::Pose &pose_a_, &pose_b_;
   const solid::Mesh &mesh_a_, &mesh_b_;
   solid::MeshAnswer answer_;
-  bool is_parted_ = false;          // by one plane
-  solid::MeshRelation relation_;    // where --classify asks for it
+  bool is_parted_ = false;        // by one plane
+  solid::MeshRelation relation_;  // where --classify asks for it
 };
 
 // Throws Error for what is asked of convex objects alone.

@@ -364,7 +364,14 @@ bool SceneReport::is_kept() const {
 
 std::string_view contact_name(const PartPair& pair) {
   if (pair.undecided()) return "undecided";
-  return has_unknown_contact(pair) ? "touching or overlapping" : name_of(pair.relation);
+  if (has_unknown_contact(pair)) return "touching or overlapping";
+  switch (pair.relation) {
+    case Relation::a_inside_b: return "the first inside the second";
+    case Relation::b_inside_a: return "the second inside the first";
+    case Relation::a_part_of_b: return "the first a part of the second";
+    case Relation::b_part_of_a: return "the second a part of the first";
+    default: return name_of(pair.relation);
+  }
 }
 
 bool has_unknown_contact(const PartPair& pair) { return pair.meet() && pair.relation == Relation::none; }

@@ -66,8 +66,8 @@ Json begun_json(const SceneReport& report, std::size_t placement, const Pair& pa
           {"part_b", pair.part_b}};
 }
 
-// Where contacts were asked for: "none", "touching", "overlapping"; "touching or overlapping" where it is not known;
-// "undecided" of a pair that is.
+// Where contacts were asked for: "none", "touching", "overlapping", "equal", "the first a part of the second" and the
+// like; "touching or overlapping" where it is not known; "undecided" of a pair that is.
 std::string_view contact_name(const scene::PartPair& pair);
 bool has_unknown_contact(const scene::PartPair& pair);
 

@@ -124,7 +124,7 @@ class Partitioning {
     Point3 low, high;
     for (std::size_t c = 0; c < 3; ++c) {
       const double size = around.high[c] - around.low[c];
-            low[c] = around.low[c] - size / 4 - 0x1p-1000;
+      low[c] = around.low[c] - size / 4 - 0x1p-1000;
       high[c] = around.high[c] + size / 4 + 0x1p-1000;
       if (!(size < 0x1p1000 && low[c] < around.low[c] && around.high[c] < high[c])) is_spent_ = true;
     }
@@ -135,20 +135,23 @@ class Partitioning {
     }
     const auto first = static_cast<std::uint32_t>(corners_.size());
     for (std::uint32_t k = 0; k < 8; ++k) {
-      add_corner(EnclosedPoint(
-          exactly(Point3{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z})));
+      add_corner(
+          EnclosedPoint(exactly(Point3{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z})));
     }
     // Facet 2 axis + end has its corners in a cycle; the edge to the next corner is on the plane that both are on.
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const std::uint32_t i = 1u << (axis + 1) % 3, j = 1u << (axis + 2) % 3;
-      const auto u = static_cast<std::int32_t>(2 * ((axis + 1) % 3)), v = static_cast<std::int32_t>(2 * ((axis + 2) % 3));
+      const auto u = static_cast<std::int32_t>(2 * ((axis + 1) % 3)),
+                 v = static_cast<std::int32_t>(2 * ((axis + 2) % 3));
       for (const std::uint32_t end : {0u, 1u}) {
         const std::uint32_t at = first + (end << axis);
         facets.push_back({2 * axis + end, static_cast<std::uint32_t>(ring_.size()), 4});
         if (end == 1) {  // counter-clockwise, as it is seen from outside
-          for (const RingCorner& c : {RingCorner{at, v}, {at + i, u + 1}, {at + i + j, v + 1}, {at + j, u}}) ring_.push_back(c);
+          for (const RingCorner& c : {RingCorner{at, v}, {at + i, u + 1}, {at + i + j, v + 1}, {at + j, u}})
+            ring_.push_back(c);
         } else {
-          for (const RingCorner& c : {RingCorner{at, u}, {at + j, v + 1}, {at + i + j, u + 1}, {at + i, v}}) ring_.push_back(c);
+          for (const RingCorner& c : {RingCorner{at, u}, {at + j, v + 1}, {at + i + j, u + 1}, {at + i, v}})
+            ring_.push_back(c);
         }
       }
     }
@@ -218,10 +221,11 @@ class Partitioning {
     auto found = triangle_planes_[m].find(triangle);
     if (found == triangle_planes_[m].end()) {
       const PosedTriangle corners = meshes_[m]->triangle(triangle);
-      found = triangle_planes_[m]
-                  .emplace(triangle, ExactPlane::through(coordinates<Dyadic>(corners[0]), coordinates<Dyadic>(corners[1]),
-                                                         coordinates<Dyadic>(corners[2])))
-                  .first;
+      found =
+          triangle_planes_[m]
+              .emplace(triangle, ExactPlane::through(coordinates<Dyadic>(corners[0]), coordinates<Dyadic>(corners[1]),
+                                                     coordinates<Dyadic>(corners[2])))
+              .first;
     }
     return found->second;
   }
@@ -272,8 +276,8 @@ class Partitioning {
       Polygon kept = facet;
       if (above && below) {
         kept = clipped(facet, plane, side, [&](std::int32_t edge) {
-          const std::uint32_t corner = add_corner(common_point(planes_[facet.of], planes_[static_cast<std::size_t>(edge)],
-                                                               planes_[static_cast<std::size_t>(plane)]));
+          const std::uint32_t corner = add_corner(common_point(
+              planes_[facet.of], planes_[static_cast<std::size_t>(edge)], planes_[static_cast<std::size_t>(plane)]));
           signs_[corner] = {plane, Sign::zero};
           return corner;
         });
@@ -451,7 +455,8 @@ class Partitioning {
   Counts counts(const Polygons& parts, const Candidate& candidate, double size) const {
     Counts result;
     const std::size_t step = 1 + parts.size() / 128;
-    const double width = 1e-11 * size * (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
+    const double width =
+        1e-11 * size * (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
     for (std::size_t i = 0; i < parts.size(); i += step) {
       bool above = false, below = false;
       for (std::uint32_t k = 0; k < parts[i].size; ++k) {
@@ -516,7 +521,8 @@ class Partitioning {
 
   // Where one ends before the other begins, there; else around what both have in common, with a margin: so cuts leave
   // no slivers, and have few digits.
-  static void add_ends(std::vector<Candidate>& candidates, const std::array<Extent, 2>& of, std::size_t axis, double hair) {
+  static void add_ends(std::vector<Candidate>& candidates, const std::array<Extent, 2>& of, std::size_t axis,
+                       double hair) {
     const double low = std::max(of[0].low[axis], of[1].low[axis]), high = std::min(of[0].high[axis], of[1].high[axis]);
     if (high - low < hair) {
       candidates.push_back(across(axis, low));
@@ -637,7 +643,7 @@ class Partitioning {
   Random random_;
   std::uint64_t most_ = 0;
   Cost cost_;
-  bool is_spent_ = false;  // the budget is, or a point in a cell was not found
+  bool is_spent_ = false;              // the budget is, or a point in a cell was not found
   std::array<bool, 2> has_needles_{};  // triangles without an area
   std::optional<FinePoint> in_both_;
 

@@ -28,7 +28,7 @@ struct MeshRelation {
   // False: no more than this was found before a budget was spent (mesh_partition.h). Then `overlapping` means that a
   // point is inside of both, and `none` that it is not known whether there is one.
   bool is_known = true;
-  std::optional<FinePoint> inside;          // of both; of overlapping ones
+  std::optional<FinePoint> inside;         // of both; of overlapping ones
   std::optional<MeshPartition> partition;  // of those that touch, or of which one is a part of the other, or are equal
 };
 

@@ -122,6 +122,39 @@ def pieces(given):
     return {find(t[0]): n for n, t in enumerate(given.triangles)}.values()
 
 
+def divided(a, b, dice):
+    """A tree of planes across the axes, at places of corners, down to boxes that are each all in or all outside of a, and
+    of b; with a point of each, and where it is."""
+    marks = [sorted({Fraction(p[c]) for of in (a, b) for p in of.places()}) for c in range(3)]
+    marks = [[m[0] - 1, *m, m[-1] + 1] for m in marks]
+    tree = {"cuts": [], "planes": [], "cells": []}
+    truth = []
+
+    def middles(box):
+        spans = [[(x + y) / 2 for x, y in zip(marks[c][i:j], marks[c][i + 1:j + 1])] for c, (i, j) in enumerate(box)]
+        return [*itertools.product(*spans)]
+
+    waiting = [[(0, len(m) - 1) for m in marks]]
+    while waiting:
+        box = waiting.pop()
+        places = middles(box)
+        found = {(a.is_in(p), b.is_in(p)) for p in places}
+        if len(found) == 1:
+            tree["cuts"].append(0)
+            tree["cells"].append(told_point(dice.choice(places)))
+            truth.append(found.pop())
+            continue
+        axis = dice.choice([c for c, (i, j) in enumerate(box) if j - i > 1])
+        at = dice.randrange(box[axis][0] + 1, box[axis][1])
+        way = dice.choice((1, -1, 3))  # the same plane, and what is above it
+        tree["cuts"].append(1)
+        tree["planes"].append([str(way * (c == axis)) for c in range(3)] + [fraction(way * marks[axis][at])])
+        high, low = [*box], [*box]
+        high[axis], low[axis] = (at, box[axis][1]), (box[axis][0], at)
+        waiting += [low, high] if way > 0 else [high, low]
+    return tree, truth
+
+
 def told_point(p):
     return [fraction(Fraction(x)) for x in p]
 
@@ -135,6 +168,10 @@ def inside(given, dice):
     named = [(k, w / total) for k, w in zip(given.triangles[t], weights)]
     point = [sum(w * places[k][c] for k, w in named) for c in range(3)]
     return point, {"claim": "on_triangle", "triangle": t, "weights": [[k, fraction(w)] for k, w in named]}
+
+
+VERDICTS = ("apart", "meet", "overlapping", "a_within", "b_within", "touching", "a_part_of_b", "b_part_of_a", "equal",
+            "a_inside_b", "b_inside_a")
 
 
 class MeshPairs(unittest.TestCase):
@@ -159,6 +196,11 @@ class MeshPairs(unittest.TestCase):
             b.is_image = False
             b.is_in = lambda p: all(s <= x / step <= s + Fraction(1, 2) for x, s in zip(p, b.shift))
             return (a, b) if dice.random() < .5 else (b, a)
+        if dice.random() < .4:  # the same cells, some of them, or others of the same cube
+            cells, cube = a.cells, {*itertools.product(range(size), repeat=3)}
+            other = dice.choice(({*cells}, {*dice.sample(sorted(cells), dice.randint(1, len(cells)))}, cube - cells or {(1, 1, 0)}))
+            b = Given("b", other, a.shift, dice, step)
+            return (a, b) if dice.random() < .5 else (b, a)
         gap = dice.choice((0, 0, Fraction(1, 2 ** 20), Fraction(1, 2), 3))
         axis = dice.randrange(3)
         shift = [dice.randint(-4, 4) + (gap if c == axis else 0) for c in range(3)]
@@ -177,12 +219,17 @@ class MeshPairs(unittest.TestCase):
         while lacking(FORCED, "meshes"):
             a, b = self.some_pair()
             tables, i, j = self.tables(a, b)
-            found = cover(a, b, dice)
+            still = {*lacking(FORCED, "meshes")}
+            found = cover(a, b, dice) if still & {"apart", "a_inside_b", "b_inside_a"} else None
             if found:
                 self.ask_apart(tables, i, j, a, b, found)
-            self.ask_points(tables, i, j, a, b)
+                self.ask_nested(tables, i, j, a, b, found)
+            if still & {"meet", "overlapping", "a_within", "b_within"}:
+                self.ask_points(tables, i, j, a, b)
+            if still & {"touching", "a_part_of_b", "b_part_of_a", "equal"}:
+                self.ask_relations(tables, i, j, a, b)
         self.twins.compare()
-        for verdict in ("apart", "meet", "overlapping", "a_within", "b_within"):
+        for verdict in VERDICTS:
             self.assertGreater(files.TRIED["accepted"]["meshes", verdict], 0)
 
     def ask_apart(self, tables, i, j, a, b, found):
@@ -217,6 +264,90 @@ class MeshPairs(unittest.TestCase):
                 worse["directions"][k] = dice.choice((["0", "0", "0"], direction(dice), [
                     str(-int(x)) for x in worse["directions"][k]]))
             self.ask(tables, statement("apart", i, j, worse), None)  # the twins agree
+
+    def ask_until_rays_miss_edges(self, tables, make, is_true):
+        """What is true is accepted, but where a ray meets an edge: then others are taken."""
+        for _ in range(30):
+            top, found = self.ask(tables, make(), None)
+            if found == "accepted":
+                self.assertTrue(is_true, top)
+                return
+        self.assertFalse(is_true, top)
+
+    def ask_nested(self, tables, i, j, a, b, found):
+        dice = self.dice
+        for verdict, of, other in ("a_inside_b", a, b), ("b_inside_a", b, a):
+            cuts, directions = found
+            if of is b:  # the walk of the other order
+                cuts, directions = [-k for k in cuts], [[str(-int(x)) for x in d] for d in directions]
+            inner = [[t, None] for t in pieces(of)]
+            outer = [[t, None] for t in pieces(other)]
+            is_true = all(other.is_in(of.places()[of.triangles[t][0]]) for t, _ in inner) and not any(
+                of.is_in(other.places()[other.triangles[t][0]]) for t, _ in outer)
+
+            def make(inner=inner, outer=outer, cuts=cuts, directions=directions, verdict=verdict):
+                rays = [[[t, direction(dice)] for t, _ in those] for those in (inner, outer)]
+                return statement(verdict, i, j, {"claim": "covered_within", "cuts": cuts, "directions": directions,
+                                                 "rays_inner": rays[0], "rays_outer": rays[1]})
+            if is_true:
+                self.ask_until_rays_miss_edges(tables, make, True)
+                for missing in ("rays_inner", "rays_outer"):
+                    said = make()
+                    said["claims"][0][missing].pop()
+                    self.ask(tables, said, False if missing == "rays_inner" else None)
+            else:
+                self.ask(tables, make(), False)
+
+    def ask_relations(self, tables, i, j, a, b):
+        dice = self.dice
+        tree, truth = divided(a, b, dice)
+        if len(truth) > 12 and dice.random() < .98:
+            return
+        common = next((p for p in a.places() if p in b.places()), None)
+        told = {"touching": ("insides_apart", not any(x and y for x, y in truth) and common is not None),
+                "a_part_of_b": ("part_of", not any(x and not y for x, y in truth)),
+                "b_part_of_a": ("part_of", not any(y and not x for x, y in truth)),
+                "equal": ("equal_insides", all(x == y for x, y in truth))}
+        for verdict, (rule, is_true) in told.items():
+            needed = [{"touching": [not x, not y and x], "a_part_of_b": [not x, x], "b_part_of_a": [y, not y],
+                       "equal": [True, True]}[verdict] for x, y in truth]
+
+            def make(verdict=verdict, rule=rule, needed=needed):
+                rays = [[[k, direction(dice)] for k, need in enumerate(needed) if need[which]] for which in (0, 1)]
+                if verdict == "b_part_of_a":
+                    rays = rays[::-1]
+                claim = {"claim": rule, **copy.deepcopy(tree), "rays_first": rays[0], "rays_second": rays[1]}
+                if verdict != "touching":
+                    return statement(verdict, i, j, claim)
+                point = common or a.places()[0]
+                on = [{"claim": "on_triangle", "triangle": next(n for n, t in enumerate(of.triangles) if v in t),
+                       "weights": [[v, "1"]]} for of in (a, b)
+                      for v in [next((k for k, p in enumerate(of.places()) if p == point), 0)]]
+                return statement(verdict, i, j, *on, claim, point=told_point(point))
+            if is_true:
+                self.ask_until_rays_miss_edges(tables, make, True)
+                self.ask_worse(tables, make())
+            else:
+                self.ask(tables, make(), False)
+
+    def ask_worse(self, tables, said):
+        """With one thing wrong: a ray left out is always missed; of other changes the twins say the same."""
+        dice, claim = self.dice, said["claims"][-1]
+        throw, key = dice.random(), dice.choice(("rays_first", "rays_second"))
+        if throw < .3 and claim[key]:
+            claim[key].pop(dice.randrange(len(claim[key])))
+            self.ask(tables, said, False)
+        elif throw < .5 and claim["planes"]:
+            plane = dice.choice(claim["planes"])
+            plane[3] = fraction(Fraction(plane[3]) + Fraction(dice.choice((-1, 1)), 2 ** dice.choice((1, 70))))
+            self.ask(tables, said, None)
+        elif throw < .7:
+            claim["cells"].reverse()
+            self.ask(tables, said, None)
+        else:
+            k = dice.randrange(len(claim["cuts"]))
+            claim["cuts"][k:k + 1] = dice.choice(([], [0, 0], [1, 1], [2], [-1], [1 - claim["cuts"][k]]))
+            self.ask(tables, said, False)
 
     def ask_points(self, tables, i, j, a, b):
         dice = self.dice
@@ -273,9 +404,28 @@ class MeshPairs(unittest.TestCase):
                      statement("overlapping", i, j, ray, ray, point=told_point(back)),
                      statement("a_within", i, j, claim, ray, point=told_point(point)),
                      statement("b_within", i, j, ray, claim_too, point=told_point(back))]
+            says += self.spoilable_relations(i, j, a, b, claim, claim_too, point)
             for said in says:
                 self.twins.spoil(files.file_of(tables, said), dice)
         self.twins.compare()
+
+
+    def spoilable_relations(self, i, j, a, b, claim, claim_too, point):
+        dice = self.dice
+        tree, truth = divided(a, b, dice)
+        if len(truth) > 30:
+            return []
+        rays = [[[k, direction(dice)] for k in range(len(truth))] for _ in (0, 1)]
+        parts = {"rays_first": rays[0], "rays_second": rays[1]}
+        rays = [[[t, direction(dice)] for t in pieces(of)] for of in (a, b)]
+        nested = {"claim": "covered_within", "cuts": [0], "directions": [direction(dice)], "rays_inner": rays[0],
+                  "rays_outer": rays[1]}
+        return [statement("touching", i, j, claim, claim_too, {"claim": "insides_apart", **tree, **parts},
+                          point=told_point(point)),
+                statement("a_part_of_b", i, j, {"claim": "part_of", **tree, **parts}),
+                statement("b_part_of_a", i, j, {"claim": "part_of", **tree, **parts}),
+                statement("equal", i, j, {"claim": "equal_insides", **tree, **parts}),
+                statement("a_inside_b", i, j, nested), statement("b_inside_a", i, j, nested)]
 
 
 def box(low, size, outwards=True):

@@ -84,6 +84,12 @@ class Units:
         if "differences" in claim:
             result["differences"] = [[self.corner(end, one[key]) for end, key in zip(corner, "ab")]
                                      for corner in claim["differences"]]
+        if "cells" in claim:
+            result["cells"] = times(claim["cells"], self.all)
+        if "planes" in claim:  # each in a unit of its own
+            units = [self.dice.choice(POWERS) for _ in claim["planes"]]
+            result["planes"] = [times(plane[:3], k) + [times(plane[3], k + self.all)]
+                                for plane, k in zip(claim["planes"], units)]
         if "weights" in claim and subject == "half_planes":
             result["weights"] = each_by(claim["weights"], lambda k: -self.rows[about, k])
         if "multipliers" in claim:
