@@ -70,7 +70,7 @@ class Mesh {
   bool is_by_winding() const { return is_by_winding_; }
 
   // The box of all triangles, and what searches walk on.
-  const Box3& box() const { return tree_.box(1); }
+  const Box3& box() const { return tree_.box(); }
   const MeshTree& tree() const { return tree_; }
   const SizeRange& sizes() const { return sizes_; }  // of the coordinates
 

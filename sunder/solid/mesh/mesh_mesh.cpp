@@ -3,10 +3,12 @@
 
 #include <sunder/base/interruption.h>
 #include <sunder/solid/mesh/mesh_point.h>
+#include <sunder/solid/mesh/placed_boxes.h>
 #include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/mesh/placed_triangles.h>
 
-#include <algorithm>
 #include <array>
+#include <bit>
 #include <optional>
 
 namespace sunder::solid {
@@ -14,11 +16,25 @@ namespace sunder::solid {
 namespace {
 
 // A piece of one that is inside of the other: a corner of it. Requires the surfaces to be apart.
-std::optional<std::uint32_t> point_within(const PlacedMesh& of, const Mesh& other, const Pose& pose, Cost& cost) {
-  if (!other.has_inside()) return std::nullopt;
+// is_beyond(box): surely nothing in that box of a node is in the box of all of the other.
+template <class IsBeyond>
+std::optional<std::uint32_t> point_within(const PlacedMesh& of, const PlacedMesh& other, const IsBeyond& is_beyond,
+                                          Cost& cost) {
+  if (!other.mesh().has_inside()) return std::nullopt;
+  const MeshTree& tree = of.mesh().tree();
+  const auto is_outside = [&](std::uint32_t triangle) {
+    const std::size_t leaf = tree.leaf_of(triangle);
+    for (int level = std::bit_width(leaf) - 1; level >= 0; --level) {
+      ++cost.probes;
+      if (is_beyond(tree.box(leaf >> level))) return true;
+    }
+    return false;
+  };
   for (const Mesh::Piece& piece : of.mesh().pieces()) {
+    may_be_interrupted(1);
+    if (is_outside(piece.first)) continue;
     const std::uint32_t point = of.mesh().triangles()[piece.first][0];
-    const MeshPoint found = mesh_point(other, pose, of.at(point));
+    const MeshPoint found = mesh_point(other.mesh(), other.pose(), of.at(point));
     cost.probes += found.cost.probes;
     cost.proposals += found.cost.proposals;
     cost.exact += found.cost.exact;
@@ -27,53 +43,59 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const Mesh& othe
   return std::nullopt;
 }
 
-struct NodePair {
-  std::size_t a = 1, b = 1;
-  Box3 box_a{}, box_b{};
-};
+// Pairs of leaves: what floating point does not part, signs decide.
+class LeafPairs {
+ public:
+  LeafPairs(const PlacedMesh& a, const PlacedMesh& b) : a_(a), b_(b), of_a_(a), of_b_(b), are_apart_(a, b) {}
 
-bool any_pair_of_leaves(const PlacedMesh& a, const PlacedMesh& b, const NodePair& leaves, Cost& cost, StageTally& tally,
-                        FunctionRef<bool(const MeetingTriangles&)> of_pair) {
-  const TriangleRange of_a = a.mesh().tree().triangles(leaves.a), of_b = b.mesh().tree().triangles(leaves.b);
-  for (std::uint32_t t = of_a.first; t < of_a.end; ++t) {
-    const Box3 box = a.box(t);
-    ++cost.probes;
-    if (!meet(box, leaves.box_b)) continue;
-    for (std::uint32_t u = of_b.first; u < of_b.end; ++u) {
-      ++cost.probes;
-      if (!meet(box, b.box(u))) continue;
-      ++cost.iterations;
-      if (triangles_meet(a.triangle(t), b.triangle(u), &tally) && of_pair({t, u})) return true;
+  bool any(std::size_t leaf_a, std::size_t leaf_b, Cost& cost, StageTally& tally,
+           FunctionRef<bool(const MeetingTriangles&)> of_pair) {
+    const TriangleRange in_a = of_a_.take(leaf_a), in_b = of_b_.take(leaf_b);
+    for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
+      for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
+        ++cost.probes;
+        if (are_apart_(of_a_[t], of_b_[u])) continue;
+        ++cost.iterations;
+        if (triangles_meet(a_.triangle(t), b_.triangle(u), &tally) && of_pair({t, u})) return true;
+      }
     }
+    return false;
   }
-  return false;
-}
+
+ private:
+  const PlacedMesh &a_, &b_;
+  LeafTriangles of_a_, of_b_;
+  TrianglesApart are_apart_;
+};
 
 }  // namespace
 
-// Down both trees at once: of two nodes whose boxes meet the larger one is split.
+// Down both trees at once: of two nodes that are not surely apart the larger one is split.
 bool any_meeting_triangles(const PlacedMesh& a, const PlacedMesh& b, Cost& cost, StageTally& tally,
                            FunctionRef<bool(const MeetingTriangles&)> of_pair) {
+  struct NodePair {
+    std::size_t a, b;
+  };
   const MeshTree &tree_a = a.mesh().tree(), &tree_b = b.mesh().tree();
+  const PlacedBoxes boxes(BoxFrame::of(a), BoxFrame::of(b));
+  LeafPairs leaves(a, b);
   std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
   std::size_t count = 0;
-  waiting[count++] = {1, 1, a.node_box(1), b.node_box(1)};
+  waiting[count++] = {1, 1};
   while (count > 0) {
     may_be_interrupted(1);
-    const NodePair here = waiting[--count];
+    const auto [node_a, node_b] = waiting[--count];
     ++cost.probes;
-    if (!meet(here.box_a, here.box_b)) continue;
-    const bool leaf_a = tree_a.is_leaf(here.a), leaf_b = tree_b.is_leaf(here.b);
+    const SmallBox &box_a = tree_a.box(node_a), &box_b = tree_b.box(node_b);
+    if (boxes.are_apart(box_a, box_b)) continue;
+    const bool leaf_a = tree_a.is_leaf(node_a), leaf_b = tree_b.is_leaf(node_b);
     if (leaf_a && leaf_b) {
-      if (any_pair_of_leaves(a, b, here, cost, tally, of_pair)) return true;
+      if (leaves.any(node_a, node_b, cost, tally, of_pair)) return true;
       continue;
     }
-    const bool of_a = !leaf_a && (leaf_b || longest_side(here.box_a) >= longest_side(here.box_b));
+    const bool splits_a = !leaf_a && (leaf_b || boxes.is_first_larger(box_a, box_b));
     for (const std::size_t k : {1u, 0u}) {
-      NodePair& child = waiting[count++] = here;
-      std::size_t& node = of_a ? child.a : child.b;
-      node = 2 * node + k;
-      (of_a ? child.box_a : child.box_b) = (of_a ? a : b).node_box(node);
+      waiting[count++] = splits_a ? NodePair{2 * node_a + k, node_b} : NodePair{node_a, 2 * node_b + k};
     }
   }
   return false;
@@ -108,11 +130,16 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
   MeshAnswer answer;
   StageTally tally;
+  const bool is_scan = first_pair == first_pair_by_scan;
+  const PlacedBoxes boxes(BoxFrame::of(placed_a), BoxFrame::of(placed_b));
+  const SmallBox &all_a = a.tree().box(1), &all_b = b.tree().box(1);
+  const auto beyond_b = [&](const SmallBox& box) { return !is_scan && boxes.are_apart(box, all_b); };
+  const auto beyond_a = [&](const SmallBox& box) { return !is_scan && boxes.are_apart(all_a, box); };
   if (const auto found = first_pair(placed_a, placed_b, answer.cost, tally)) {
     answer.evidence = *found;
-  } else if (const auto of_a = point_within(placed_a, b, pose_b, answer.cost)) {
+  } else if (const auto of_a = point_within(placed_a, placed_b, beyond_b, answer.cost)) {
     answer.evidence = PointWithin{true, *of_a};
-  } else if (const auto of_b = point_within(placed_b, a, pose_a, answer.cost)) {
+  } else if (const auto of_b = point_within(placed_b, placed_a, beyond_a, answer.cost)) {
     answer.evidence = PointWithin{false, *of_b};
   }
   conclude(answer, answer.cost.exact + tally.exact);

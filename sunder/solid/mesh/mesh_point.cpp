@@ -4,6 +4,7 @@
 #include <sunder/base/names.h>
 #include <sunder/base/random.h>
 #include <sunder/predicate/coordinates.h>
+#include <sunder/solid/mesh/placed_boxes.h>
 
 #include <algorithm>
 #include <array>
@@ -94,7 +95,7 @@ std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Pose
   std::int64_t sum = 0;
   StageTally tally;
   const bool touches =
-      any_triangle_near(placed, hull(enclosure(from), enclosure(to)), cost.probes, [&](std::uint32_t t) {
+      any_triangle_near(placed, from, to, cost.probes, [&](std::uint32_t t) {
         may_be_interrupted(1);
         if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
         const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t), &tally);
@@ -139,7 +140,7 @@ MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   MeshPoint result;
   StageTally tally;
   const Box3 around = enclosure(point);
-  const bool is_on = any_triangle_near(placed, around, result.cost.probes, [&](std::uint32_t t) {
+  const bool is_on = any_triangle_near(placed, point, point, result.cost.probes, [&](std::uint32_t t) {
     return meet(placed.box(t), around) && triangles_meet({point, point, point}, placed.triangle(t), &tally);
   });
   result.cost.exact = tally.exact;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -29,18 +30,42 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
     for (const std::uint32_t corner : triangles[t]) boxes[t] = hull(boxes[t], {points[corner], points[corner]});
     for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
   }
-  nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)),
-                box_of_none());
+  box_ = box_of_none();
+  for (const Box3& box : boxes) box_ = hull(box_, box);
+  double half = 0;
+  for (std::size_t c = 0; c < 3 && !boxes.empty(); ++c) {
+    middle_[c] = box_.low[c] / 2 + box_.high[c] / 2;
+    half = std::max(half, box_.high[c] / 2 - box_.low[c] / 2);
+  }
+  unit_ = std::ldexp(1.0, half > 0x1p-1000 ? std::min(std::ilogb(half) + 1, 1023) : -1000);
+  nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)));
   split(middles, order, 0, leaves());
+  std::vector<Box3> of_nodes(nodes_.size(), box_of_none());
   for (std::size_t node = nodes_.size() - 1; node > 0; --node) {
     if (is_leaf(node)) {
       const auto [first, end] = this->triangles(node);
       std::sort(order.begin() + first, order.begin() + end);
-      for (std::uint32_t k = first; k < end; ++k) nodes_[node] = hull(nodes_[node], boxes[order[k]]);
+      for (std::uint32_t k = first; k < end; ++k) of_nodes[node] = hull(of_nodes[node], boxes[order[k]]);
     } else {
-      nodes_[node] = hull(nodes_[2 * node], nodes_[2 * node + 1]);
+      of_nodes[node] = hull(of_nodes[2 * node], of_nodes[2 * node + 1]);
     }
+    if (of_nodes[node].low.x <= of_nodes[node].high.x) nodes_[node] = rounded(of_nodes[node]);
   }
+}
+
+// What is subtracted and halved is off by some parts in 2^53 of numbers up to unit_ and middle_, and by a part in 2^24 of
+// the box's own middle, as that is rounded to single precision: all of this is added to the half.
+SmallBox MeshTree::rounded(const Box3& box) const {
+  SmallBox result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double low = box.low[c] - middle_[c], high = box.high[c] - middle_[c];
+    const double error = (std::fabs(low) + std::fabs(high)) * 0x1p-50 + unit_ * 0x1p-100;
+    result.middle[c] = static_cast<float>((low / 2 + high / 2) / unit_);
+    const double at = static_cast<double>(result.middle[c]) * unit_;
+    const double half = std::max(high - at, at - low) + error;
+    result.half[c] = std::nextafter(static_cast<float>(half / unit_), 4.0F);
+  }
+  return result;
 }
 
 void MeshTree::split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,

@@ -1,6 +1,9 @@
 // A tree of boxes over the triangles of a mesh, in the mesh's frame, which is made once and asked under any pose.
 // Also called: bounding volume hierarchy (BVH), AABB tree.
 //
+// Boxes are kept in single precision, about the middle of all and in units of a power of two, rounded outwards: so they
+// are as tight where a mesh is far from the origin as where it is near.
+//
 // A complete binary tree: node k has the children 2 k and 2 k + 1, the root is 1, and leaf l is node leaves() + l. It
 // is halved along the axis on which the middles of the triangles' boxes are spread most. A node's box holds the
 // triangles of all leaves below it, which follow each other in the order that the tree asks for.
@@ -24,6 +27,12 @@ struct TriangleRange {
   friend bool operator==(const TriangleRange&, const TriangleRange&) = default;
 };
 
+// From its middle less half its size to its middle and half its size, in each coordinate; an empty one has a half below
+// zero. All numbers are at most 1 in size, or a little more; at most 2 where coordinates go to the end of the doubles.
+struct SmallBox {
+  std::array<float, 3> middle{}, half{-1, -1, -1};
+};
+
 class MeshTree {
  public:
   static constexpr std::size_t leaf_size = 4;  // triangles, at most
@@ -37,12 +46,22 @@ class MeshTree {
 
   std::size_t leaves() const { return nodes_.size() / 2; }
   bool is_leaf(std::size_t node) const { return node >= leaves(); }
-  const Box3& box(std::size_t node) const { return nodes_[node]; }
+  const Box3& box() const { return box_; }  // of all, exactly
+  // The box of a node holds the points x of its triangles: (x - middle()) / unit() is in it.
+  const SmallBox& box(std::size_t node) const { return nodes_[node]; }
+  const Point3& middle() const { return middle_; }
+  double unit() const { return unit_; }  // a power of two; at least half the size of all
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
   TriangleRange triangles(std::size_t node) const {
     std::size_t first = node, end = node + 1;
     while (!is_leaf(first)) first *= 2, end *= 2;
     return {begin_of(first - leaves()), begin_of(end - leaves())};
+  }
+  // The node of the leaf that has it.
+  std::size_t leaf_of(std::uint32_t triangle) const {
+    std::size_t leaf = triangle * leaves() / size_;
+    while (begin_of(leaf + 1) <= triangle) ++leaf;
+    return leaves() + leaf;
   }
   std::size_t memory() const { return nodes_.size() * sizeof(nodes_[0]); }
 
@@ -51,8 +70,13 @@ class MeshTree {
   void split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
              std::size_t leaves);
 
+  SmallBox rounded(const Box3& box) const;
+
   std::size_t size_ = 0;  // of triangles
-  std::vector<Box3> nodes_;
+  Box3 box_{};
+  Point3 middle_;
+  double unit_ = 1;
+  std::vector<SmallBox> nodes_;
 };
 
 }  // namespace sunder::solid

@@ -64,11 +64,12 @@ class PlacedMesh {
   // sum of four products and what went before have less than 12 roundings, each of a part in 2^53 of the sum of sizes.
   // Where that is beyond the range of doubles, the box is all of the axis.
   Box3 node_box(std::size_t node) const {
-    const Box3& of = mesh_.tree().box(node);
+    const MeshTree& tree = mesh_.tree();
+    const SmallBox& of = tree.box(node);
     std::array<double, 3> middle{}, half{};
     for (std::size_t c = 0; c < 3; ++c) {
-      middle[c] = of.low[c] / 2 + of.high[c] / 2;
-      half[c] = of.high[c] / 2 - of.low[c] / 2;
+      middle[c] = tree.middle()[c] + tree.unit() * static_cast<double>(of.middle[c]);
+      half[c] = tree.unit() * static_cast<double>(of.half[c]) + std::fabs(middle[c]) * 0x1p-52;
     }
     const auto& [m, move] = pose_.affine();
     Box3 box{};
@@ -94,31 +95,5 @@ class PlacedMesh {
   bool tame_;
   double reach_;
 };
-
-// Calls of_triangle(t) with each triangle whose leaf's box meets this box of the world, until it returns true. Returns
-// whether it did. Cost: looks grows by boxes and triangles.
-template <class OfTriangle>
-bool any_triangle_near(const PlacedMesh& placed, const Box3& box, std::uint64_t& looks, const OfTriangle& of_triangle) {
-  const MeshTree& tree = placed.mesh().tree();
-  std::array<std::size_t, 2 * MeshTree::deepest> waiting;
-  std::size_t count = 0;
-  waiting[count++] = 1;
-  while (count > 0) {
-    const std::size_t node = waiting[--count];
-    ++looks;
-    if (!meet(placed.node_box(node), box)) continue;
-    if (!tree.is_leaf(node)) {
-      waiting[count++] = 2 * node + 1;
-      waiting[count++] = 2 * node;
-      continue;
-    }
-    const auto [first, end] = tree.triangles(node);
-    for (std::uint32_t t = first; t < end; ++t) {
-      ++looks;
-      if (of_triangle(t)) return true;
-    }
-  }
-  return false;
-}
 
 }  // namespace sunder::solid
