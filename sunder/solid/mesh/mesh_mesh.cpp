@@ -24,7 +24,7 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const PlacedMesh
   const MeshTree& tree = of.mesh().tree();
   const auto is_outside = [&](std::uint32_t triangle) {
     const std::size_t leaf = tree.leaf_of(triangle);
-    for (int level = std::bit_width(leaf) - 1; level >= 0; --level) {
+    for (int level = static_cast<int>(std::bit_width(leaf)) - 1; level >= 0; --level) {
       ++cost.probes;
       if (is_beyond(tree.box(leaf >> level))) return true;
     }
@@ -86,7 +86,7 @@ bool any_meeting_triangles(const PlacedMesh& a, const PlacedMesh& b, Cost& cost,
     may_be_interrupted(1);
     const auto [node_a, node_b] = waiting[--count];
     ++cost.probes;
-    const SmallBox &box_a = tree_a.box(node_a), &box_b = tree_b.box(node_b);
+    const OrientedBox &box_a = tree_a.box(node_a), &box_b = tree_b.box(node_b);
     if (boxes.are_apart(box_a, box_b)) continue;
     const bool leaf_a = tree_a.is_leaf(node_a), leaf_b = tree_b.is_leaf(node_b);
     if (leaf_a && leaf_b) {
@@ -132,9 +132,9 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
   StageTally tally;
   const bool is_scan = first_pair == first_pair_by_scan;
   const PlacedBoxes boxes(BoxFrame::of(placed_a), BoxFrame::of(placed_b));
-  const SmallBox &all_a = a.tree().box(1), &all_b = b.tree().box(1);
-  const auto beyond_b = [&](const SmallBox& box) { return !is_scan && boxes.are_apart(box, all_b); };
-  const auto beyond_a = [&](const SmallBox& box) { return !is_scan && boxes.are_apart(all_a, box); };
+  const OrientedBox &all_a = a.tree().box(1), &all_b = b.tree().box(1);
+  const auto beyond_b = [&](const OrientedBox& box) { return !is_scan && boxes.are_apart(box, all_b); };
+  const auto beyond_a = [&](const OrientedBox& box) { return !is_scan && boxes.are_apart(all_a, box); };
   if (const auto found = first_pair(placed_a, placed_b, answer.cost, tally)) {
     answer.evidence = *found;
   } else if (const auto of_a = point_within(placed_a, placed_b, beyond_b, answer.cost)) {

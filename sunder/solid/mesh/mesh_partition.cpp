@@ -6,6 +6,7 @@
 #include <sunder/predicate/exact_plane.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/search/search_vector.h>
 
 #include <algorithm>
 #include <bit>
@@ -62,8 +63,6 @@ struct KnownCell {
   std::array<Known, 2> known;
   Rays rays;
 };
-
-double dot(const Point3& n, const Point3& p) { return n.x * p.x + n.y * p.y + n.z * p.z; }
 
 class Partitioning {
  public:

@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/solid/mesh/mesh_tree.h>
+#include <sunder/solid/search/search_vector.h>
 
 #include <algorithm>
 #include <bit>
@@ -40,32 +41,140 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
   unit_ = std::ldexp(1.0, half > 0x1p-1000 ? std::min(std::ilogb(half) + 1, 1023) : -1000);
   nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)));
   split(middles, order, 0, leaves());
-  std::vector<Box3> of_nodes(nodes_.size(), box_of_none());
-  for (std::size_t node = nodes_.size() - 1; node > 0; --node) {
-    if (is_leaf(node)) {
-      const auto [first, end] = this->triangles(node);
-      std::sort(order.begin() + first, order.begin() + end);
-      for (std::uint32_t k = first; k < end; ++k) of_nodes[node] = hull(of_nodes[node], boxes[order[k]]);
-    } else {
-      of_nodes[node] = hull(of_nodes[2 * node], of_nodes[2 * node + 1]);
+  for (std::size_t leaf = leaves(); leaf < nodes_.size(); ++leaf) {
+    const auto [first, end] = this->triangles(leaf);
+    std::sort(order.begin() + first, order.begin() + end);
+  }
+  std::vector<Point3> corners;  // of all triangles in their order, in units of the tree
+  corners.reserve(3 * triangles.size());
+  for (const std::uint32_t t : order) {
+    for (const std::uint32_t corner : triangles[t]) {
+      Point3 p;
+      for (std::size_t c = 0; c < 3; ++c) p[c] = (points[corner][c] - middle_[c]) / unit_;
+      corners.push_back(p);
     }
-    if (of_nodes[node].low.x <= of_nodes[node].high.x) nodes_[node] = rounded(of_nodes[node]);
+  }
+  for (std::size_t node = 1; node < nodes_.size(); ++node) {
+    const TriangleRange range = this->triangles(node);
+    if (range.size() == 0) continue;
+    nodes_[node] = box_around(std::span(corners).subspan(3 * range.first, 3 * std::size_t{range.size()}));
   }
 }
 
-// What is subtracted and halved is off by some parts in 2^53 of numbers up to unit_ and middle_, and by a part in 2^24 of
-// the box's own middle, as that is rounded to single precision: all of this is added to the half.
-SmallBox MeshTree::rounded(const Box3& box) const {
-  SmallBox result;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const double low = box.low[c] - middle_[c], high = box.high[c] - middle_[c];
-    const double error = (std::fabs(low) + std::fabs(high)) * 0x1p-50 + unit_ * 0x1p-100;
-    result.middle[c] = static_cast<float>((low / 2 + high / 2) / unit_);
-    const double at = static_cast<double>(result.middle[c]) * unit_;
-    const double half = std::max(high - at, at - low) + error;
-    result.half[c] = std::nextafter(static_cast<float>(half / unit_), 4.0F);
+namespace {
+
+using Matrix = std::array<std::array<double, 3>, 3>;
+
+// How corners of triangles are spread about their mean: the sum of products of coordinates, each triangle counted by
+// its area, and a little besides. Where that is not finite, it is not asked for.
+Matrix spread(std::span<const Point3> corners) {
+  Matrix sum{};
+  Point3 mean;
+  double weights = 0;
+  for (const bool is_second : {false, true}) {
+    for (std::size_t k = 0; k < corners.size(); k += 3) {
+      const Point3 &p = corners[k], &q = corners[k + 1], &r = corners[k + 2];
+      const Point3 n = cross({q.x - p.x, q.y - p.y, q.z - p.z}, {r.x - p.x, r.y - p.y, r.z - p.z});
+      const double weight = std::sqrt(dot(n, n)) + 0x1p-40;
+      for (std::size_t i = k; i < k + 3; ++i) {
+        const Point3& at = corners[i];
+        if (!is_second) {
+          weights += weight;
+          for (std::size_t c = 0; c < 3; ++c) mean[c] += weight * at[c];
+          continue;
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+          for (std::size_t d = c; d < 3; ++d) sum[c][d] += weight * (at[c] - mean[c]) * (at[d] - mean[d]);
+        }
+      }
+    }
+    if (!is_second) mean = {mean.x / weights, mean.y / weights, mean.z / weights};
   }
-  return result;
+  return sum;
+}
+
+// The directions in which a symmetric matrix, of which the upper half is given, is about diagonal: Jacobi's rotations.
+std::array<Point3, 3> principal_axes(Matrix m) {
+  std::array<Point3, 3> axes{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
+  const double size = m[0][0] + m[1][1] + m[2][2];
+  for (int turn = 0; turn < 24; ++turn) {
+    const std::size_t i = turn % 3 == 2 ? 1 : 0, j = turn % 3 == 0 ? 1 : 2, k = 3 - i - j;
+    const double off = m[i][j];
+    if (!(std::fabs(off) > size * 0x1p-40)) continue;
+    const double theta = (m[j][j] - m[i][i]) / (2 * off);
+    const double t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
+    const double cosine = 1 / std::sqrt(t * t + 1), sine = t * cosine;
+    m[i][i] -= t * off;
+    m[j][j] += t * off;
+    m[i][j] = 0;
+    double &of_i = m[std::min(i, k)][std::max(i, k)], &of_j = m[std::min(j, k)][std::max(j, k)];
+    const double at_i = of_i, at_j = of_j;
+    of_i = cosine * at_i - sine * at_j;
+    of_j = sine * at_i + cosine * at_j;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double u = axes[i][c], v = axes[j][c];
+      axes[i][c] = cosine * u - sine * v;
+      axes[j][c] = sine * u + cosine * v;
+    }
+  }
+  return axes;
+}
+
+double volume(const std::array<Point3, 2>& ends) {  // and a little for flat ones
+  const auto side = [&](std::size_t c) { return ends[1][c] - ends[0][c] + 0x1p-20; };
+  return side(0) * side(1) * side(2);
+}
+
+// From where to where they go along each axis.
+std::array<Point3, 2> ends_along(const std::array<Point3, 3>& axes, std::span<const Point3> corners) {
+  std::array<Point3, 2> ends;
+  for (std::size_t k = 0; k < 3; ++k) ends[0][k] = ends[1][k] = dot(axes[k], corners[0]);
+  for (const Point3& p : corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double at = dot(axes[k], p);
+      ends[0][k] = std::min(ends[0][k], at);
+      ends[1][k] = std::max(ends[1][k], at);
+    }
+  }
+  return ends;
+}
+
+}  // namespace
+
+// Along the axes of the tree, or those of how the triangles are spread, if that is smaller. Numbers are at most 2 in
+// size, and all that is rounded is off by less than a part in 2^21; halves are made larger by more.
+OrientedBox MeshTree::box_around(std::span<const Point3> corners) const {
+  std::array<Point3, 3> axes{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
+  std::array<Point3, 2> ends = ends_along(axes, corners);
+  std::array<Point3, 3> other = principal_axes(spread(corners));
+  for (Point3& axis : other) {
+    for (std::size_t c = 0; c < 3; ++c) axis[c] = static_cast<double>(static_cast<float>(axis[c]));
+  }
+  if (const std::array<Point3, 2> there = ends_along(other, corners); volume(there) < 0.7 * volume(ends)) {
+    axes = other;
+    ends = there;
+  }
+  OrientedBox box;
+  std::array<double, 3> at{};  // along each axis
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.x[k] = static_cast<float>(axes[k].x);
+    box.y[k] = static_cast<float>(axes[k].y);
+    box.z[k] = static_cast<float>(axes[k].z);
+    at[k] = ends[0][k] / 2 + ends[1][k] / 2;
+  }
+  const Point3 middle{axes[0].x * at[0] + axes[1].x * at[1] + axes[2].x * at[2],
+                      axes[0].y * at[0] + axes[1].y * at[1] + axes[2].y * at[2],
+                      axes[0].z * at[0] + axes[1].z * at[1] + axes[2].z * at[2]};
+  box.x[3] = static_cast<float>(middle.x);
+  box.y[3] = static_cast<float>(middle.y);
+  box.z[3] = static_cast<float>(middle.z);
+  const Point3 kept{static_cast<double>(box.x[3]), static_cast<double>(box.y[3]), static_cast<double>(box.z[3])};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double middle_at = dot(axes[k], kept);
+    const double half = std::max(ends[1][k] - middle_at, middle_at - ends[0][k]) + 0x1p-45;
+    box.half[k] = std::nextafter(static_cast<float>(half), 8.0F);
+  }
+  return box;
 }
 
 void MeshTree::split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,

@@ -1,11 +1,13 @@
 // A tree of boxes over the triangles of a mesh, in the mesh's frame, which is made once and asked under any pose.
 // Also called: bounding volume hierarchy (BVH), AABB tree.
 //
-// Boxes are kept in single precision, about the middle of all and in units of a power of two, rounded outwards: so they
-// are as tight where a mesh is far from the origin as where it is near.
+// Boxes are oriented, each as its triangles lie: what is near over an area is parted by flat boxes along it, a fraction
+// of their number that boxes across fixed axes take. They are kept in single precision, about the middle of all and in
+// units of a power of two, rounded outwards: so they are as tight where a mesh is far from the origin as near it.
+// Source: Gottschalk, Lin, Manocha 1996 (OBBTree).
 //
 // A complete binary tree: node k has the children 2 k and 2 k + 1, the root is 1, and leaf l is node leaves() + l. It
-// is halved along the axis on which the middles of the triangles' boxes are spread most. A node's box holds the
+// is halved across the axis along which the middles of the triangles' boxes are spread most. A node's box holds the
 // triangles of all leaves below it, which follow each other in the order that the tree asks for.
 #pragma once
 
@@ -27,10 +29,12 @@ struct TriangleRange {
   friend bool operator==(const TriangleRange&, const TriangleRange&) = default;
 };
 
-// From its middle less half its size to its middle and half its size, in each coordinate; an empty one has a half below
-// zero. All numbers are at most 1 in size, or a little more; at most 2 where coordinates go to the end of the doubles.
-struct SmallBox {
-  std::array<float, 3> middle{}, half{-1, -1, -1};
+// In the units of the tree: all points p with |axis k . (p - middle)| <= half[k]. Axis k is (x[k], y[k], z[k]), of length
+// 1 and across the others, up to parts in 2^20; the middle is (x[3], y[3], z[3]). half[3] is more than all there is, and
+// the halves of an empty box are below zero.
+struct alignas(16) OrientedBox {
+  std::array<float, 4> x{1, 0, 0, 0}, y{0, 1, 0, 0}, z{0, 0, 1, 0}, half{-1, -1, -1, beyond};
+  static constexpr float beyond = 0x1p60F;
 };
 
 class MeshTree {
@@ -47,8 +51,8 @@ class MeshTree {
   std::size_t leaves() const { return nodes_.size() / 2; }
   bool is_leaf(std::size_t node) const { return node >= leaves(); }
   const Box3& box() const { return box_; }  // of all, exactly
-  // The box of a node holds the points x of its triangles: (x - middle()) / unit() is in it.
-  const SmallBox& box(std::size_t node) const { return nodes_[node]; }
+  // The box of a node holds (x - middle()) / unit(), for the points x of its triangles.
+  const OrientedBox& box(std::size_t node) const { return nodes_[node]; }
   const Point3& middle() const { return middle_; }
   double unit() const { return unit_; }  // a power of two; at least half the size of all
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
@@ -69,14 +73,13 @@ class MeshTree {
   std::uint32_t begin_of(std::size_t leaf) const { return static_cast<std::uint32_t>(leaf * size_ / leaves()); }
   void split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
              std::size_t leaves);
-
-  SmallBox rounded(const Box3& box) const;
+  OrientedBox box_around(std::span<const Point3> corners) const;
 
   std::size_t size_ = 0;  // of triangles
   Box3 box_{};
   Point3 middle_;
   double unit_ = 1;
-  std::vector<SmallBox> nodes_;
+  std::vector<OrientedBox> nodes_;
 };
 
 }  // namespace sunder::solid

@@ -1,25 +1,26 @@
-// Boxes of nodes of two placed meshes: are they surely apart? In single precision, along some directions at once.
+// Oriented boxes of two placed meshes, or of one and a segment: are they surely apart? In single precision, in lanes.
 // Also called: oriented bounding boxes (OBB); separating axis test.
+// Source: Gottschalk, Lin, Manocha 1996, section 5 (fifteen directions).
 #pragma once
 
 #include <sunder/base/lanes.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/search/search_vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 namespace sunder::solid {
 
-// Where boxes in a frame are in the world: the box with this middle and half is all of middle + the sum of edge * (box
-// middle + part * half), for parts from -1 to 1. In floating point.
+// Where what is given in units of its own is in the world: p is at middle + the sum of edge[c] * p[c]. In floating point.
 struct BoxFrame {
   std::array<Point3, 3> edges;
   Point3 middle;
-  double sum = 0;   // of the sizes of all that middle and edges are made of: they are off by some parts in 2^52 of that
-  double size = 0;  // of the longest edge, about
+  double sum = 0;  // of the sizes of all that middle and edges are made of: they are off by some parts in 2^52 of that
 
   // Of the boxes of the tree of a placed mesh.
   static BoxFrame of(const PlacedMesh& placed) {
@@ -31,7 +32,6 @@ struct BoxFrame {
       result.sum += std::fabs(t[r]);
       for (std::size_t c = 0; c < 3; ++c) {
         result.edges[c][r] = m[3 * r + c] * tree.unit();
-        result.size = std::max(result.size, std::fabs(result.edges[c][r]));
         result.middle[r] += m[3 * r + c] * tree.middle()[c];
         result.sum += std::fabs(m[3 * r + c] * tree.middle()[c]);
       }
@@ -39,7 +39,7 @@ struct BoxFrame {
     return result;
   }
 
-  // In which `whole` is the segment between two points.
+  // In which segment_box() is the segment between two points.
   static BoxFrame of(const Posed3& p, const Posed3& q) {
     BoxFrame result;
     const Vector3<double> from = rounded_image(p), to = rounded_image(q);
@@ -52,116 +52,132 @@ struct BoxFrame {
                       std::fabs(m[3 * r + 2] * end->point.z) + std::fabs(t[r]);
       }
     }
-    for (std::size_t r = 0; r < 3; ++r) result.size = std::max(result.size, std::fabs(result.edges[0][r]));
     return result;
   }
-  static constexpr SmallBox whole{{0, 0, 0}, {1, 0, 0}};
-
-  BoxFrame times(double scale) const {
-    BoxFrame result = *this;
-    for (Point3* p : {&result.edges[0], &result.edges[1], &result.edges[2], &result.middle}) {
-      *p = {p->x * scale, p->y * scale, p->z * scale};
-    }
-    result.sum *= scale;
-    result.size *= scale;
-    return result;
+  static OrientedBox segment_box() {
+    OrientedBox box;
+    box.half = {1, 0, 0, OrientedBox::beyond};
+    return box;
   }
 };
 
-// The images of two boxes are parallelepipeds. They are apart if along some direction they are: the normals of faces of
-// both are tried first, then the products of an edge of one and one of the other. What directions see of each frame is
-// computed once.
+// All is seen from the frame of the first one. There two boxes are apart if they are so along an axis of either, or
+// along the vector product of an axis of one and one of the other. The axes of the second stay across each other only
+// if its frame turns them there, and perhaps makes all larger or smaller; else the first one's axes alone are tried.
 class PlacedBoxes {
  public:
   PlacedBoxes(const BoxFrame& a, const BoxFrame& b) {
-    const double size = std::max(a.size, b.size);
-    if (!(size > 0x1p-1000 && size < 0x1p1000)) return;
-    const double scale = std::ldexp(1.0, -std::ilogb(size));
-    const std::array<BoxFrame, 2> frames{a.times(scale), b.times(scale)};
-    for (std::size_t of = 0; of < 2; ++of) sizes_[of] = static_cast<float>(frames[of].size);
-    std::array<std::array<Point3, 3>, 2> ways;  // of edges, at most 1 in size
-    for (std::size_t of = 0; of < 2; ++of) {
-      for (std::size_t k = 0; k < 3; ++k) ways[of][k] = way(frames[of].edges[k]);
+    const std::array<Point3, 3> inverse = inverse_of(a.edges);  // rows
+    const Point3 way{b.middle.x - a.middle.x, b.middle.y - a.middle.y, b.middle.z - a.middle.z};
+    std::array<Point3, 3> linear;  // columns
+    double size = 0, sum = 0, rows = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const Point3& row = inverse[r];
+      double of_row = 0;
+      for (std::size_t c = 0; c < 3; ++c) {
+        linear[c][r] = dot(row, b.edges[c]);
+        size = std::max(size, std::fabs(linear[c][r]));
+        sum += std::fabs(row.x * b.edges[c].x) + std::fabs(row.y * b.edges[c].y) + std::fabs(row.z * b.edges[c].z);
+        of_row += std::fabs(row[c]);
+      }
+      rows = std::max(rows, of_row);
     }
-    std::size_t lane = 0;
-    for (const auto& [u, v, w] : ways) {
-      add(cross(v, w), frames, lane++);
-      add(cross(w, u), frames, lane++);
-      add(cross(u, v), frames, lane++);
+    const Point3 shift{dot(inverse[0], way), dot(inverse[1], way), dot(inverse[2], way)};
+    const double far = std::max({std::fabs(shift.x), std::fabs(shift.y), std::fabs(shift.z)});
+    // What the inverse is off by, as its product with the edges shows, what single precision is, and what the middles are.
+    const double residue = residue_of(inverse, a.edges);
+    const double off = (residue + 0x1p-17) * (2 + 2 * sum + far) + rows * (a.sum + b.sum) * 0x1p-46;
+    if (!(off < 0x1p20) || !(far < 0x1p40) || !(sum < 0x1p40) || !(residue < 0x1p-20)) return;
+    is_known_ = true;
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t r = 0; r < 3; ++r) linear_[3 * r + c] = static_cast<float>(linear[c][r]);
+      shift_[c] = static_cast<float>(shift[c]);
     }
-    lane = 8;
-    for (const Point3& u : ways[0]) {
-      for (const Point3& v : ways[1]) add(cross(u, v), frames, lane++);
-    }
+    error_ = static_cast<float>(off) + 0x1p-60F;
+    const double xx = dot(linear[0], linear[0]), yy = dot(linear[1], linear[1]), zz = dot(linear[2], linear[2]);
+    const double skew = std::max({std::fabs(dot(linear[0], linear[1])), std::fabs(dot(linear[0], linear[2])),
+                                  std::fabs(dot(linear[1], linear[2]))});
+    const bool is_segment = yy == 0 && zz == 0;
+    turns_ = xx > 0x1p-60 && (is_segment || (skew < 0x1p-20 * xx && std::fabs(xx - yy) < 0x1p-20 * xx &&
+                                             std::fabs(xx - zz) < 0x1p-20 * xx));
+    times_ = static_cast<float>(std::sqrt(xx) * (1 + 0x1p-18));
+    size_ = static_cast<float>(size);
   }
 
   // Surely apart: nothing is in both. False also means: not sure.
-  bool are_apart(const SmallBox& p, const SmallBox& q) const {
-    return (bits_of_four(apart(p, q, 0) | apart(p, q, 1)) != 0) ||
-           (bits_of_four(apart(p, q, 2) | apart(p, q, 3) | apart(p, q, 4)) != 0);
+  bool are_apart(const OrientedBox& a, const OrientedBox& b) const {
+    if (!is_known_) return false;
+    const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
+    const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
+    // The second one's axes and, last, its middle.
+    const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
+                     y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
+                     z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
+    const float to_x = x[3] + shift_[0] - a.x[3], to_y = y[3] + shift_[1] - a.y[3], to_z = z[3] + shift_[2] - a.z[3];
+    const FloatLanes way = ax * to_x + ay * to_y + az * to_z;
+    std::array<FloatLanes, 3> seen;  // each axis of the second along those of the first
+    FloatLanes reach = half_a + error_;
+    for (int k = 0; k < 3; ++k) {
+      seen[static_cast<std::size_t>(k)] = ax * x[k] + ay * y[k] + az * z[k];
+      reach += absolute(seen[static_cast<std::size_t>(k)]) * half_b[k];
+    }
+    if (bits_of_four(absolute(way) > reach) != 0) return true;
+    if (!turns_) return false;
+    const float error = error_ * std::max(1.0F, times_);
+    const FloatLanes back = x * to_x + y * to_y + z * to_z;
+    reach = half_b * (times_ * times_) + error * (1 + times_);
+    for (int k = 0; k < 3; ++k) reach += absolute(x * ax[k] + y * ay[k] + z * az[k]) * half_a[k];
+    if (bits_of_four(absolute(back) > reach) != 0) return true;
+    const FloatLanes way_1 = turned(way), way_2 = turned(way_1), half_1 = turned(half_a), half_2 = turned(half_1);
+    FloatLanesMask apart{0, 0, 0, 0};
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
+      const FloatLanes seen_1 = turned(seen[j]), seen_2 = turned(seen_1);
+      const FloatLanes of_b = (absolute(seen[l]) * b.half[k] + absolute(seen[k]) * b.half[l]) * times_;
+      const FloatLanes of_a = half_1 * absolute(seen_2) + half_2 * absolute(seen_1);
+      apart |= absolute(way_2 * seen_1 - way_1 * seen_2) > of_a + of_b + error * (1 + times_);
+    }
+    return (bits_of_four(apart) & 7) != 0;
   }
 
   // Is the first box the larger one, about?
-  bool is_first_larger(const SmallBox& p, const SmallBox& q) const {
-    const auto side = [](const SmallBox& box) { return std::max({box.half[0], box.half[1], box.half[2]}); };
-    return side(p) * sizes_[0] >= side(q) * sizes_[1];
+  bool is_first_larger(const OrientedBox& a, const OrientedBox& b) const {
+    const auto side = [](const OrientedBox& box) { return std::max({box.half[0], box.half[1], box.half[2]}); };
+    return side(a) >= side(b) * size_;
   }
 
  private:
-  static Point3 cross(const Point3& u, const Point3& v) {
-    return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  static FloatLanes lanes(const std::array<float, 4>& numbers) {
+    FloatLanes result;
+    std::memcpy(&result, numbers.data(), sizeof result);
+    return result;
   }
-  static double product(const Point3& u, const Point3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-  static double sizes(const Point3& u, const Point3& v) {
-    return std::fabs(u.x * v.x) + std::fabs(u.y * v.y) + std::fabs(u.z * v.z);
-  }
+  // The first three, each in the place of the one before.
+  static FloatLanes turned(FloatLanes v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 
-  // About the same way, its greatest component 1 in size; zero stays zero.
-  static Point3 way(const Point3& u) {
-    const double most = std::max({std::fabs(u.x), std::fabs(u.y), std::fabs(u.z)});
-    return most > 0 ? Point3{u.x / most, u.y / most, u.z / most} : u;
+  // Rows, about; not finite where there is none.
+  static std::array<Point3, 3> inverse_of(const std::array<Point3, 3>& columns) {
+    std::array<Point3, 3> rows{cross(columns[1], columns[2]), cross(columns[2], columns[0]),
+                               cross(columns[0], columns[1])};
+    const double determinant = dot(columns[0], rows[0]);
+    for (Point3& row : rows) row = {row.x / determinant, row.y / determinant, row.z / determinant};
+    return rows;
   }
-
-  // Any direction will do, so its rounding is no error; one that is about zero is left out. Along it a point of A's box
-  // is at offset + sum of edge * (middle + part of half). Each number of the sum is off
-  // by parts in 2^22 of what it is made of, and so are the sums of apart(); the offset by parts in 2^48.
-  void add(Point3 d, const std::array<BoxFrame, 2>& frames, std::size_t lane) {
-    if (!(std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)}) > 0x1p-40)) return;
-    d = way(d);
-    const std::size_t four = lane / 4, at = lane % 4;
-    double all = 0;
-    for (const std::size_t of : {0u, 1u}) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Point3& edge = frames[of].edges[c];
-        edges_[four][3 * of + c][at] = static_cast<float>(product(d, edge));
-        all += sizes(d, edge);
-      }
+  // By how much a row times a column is not 1 or 0, at most, all together.
+  static double residue_of(const std::array<Point3, 3>& rows, const std::array<Point3, 3>& columns) {
+    double sum = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      for (std::size_t c = 0; c < 3; ++c) sum += std::fabs(dot(rows[r], columns[c]) - (r == c ? 1 : 0));
     }
-    const Point3 &p = frames[0].middle, &q = frames[1].middle;
-    const double offset = product(d, {p.x - q.x, p.y - q.y, p.z - q.z}),
-                 off = (frames[0].sum + frames[1].sum) * 0x1p-46;
-    if (!(std::fabs(offset) + off < 0x1p100)) {  // beyond what single precision holds
-      for (std::size_t k = 0; k < 6; ++k) edges_[four][k][at] = 0;
-      return;
-    }
-    offsets_[four][at] = static_cast<float>(offset);
-    errors_[four][at] = static_cast<float>(all * 0x1p-17 + std::fabs(offset) * 0x1p-17 + off + 0x1p-100);
+    return sum;
   }
 
-  FloatLanesMask apart(const SmallBox& p, const SmallBox& q, std::size_t four) const {
-    const std::array<FloatLanes, 6>& edges = edges_[four];
-    FloatLanes way = offsets_[four], reach = errors_[four];
-    for (std::size_t c = 0; c < 3; ++c) {
-      way += edges[c] * p.middle[c] - edges[3 + c] * q.middle[c];
-      reach += absolute(edges[c]) * p.half[c] + absolute(edges[3 + c]) * q.half[c];
-    }
-    return absolute(way) > reach;
-  }
-
-  std::array<float, 2> sizes_{};
-  // Of the directions 0 to 5, and 8 to 16, in fours; of those that are left out zeros, which part nothing.
-  std::array<std::array<FloatLanes, 6>, 5> edges_{};  // of A, then of B
-  std::array<FloatLanes, 5> offsets_{}, errors_{};
+  bool is_known_ = false, turns_ = false;
+  std::array<float, 9> linear_{};
+  std::array<float, 3> shift_{};
+  float error_ = 0;         // of a way along an axis of the first
+  float times_ = 1;         // how many times as long axes of the second are
+  float size_ = 1;
 };
 
 // Calls of_triangle(t) with each triangle whose leaf is not surely apart from the segment between two points, until it
@@ -171,13 +187,14 @@ bool any_triangle_near(const PlacedMesh& placed, const Posed3& p, const Posed3& 
                        const OfTriangle& of_triangle) {
   const MeshTree& tree = placed.mesh().tree();
   const PlacedBoxes boxes(BoxFrame::of(placed), BoxFrame::of(p, q));
+  const OrientedBox segment = BoxFrame::segment_box();
   std::array<std::size_t, 2 * MeshTree::deepest> waiting;
   std::size_t count = 0;
   waiting[count++] = 1;
   while (count > 0) {
     const std::size_t node = waiting[--count];
     ++looks;
-    if (boxes.are_apart(tree.box(node), BoxFrame::whole)) continue;
+    if (boxes.are_apart(tree.box(node), segment)) continue;
     if (!tree.is_leaf(node)) {
       waiting[count++] = 2 * node + 1;
       waiting[count++] = 2 * node;

@@ -60,29 +60,32 @@ class PlacedMesh {
     return hull(hull(enclosure(corners[0]), enclosure(corners[1])), enclosure(corners[2]));
   }
 
-  // A box that holds the image of all triangles below a node of the tree. Its middle and half its size are mapped; a
-  // sum of four products and what went before have less than 12 roundings, each of a part in 2^53 of the sum of sizes.
-  // Where that is beyond the range of doubles, the box is all of the axis.
+  // A box that holds the image of all triangles below a node of the tree. Its middle and its halves are mapped; each sum
+  // of products has less than 24 roundings, each of a part in 2^53 of the sum of sizes. Where that is beyond the range of
+  // doubles, the box is all of the axis.
   Box3 node_box(std::size_t node) const {
     const MeshTree& tree = mesh_.tree();
-    const SmallBox& of = tree.box(node);
-    std::array<double, 3> middle{}, half{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      middle[c] = tree.middle()[c] + tree.unit() * static_cast<double>(of.middle[c]);
-      half[c] = tree.unit() * static_cast<double>(of.half[c]) + std::fabs(middle[c]) * 0x1p-52;
-    }
+    const OrientedBox& of = tree.box(node);
+    const double unit = tree.unit();
+    const std::array<std::array<float, 4>, 3> rows{of.x, of.y, of.z};
     const auto& [m, move] = pose_.affine();
     Box3 box{};
     for (std::size_t r = 0; r < 3; ++r) {
       double at = move[r], reach = 0, sizes = std::fabs(move[r]);
       for (std::size_t c = 0; c < 3; ++c) {
-        const double entry = m[3 * r + c];
-        at += entry * middle[c];
-        reach += std::fabs(entry) * half[c] + std::fabs(entry) * 0x1p-1072;  // what halving subnormals may lose
-        sizes += std::fabs(entry * middle[c]);
+        const double entry = m[3 * r + c], place = entry * tree.middle()[c],
+                     way = entry * unit * static_cast<double>(rows[c][3]);
+        at += place + way;
+        sizes += std::fabs(place) + std::fabs(way) + std::fabs(entry) * unit * 0x1p-18 + std::fabs(entry) * 0x1p-1072;
+        reach += std::fabs(entry) * unit * 0x1p-18 + std::fabs(entry) * 0x1p-1072;  // axes are about of length 1
       }
-      const double error = (sizes + reach) * 0x1p-48 + 0x1p-1020;
-      const bool is_in_range = sizes + reach + error <= std::numeric_limits<double>::max();
+      for (std::size_t k = 0; k < 3; ++k) {
+        double along = 0;
+        for (std::size_t c = 0; c < 3; ++c) along += m[3 * r + c] * unit * static_cast<double>(rows[c][k]);
+        reach += std::fabs(along) * static_cast<double>(of.half[k]);
+      }
+      const double error = (sizes + std::fabs(reach)) * 0x1p-47 + 0x1p-1020;
+      const bool is_in_range = sizes + std::fabs(reach) + error <= std::numeric_limits<double>::max();
       box.low[r] = is_in_range ? at - reach - error : -std::numeric_limits<double>::infinity();
       box.high[r] = is_in_range ? at + reach + error : std::numeric_limits<double>::infinity();
     }
