@@ -43,62 +43,135 @@ std::optional<std::uint32_t> point_within(const PlacedMesh& of, const PlacedMesh
   return std::nullopt;
 }
 
-// Pairs of leaves: what floating point does not part, signs decide.
-class LeafPairs {
+class Walk {
  public:
-  LeafPairs(const PlacedMesh& a, const PlacedMesh& b) : a_(a), b_(b), of_a_(a), of_b_(b), are_apart_(a, b) {}
+  Walk(const PlacedMesh& a, const PlacedMesh& b, Cost& cost, StageTally& tally,
+       FunctionRef<bool(const MeetingTriangles&)> of_pair)
+      : a_(a),
+        b_(b),
+        tree_a_(a.mesh().tree()),
+        tree_b_(b.mesh().tree()),
+        boxes_(BoxFrame::of(a), BoxFrame::of(b)),
+        of_a_(a),
+        of_b_(b),
+        are_apart_(a, b),
+        cost_(cost),
+        tally_(tally),
+        of_pair_(of_pair) {}
 
-  bool any(std::size_t leaf_a, std::size_t leaf_b, Cost& cost, StageTally& tally,
-           FunctionRef<bool(const MeetingTriangles&)> of_pair) {
-    const TriangleRange in_a = of_a_.take(leaf_a), in_b = of_b_.take(leaf_b);
-    for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
-      for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
-        ++cost.probes;
-        if (are_apart_(of_a_[t], of_b_[u])) continue;
-        ++cost.iterations;
-        if (triangles_meet(a_.triangle(t), b_.triangle(u), &tally) && of_pair({t, u})) return true;
+  // Of two nodes that are not surely apart the larger one is split.
+  bool any() {
+    std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
+    std::size_t count = 0;
+    waiting[count++] = {1, 1};
+    while (count > 0) {
+      may_be_interrupted(1);
+      const auto [node_a, node_b] = waiting[--count];
+      const OrientedBox &box_a = tree_a_.box(node_a), &box_b = tree_b_.box(node_b);
+      if (are_apart(box_a, box_b)) continue;
+      const bool leaf_a = tree_a_.is_leaf(node_a), leaf_b = tree_b_.is_leaf(node_b);
+      if (leaf_a || leaf_b) {
+        if (leaf_a && leaf_b ? any_of_leaves(node_a, node_b)
+            : leaf_a         ? any_below<true>(node_a, node_b)
+                             : any_below<false>(node_b, node_a)) {
+          return true;
+        }
+        continue;
+      }
+      const bool splits_a = boxes_.is_first_larger(box_a, box_b);
+      for (const std::size_t k : {1u, 0u}) {
+        waiting[count++] = splits_a ? NodePair{2 * node_a + k, node_b} : NodePair{node_a, 2 * node_b + k};
       }
     }
     return false;
   }
 
  private:
+  struct NodePair {
+    std::size_t a, b;
+  };
+
+  bool are_apart(const OrientedBox& box_a, const OrientedBox& box_b) {
+    ++cost_.probes;
+    return boxes_.are_apart(box_a, box_b);
+  }
+
+  // Each triangle of a leaf of one, which is flat, down the other tree from that node.
+  template <bool IsLeafOfA>
+  bool any_below(std::size_t leaf, std::size_t top) {
+    const PlacedMesh& of = IsLeafOfA ? a_ : b_;
+    const MeshTree &tree = IsLeafOfA ? tree_a_ : tree_b_, &other = IsLeafOfA ? tree_b_ : tree_a_;
+    const TriangleRange range = tree.triangles(leaf);
+    for (std::uint32_t t = range.first; t < range.end; ++t) {
+      const Mesh::Triangle& corners = of.mesh().triangles()[t];
+      const auto at = [&](std::size_t k) { return of.mesh().points()[corners[k]]; };
+      const OrientedBox box = tree.box_around_triangle({at(0), at(1), at(2)});
+      std::array<std::size_t, MeshTree::deepest + 2> waiting;
+      std::size_t count = 0;
+      waiting[count++] = top;
+      while (count > 0) {
+        const std::size_t node = waiting[--count];
+        if (IsLeafOfA ? are_apart(box, other.box(node)) : are_apart(other.box(node), box)) continue;
+        if (other.is_leaf(node)) {
+          if (IsLeafOfA ? any_of(leaf, t, node) : any_of(node, leaf, t)) return true;
+          continue;
+        }
+        waiting[count++] = 2 * node + 1;
+        waiting[count++] = 2 * node;
+      }
+    }
+    return false;
+  }
+
+  bool any_of_leaves(std::size_t leaf_a, std::size_t leaf_b) {
+    const TriangleRange in_a = of_a_.take(leaf_a), in_b = of_b_.take(leaf_b);
+    for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
+      for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
+        if (do_meet(t, u)) return true;
+      }
+    }
+    return false;
+  }
+  bool any_of(std::size_t leaf_a, std::uint32_t t, std::size_t leaf_b) {
+    of_a_.take(leaf_a);
+    const TriangleRange in_b = of_b_.take(leaf_b);
+    for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
+      if (do_meet(t, u)) return true;
+    }
+    return false;
+  }
+  bool any_of(std::size_t leaf_a, std::size_t leaf_b, std::uint32_t u) {
+    of_b_.take(leaf_b);
+    const TriangleRange in_a = of_a_.take(leaf_a);
+    for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
+      if (do_meet(t, u)) return true;
+    }
+    return false;
+  }
+
+  // What floating point does not part, signs decide. Both triangles are of the leaves that were taken last.
+  bool do_meet(std::uint32_t t, std::uint32_t u) {
+    ++cost_.probes;
+    if (are_apart_(of_a_[t], of_b_[u])) return false;
+    ++cost_.iterations;
+    return triangles_meet(a_.triangle(t), b_.triangle(u), &tally_) && of_pair_({t, u});
+  }
+
   const PlacedMesh &a_, &b_;
+  const MeshTree &tree_a_, &tree_b_;
+  PlacedBoxes boxes_;
   LeafTriangles of_a_, of_b_;
   TrianglesApart are_apart_;
+  Cost& cost_;
+  StageTally& tally_;
+  FunctionRef<bool(const MeetingTriangles&)> of_pair_;
 };
 
 }  // namespace
 
-// Down both trees at once: of two nodes that are not surely apart the larger one is split.
 bool any_meeting_triangles(const PlacedMesh& a, const PlacedMesh& b, Cost& cost, StageTally& tally,
                            FunctionRef<bool(const MeetingTriangles&)> of_pair) {
-  struct NodePair {
-    std::size_t a, b;
-  };
-  const MeshTree &tree_a = a.mesh().tree(), &tree_b = b.mesh().tree();
-  const PlacedBoxes boxes(BoxFrame::of(a), BoxFrame::of(b));
-  LeafPairs leaves(a, b);
-  std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
-  std::size_t count = 0;
-  waiting[count++] = {1, 1};
-  while (count > 0) {
-    may_be_interrupted(1);
-    const auto [node_a, node_b] = waiting[--count];
-    ++cost.probes;
-    const OrientedBox &box_a = tree_a.box(node_a), &box_b = tree_b.box(node_b);
-    if (boxes.are_apart(box_a, box_b)) continue;
-    const bool leaf_a = tree_a.is_leaf(node_a), leaf_b = tree_b.is_leaf(node_b);
-    if (leaf_a && leaf_b) {
-      if (leaves.any(node_a, node_b, cost, tally, of_pair)) return true;
-      continue;
-    }
-    const bool splits_a = !leaf_a && (leaf_b || boxes.is_first_larger(box_a, box_b));
-    for (const std::size_t k : {1u, 0u}) {
-      waiting[count++] = splits_a ? NodePair{2 * node_a + k, node_b} : NodePair{node_a, 2 * node_b + k};
-    }
-  }
-  return false;
+  return Walk(a, b, cost, tally, of_pair).any();
 }
 
 namespace {

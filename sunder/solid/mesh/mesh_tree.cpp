@@ -19,48 +19,6 @@ Box3 box_of_none() {
 
 }  // namespace
 
-MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
-                   std::vector<std::uint32_t>& order)
-    : size_(triangles.size()) {
-  SUNDER_REQUIRE(triangles.size() < std::size_t{1} << 31);
-  order.resize(triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::vector<Box3> boxes(triangles.size(), box_of_none());
-  std::vector<Point3> middles(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t corner : triangles[t]) boxes[t] = hull(boxes[t], {points[corner], points[corner]});
-    for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
-  }
-  box_ = box_of_none();
-  for (const Box3& box : boxes) box_ = hull(box_, box);
-  double half = 0;
-  for (std::size_t c = 0; c < 3 && !boxes.empty(); ++c) {
-    middle_[c] = box_.low[c] / 2 + box_.high[c] / 2;
-    half = std::max(half, box_.high[c] / 2 - box_.low[c] / 2);
-  }
-  unit_ = std::ldexp(1.0, half > 0x1p-1000 ? std::min(std::ilogb(half) + 1, 1023) : -1000);
-  nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)));
-  split(middles, order, 0, leaves());
-  for (std::size_t leaf = leaves(); leaf < nodes_.size(); ++leaf) {
-    const auto [first, end] = this->triangles(leaf);
-    std::sort(order.begin() + first, order.begin() + end);
-  }
-  std::vector<Point3> corners;  // of all triangles in their order, in units of the tree
-  corners.reserve(3 * triangles.size());
-  for (const std::uint32_t t : order) {
-    for (const std::uint32_t corner : triangles[t]) {
-      Point3 p;
-      for (std::size_t c = 0; c < 3; ++c) p[c] = (points[corner][c] - middle_[c]) / unit_;
-      corners.push_back(p);
-    }
-  }
-  for (std::size_t node = 1; node < nodes_.size(); ++node) {
-    const TriangleRange range = this->triangles(node);
-    if (range.size() == 0) continue;
-    nodes_[node] = box_around(std::span(corners).subspan(3 * range.first, 3 * std::size_t{range.size()}));
-  }
-}
-
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;
@@ -139,21 +97,8 @@ std::array<Point3, 2> ends_along(const std::array<Point3, 3>& axes, std::span<co
   return ends;
 }
 
-}  // namespace
-
-// Along the axes of the tree, or those of how the triangles are spread, if that is smaller. Numbers are at most 2 in
-// size, and all that is rounded is off by less than a part in 2^21; halves are made larger by more.
-OrientedBox MeshTree::box_around(std::span<const Point3> corners) const {
-  std::array<Point3, 3> axes{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
-  std::array<Point3, 2> ends = ends_along(axes, corners);
-  std::array<Point3, 3> other = principal_axes(spread(corners));
-  for (Point3& axis : other) {
-    for (std::size_t c = 0; c < 3; ++c) axis[c] = static_cast<double>(static_cast<float>(axis[c]));
-  }
-  if (const std::array<Point3, 2> there = ends_along(other, corners); volume(there) < 0.7 * volume(ends)) {
-    axes = other;
-    ends = there;
-  }
+// Axes in single precision. Numbers are at most 2 in size, and what is rounded is off by less than a part in 2^46.
+OrientedBox box_along(const std::array<Point3, 3>& axes, const std::array<Point3, 2>& ends) {
   OrientedBox box;
   std::array<double, 3> at{};  // along each axis
   for (std::size_t k = 0; k < 3; ++k) {
@@ -162,12 +107,9 @@ OrientedBox MeshTree::box_around(std::span<const Point3> corners) const {
     box.z[k] = static_cast<float>(axes[k].z);
     at[k] = ends[0][k] / 2 + ends[1][k] / 2;
   }
-  const Point3 middle{axes[0].x * at[0] + axes[1].x * at[1] + axes[2].x * at[2],
-                      axes[0].y * at[0] + axes[1].y * at[1] + axes[2].y * at[2],
-                      axes[0].z * at[0] + axes[1].z * at[1] + axes[2].z * at[2]};
-  box.x[3] = static_cast<float>(middle.x);
-  box.y[3] = static_cast<float>(middle.y);
-  box.z[3] = static_cast<float>(middle.z);
+  box.x[3] = static_cast<float>(axes[0].x * at[0] + axes[1].x * at[1] + axes[2].x * at[2]);
+  box.y[3] = static_cast<float>(axes[0].y * at[0] + axes[1].y * at[1] + axes[2].y * at[2]);
+  box.z[3] = static_cast<float>(axes[0].z * at[0] + axes[1].z * at[1] + axes[2].z * at[2]);
   const Point3 kept{static_cast<double>(box.x[3]), static_cast<double>(box.y[3]), static_cast<double>(box.z[3])};
   for (std::size_t k = 0; k < 3; ++k) {
     const double middle_at = dot(axes[k], kept);
@@ -175,6 +117,86 @@ OrientedBox MeshTree::box_around(std::span<const Point3> corners) const {
     box.half[k] = std::nextafter(static_cast<float>(half), 8.0F);
   }
   return box;
+}
+
+// As single precision keeps it, of length 1; the other one where it has no length.
+Point3 axis_along(const Point3& way, const Point3& other) {
+  const double length = std::sqrt(dot(way, way));
+  if (!(length > 0x1p-300)) return other;
+  const auto rounded = [&](double x) { return static_cast<double>(static_cast<float>(x / length)); };
+  return {rounded(way.x), rounded(way.y), rounded(way.z)};
+}
+
+// Along the axes of the tree, or those of how the triangles are spread, if that is smaller.
+OrientedBox box_around(std::span<const Point3> corners) {
+  const std::array<Point3, 3> given{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
+  std::array<Point3, 3> spread_along = principal_axes(spread(corners));
+  for (Point3& axis : spread_along) axis = axis_along(axis, axis);
+  const std::array<Point3, 2> ends = ends_along(given, corners), there = ends_along(spread_along, corners);
+  return volume(there) < 0.7 * volume(ends) ? box_along(spread_along, there) : box_along(given, ends);
+}
+
+}  // namespace
+
+MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                   std::vector<std::uint32_t>& order)
+    : size_(triangles.size()) {
+  SUNDER_REQUIRE(triangles.size() < std::size_t{1} << 31);
+  order.resize(triangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::vector<Box3> boxes(triangles.size(), box_of_none());
+  std::vector<Point3> middles(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const std::uint32_t corner : triangles[t]) boxes[t] = hull(boxes[t], {points[corner], points[corner]});
+    for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
+  }
+  box_ = box_of_none();
+  for (const Box3& box : boxes) box_ = hull(box_, box);
+  double half = 0;
+  for (std::size_t c = 0; c < 3 && !boxes.empty(); ++c) {
+    middle_[c] = box_.low[c] / 2 + box_.high[c] / 2;
+    half = std::max(half, box_.high[c] / 2 - box_.low[c] / 2);
+  }
+  unit_ = std::ldexp(1.0, half > 0x1p-1000 ? std::min(std::ilogb(half) + 1, 1023) : -1000);
+  nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)));
+  split(middles, order, 0, leaves());
+  for (std::size_t leaf = leaves(); leaf < nodes_.size(); ++leaf) {
+    const auto [first, end] = this->triangles(leaf);
+    std::sort(order.begin() + first, order.begin() + end);
+  }
+  std::vector<Point3> corners;  // of all triangles in their order, in units of the tree
+  corners.reserve(3 * triangles.size());
+  for (const std::uint32_t t : order) {
+    for (const std::uint32_t corner : triangles[t]) {
+      Point3 p;
+      for (std::size_t c = 0; c < 3; ++c) p[c] = (points[corner][c] - middle_[c]) / unit_;
+      corners.push_back(p);
+    }
+  }
+  for (std::size_t node = 1; node < nodes_.size(); ++node) {
+    const TriangleRange range = this->triangles(node);
+    if (range.size() == 0) continue;
+    nodes_[node] = box_around(std::span(corners).subspan(3 * range.first, 3 * std::size_t{range.size()}));
+  }
+}
+
+OrientedBox MeshTree::box_around_triangle(const std::array<Point3, 3>& given) const {
+  std::array<Point3, 3> corners;
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c) corners[k][c] = (given[k][c] - middle_[c]) / unit_;
+  }
+  const auto way = [&](std::size_t i, std::size_t j) {
+    return Point3{corners[j].x - corners[i].x, corners[j].y - corners[i].y, corners[j].z - corners[i].z};
+  };
+  const std::array<Point3, 3> sides{way(0, 1), way(1, 2), way(2, 0)};
+  const Point3 longest = *std::max_element(sides.begin(), sides.end(),
+                                           [](const Point3& u, const Point3& v) { return dot(u, u) < dot(v, v); });
+  std::array<Point3, 3> axes{axis_along(longest, {1, 0, 0}), {}, {}};
+  const Point3 across = std::fabs(axes[0].x) < 0.6 ? Point3{1, 0, 0} : Point3{0, 1, 0};
+  const Point3 normal = cross(axes[0], axis_along(cross(sides[0], sides[1]), across));
+  axes[1] = axis_along(normal, across);
+  axes[2] = axis_along(cross(axes[0], axes[1]), across);
+  return box_along(axes, ends_along(axes, corners));
 }
 
 void MeshTree::split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,

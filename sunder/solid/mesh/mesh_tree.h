@@ -53,6 +53,8 @@ class MeshTree {
   const Box3& box() const { return box_; }  // of all, exactly
   // The box of a node holds (x - middle()) / unit(), for the points x of its triangles.
   const OrientedBox& box(std::size_t node) const { return nodes_[node]; }
+  // The box of one triangle, which is flat, in the same units.
+  OrientedBox box_around_triangle(const std::array<Point3, 3>& corners) const;
   const Point3& middle() const { return middle_; }
   double unit() const { return unit_; }  // a power of two; at least half the size of all
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
@@ -73,7 +75,6 @@ class MeshTree {
   std::uint32_t begin_of(std::size_t leaf) const { return static_cast<std::uint32_t>(leaf * size_ / leaves()); }
   void split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
              std::size_t leaves);
-  OrientedBox box_around(std::span<const Point3> corners) const;
 
   std::size_t size_ = 0;  // of triangles
   Box3 box_{};

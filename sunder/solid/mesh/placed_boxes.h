@@ -84,14 +84,17 @@ class PlacedBoxes {
     }
     const Point3 shift{dot(inverse[0], way), dot(inverse[1], way), dot(inverse[2], way)};
     const double far = std::max({std::fabs(shift.x), std::fabs(shift.y), std::fabs(shift.z)});
-    // What the inverse is off by, as its product with the edges shows, what single precision is, and what the middles are.
+    // What the inverse is off by, as its product with the edges shows, and what the middles and double precision are.
     const double residue = residue_of(inverse, a.edges);
-    const double off = (residue + 0x1p-17) * (2 + 2 * sum + far) + rows * (a.sum + b.sum) * 0x1p-46;
+    const double off = (residue + 0x1p-46) * (2 + 2 * sum + far) + rows * (a.sum + b.sum) * 0x1p-46;
     if (!(off < 0x1p20) || !(far < 0x1p40) || !(sum < 0x1p40) || !(residue < 0x1p-20)) return;
     is_known_ = true;
     for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t r = 0; r < 3; ++r) linear_[3 * r + c] = static_cast<float>(linear[c][r]);
-      shift_[c] = static_cast<float>(shift[c]);
+      for (std::size_t r = 0; r < 3; ++r) {
+        to_frame_[3 * r + c] = linear[c][r];
+        linear_[3 * r + c] = static_cast<float>(linear[c][r]);
+      }
+      shift_[c] = shift[c];
     }
     error_ = static_cast<float>(off) + 0x1p-60F;
     const double xx = dot(linear[0], linear[0]), yy = dot(linear[1], linear[1]), zz = dot(linear[2], linear[2]);
@@ -102,6 +105,7 @@ class PlacedBoxes {
                                              std::fabs(xx - zz) < 0x1p-20 * xx));
     times_ = static_cast<float>(std::sqrt(xx) * (1 + 0x1p-18));
     size_ = static_cast<float>(size);
+    longest_ = 3 * size_;
   }
 
   // Surely apart: nothing is in both. False also means: not sure.
@@ -109,23 +113,32 @@ class PlacedBoxes {
     if (!is_known_) return false;
     const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
     const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
-    // The second one's axes and, last, its middle.
+    // The way from one middle to the other, and the second one's axes.
+    const double mx{b.x[3]}, my{b.y[3]}, mz{b.z[3]};
+    const auto to = [&](std::size_t row, float from) {
+      const double* const m = to_frame_.data() + 3 * row;
+      return static_cast<float>(m[0] * mx + m[1] * my + m[2] * mz + shift_[row] - static_cast<double>(from));
+    };
+    const float to_x = to(0, a.x[3]), to_y = to(1, a.y[3]), to_z = to(2, a.z[3]);
     const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
                      y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
                      z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
-    const float to_x = x[3] + shift_[0] - a.x[3], to_y = y[3] + shift_[1] - a.y[3], to_z = z[3] + shift_[2] - a.z[3];
+    // Single precision: parts in 2^19 of all that is looked at.
+    const float sizes = std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
+                        (b.half[0] + b.half[1] + b.half[2]) * longest_;
+    float error = error_ + std::fabs(sizes) * 0x1p-19F;
     const FloatLanes way = ax * to_x + ay * to_y + az * to_z;
     std::array<FloatLanes, 3> seen;  // each axis of the second along those of the first
-    FloatLanes reach = half_a + error_;
+    FloatLanes reach = half_a + error;
     for (int k = 0; k < 3; ++k) {
       seen[static_cast<std::size_t>(k)] = ax * x[k] + ay * y[k] + az * z[k];
       reach += absolute(seen[static_cast<std::size_t>(k)]) * half_b[k];
     }
     if (bits_of_four(absolute(way) > reach) != 0) return true;
     if (!turns_) return false;
-    const float error = error_ * std::max(1.0F, times_);
+    error *= 2 * (1 + times_);
     const FloatLanes back = x * to_x + y * to_y + z * to_z;
-    reach = half_b * (times_ * times_) + error * (1 + times_);
+    reach = half_b * (times_ * times_) + error;
     for (int k = 0; k < 3; ++k) reach += absolute(x * ax[k] + y * ay[k] + z * az[k]) * half_a[k];
     if (bits_of_four(absolute(back) > reach) != 0) return true;
     const FloatLanes way_1 = turned(way), way_2 = turned(way_1), half_1 = turned(half_a), half_2 = turned(half_1);
@@ -135,7 +148,7 @@ class PlacedBoxes {
       const FloatLanes seen_1 = turned(seen[j]), seen_2 = turned(seen_1);
       const FloatLanes of_b = (absolute(seen[l]) * b.half[k] + absolute(seen[k]) * b.half[l]) * times_;
       const FloatLanes of_a = half_1 * absolute(seen_2) + half_2 * absolute(seen_1);
-      apart |= absolute(way_2 * seen_1 - way_1 * seen_2) > of_a + of_b + error * (1 + times_);
+      apart |= absolute(way_2 * seen_1 - way_1 * seen_2) > of_a + of_b + error;
     }
     return (bits_of_four(apart) & 7) != 0;
   }
@@ -174,10 +187,12 @@ class PlacedBoxes {
 
   bool is_known_ = false, turns_ = false;
   std::array<float, 9> linear_{};
-  std::array<float, 3> shift_{};
-  float error_ = 0;         // of a way along an axis of the first
-  float times_ = 1;         // how many times as long axes of the second are
-  float size_ = 1;
+  std::array<double, 9> to_frame_{};  // the same
+  std::array<double, 3> shift_{};
+  float error_ = 0;    // of a way along an axis of the first, but for single precision
+  float times_ = 1;    // how many times as long axes of the second are, where it turns them
+  float size_ = 1;     // of axes of the second, about
+  float longest_ = 1;  // no axis is longer
 };
 
 // Calls of_triangle(t) with each triangle whose leaf is not surely apart from the segment between two points, until it
