@@ -6,9 +6,12 @@
 #include <sunder/solid/mesh/placed_boxes.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 #include <sunder/solid/mesh/placed_triangles.h>
+#include <sunder/solid/search/search_vector.h>
 
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace sunder::solid {
@@ -198,12 +201,54 @@ std::optional<MeetingTriangles> first_pair_by_scan(const PlacedMesh& a, const Pl
   return std::nullopt;
 }
 
+// Around the middle of the tree, in the world: nothing of the mesh is further from there. In floating point, a little
+// more than that; not finite, where numbers are too large.
+struct Ball {
+  Point3 middle;
+  double radius = 0;
+};
+
+Ball ball_around(const PlacedMesh& placed) {
+  const MeshTree& tree = placed.mesh().tree();
+  const auto& [m, t] = placed.pose().affine();
+  Ball ball;
+  std::array<Point3, 3> columns;
+  double sum = 0;
+  for (std::size_t r = 0; r < 3; ++r) {
+    ball.middle[r] = t[r];
+    sum += std::fabs(t[r]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      columns[c][r] = m[3 * r + c];
+      ball.middle[r] += m[3 * r + c] * tree.middle()[c];
+      sum += std::fabs(m[3 * r + c] * tree.middle()[c]);
+    }
+  }
+  double longest = 0;  // the square of what the pose makes of a length 1, at most
+  for (const Point3& u : columns) {
+    longest = std::max(longest, std::fabs(dot(u, columns[0])) + std::fabs(dot(u, columns[1])) +
+                                    std::fabs(dot(u, columns[2])));
+  }
+  ball.radius = tree.radius() * std::sqrt(longest) * (1 + 0x1p-40) + sum * 0x1p-45;
+  return ball;
+}
+
+bool are_surely_apart(const Ball& a, const Ball& b) {
+  const Point3 way{b.middle.x - a.middle.x, b.middle.y - a.middle.y, b.middle.z - a.middle.z};
+  const double reach = a.radius + b.radius, far = dot(way, way) * (1 - 0x1p-40);
+  return reach > 0x1p-400 && far <= std::numeric_limits<double>::max() && far > reach * reach;
+}
+
 MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, const Pose& pose_a, const Mesh& b,
                      const Pose& pose_b) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
   MeshAnswer answer;
   StageTally tally;
   const bool is_scan = first_pair == first_pair_by_scan;
+  if (!is_scan && are_surely_apart(ball_around(placed_a), ball_around(placed_b))) {
+    answer.cost.probes = 1;
+    conclude(answer, 0);
+    return answer;
+  }
   const PlacedBoxes boxes(BoxFrame::of(placed_a), BoxFrame::of(placed_b));
   const OrientedBox &all_a = a.tree().box(1), &all_b = b.tree().box(1);
   const auto beyond_b = [&](const OrientedBox& box) { return !is_scan && boxes.are_apart(box, all_b); };

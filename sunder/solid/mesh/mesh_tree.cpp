@@ -173,6 +173,9 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
       corners.push_back(p);
     }
   }
+  double furthest = 0;  // squared
+  for (const Point3& p : corners) furthest = std::max(furthest, dot(p, p));
+  radius_ = std::sqrt(furthest) * unit_;
   for (std::size_t node = 1; node < nodes_.size(); ++node) {
     const TriangleRange range = this->triangles(node);
     if (range.size() == 0) continue;

@@ -56,6 +56,7 @@ class MeshTree {
   // The box of one triangle, which is flat, in the same units.
   OrientedBox box_around_triangle(const std::array<Point3, 3>& corners) const;
   const Point3& middle() const { return middle_; }
+  double radius() const { return radius_; }  // nothing is further from middle(), about
   double unit() const { return unit_; }  // a power of two; at least half the size of all
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
   TriangleRange triangles(std::size_t node) const {
@@ -79,7 +80,7 @@ class MeshTree {
   std::size_t size_ = 0;  // of triangles
   Box3 box_{};
   Point3 middle_;
-  double unit_ = 1;
+  double unit_ = 1, radius_ = 0;
   std::vector<OrientedBox> nodes_;
 };
 
