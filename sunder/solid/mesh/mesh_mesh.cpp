@@ -225,8 +225,8 @@ Ball ball_around(const PlacedMesh& placed) {
   }
   double longest = 0;  // the square of what the pose makes of a length 1, at most
   for (const Point3& u : columns) {
-    longest = std::max(longest, std::fabs(dot(u, columns[0])) + std::fabs(dot(u, columns[1])) +
-                                    std::fabs(dot(u, columns[2])));
+    longest = std::max(longest,
+                       std::fabs(dot(u, columns[0])) + std::fabs(dot(u, columns[1])) + std::fabs(dot(u, columns[2])));
   }
   ball.radius = tree.radius() * std::sqrt(longest) * (1 + 0x1p-40) + sum * 0x1p-45;
   return ball;

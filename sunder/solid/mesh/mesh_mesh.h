@@ -34,16 +34,16 @@ struct PointWithin {
 };
 
 using MeshEvidence = std::variant<MeshesApart, MeetingTriangles, PointWithin>;
-// probes: boxes of the trees and of triangles that were compared; iterations: pairs of triangles whose boxes meet
+// probes: pairs of boxes and of triangles that were compared; iterations: pairs of triangles that signs decided
 using MeshAnswer = Answer<MeshEvidence>;
 
 // Can it be asked about there? Its numbers are not beyond all that searches can bear: the entries of the pose are below
 // 2^1000, or the coordinates of the mesh below 2^1020.
 bool can_be_placed(const Mesh& mesh, const Pose& pose);
 
-// Exact, under poses. Requires that each can be placed so. Cost: the pairs of nodes of both trees (mesh_tree.h) whose boxes in the world meet; where no two triangles
-// meet, for each piece what is near a segment from it out of the other mesh. Allocates nothing, but where signs take
-// long exact numbers.
+// Exact, under poses. Requires that each can be placed so. Cost: the pairs of nodes of both trees (mesh_tree.h) whose
+// boxes are not apart; where no two triangles meet, for each piece that is not beyond the other mesh what is near a
+// segment from it out of that. Allocates nothing, but where signs take long exact numbers.
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
 // Each triangle with each.

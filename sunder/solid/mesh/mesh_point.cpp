@@ -94,14 +94,13 @@ std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Pose
   const Mesh& mesh = placed.mesh();
   std::int64_t sum = 0;
   StageTally tally;
-  const bool touches =
-      any_triangle_near(placed, from, to, cost.probes, [&](std::uint32_t t) {
-        may_be_interrupted(1);
-        if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
-        const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t), &tally);
-        sum += crossing == TriangleCrossing::positive ? 1 : crossing == TriangleCrossing::negative ? -1 : 0;
-        return crossing == TriangleCrossing::touch;
-      });
+  const bool touches = any_triangle_near(placed, from, to, cost.probes, [&](std::uint32_t t) {
+    may_be_interrupted(1);
+    if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
+    const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t), &tally);
+    sum += crossing == TriangleCrossing::positive ? 1 : crossing == TriangleCrossing::negative ? -1 : 0;
+    return crossing == TriangleCrossing::touch;
+  });
   cost.exact += tally.exact;
   return touches ? std::nullopt : std::optional(sum);
 }

@@ -73,6 +73,7 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     result.relation = Relation::meeting;
   }
   if (result.relation == Relation::meeting) result.partition.reset();
+  if (result.relation != Relation::overlapping) result.inside.reset();
   return result;
 }
 

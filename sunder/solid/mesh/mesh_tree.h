@@ -57,7 +57,7 @@ class MeshTree {
   OrientedBox box_around_triangle(const std::array<Point3, 3>& corners) const;
   const Point3& middle() const { return middle_; }
   double radius() const { return radius_; }  // nothing is further from middle(), about
-  double unit() const { return unit_; }  // a power of two; at least half the size of all
+  double unit() const { return unit_; }      // a power of two; at least half the size of all
   // The places of the triangles below a node; of a leaf from 0 to leaf_size of them.
   TriangleRange triangles(std::size_t node) const {
     std::size_t first = node, end = node + 1;

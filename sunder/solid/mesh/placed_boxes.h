@@ -101,8 +101,9 @@ class PlacedBoxes {
     const double skew = std::max({std::fabs(dot(linear[0], linear[1])), std::fabs(dot(linear[0], linear[2])),
                                   std::fabs(dot(linear[1], linear[2]))});
     const bool is_segment = yy == 0 && zz == 0;
-    turns_ = xx > 0x1p-60 && (is_segment || (skew < 0x1p-20 * xx && std::fabs(xx - yy) < 0x1p-20 * xx &&
-                                             std::fabs(xx - zz) < 0x1p-20 * xx));
+    turns_ =
+        xx > 0x1p-60 &&
+        (is_segment || (skew < 0x1p-20 * xx && std::fabs(xx - yy) < 0x1p-20 * xx && std::fabs(xx - zz) < 0x1p-20 * xx));
     times_ = static_cast<float>(std::sqrt(xx) * (1 + 0x1p-18));
     size_ = static_cast<float>(size);
     longest_ = 3 * size_;

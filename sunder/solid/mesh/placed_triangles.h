@@ -85,8 +85,8 @@ class TrianglesApart {
     const auto at = [&](const Point3& p) { return d.x * p.x + d.y * p.y + d.z * p.z; };
     const double t0 = at(t.corners[0]), t1 = at(t.corners[1]), t2 = at(t.corners[2]);
     const double u0 = at(u.corners[0]), u1 = at(u.corners[1]), u2 = at(u.corners[2]);
-    const double gap = std::max(std::min({t0, t1, t2}) - std::max({u0, u1, u2}),
-                                std::min({u0, u1, u2}) - std::max({t0, t1, t2}));
+    const double gap =
+        std::max(std::min({t0, t1, t2}) - std::max({u0, u1, u2}), std::min({u0, u1, u2}) - std::max({t0, t1, t2}));
     return gap > error_ * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z));
   }
 
