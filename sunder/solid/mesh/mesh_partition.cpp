@@ -337,6 +337,7 @@ class Partitioning {
       }
     }
     for (const int digits : {2, 5, 10, 20}) {
+      if (digits < 3 * tries) continue;
       FinePoint rounded;
       for (std::size_t c = 0; c < 3; ++c) {
         const double unit = std::ldexp(1.0, std::ilogb(std::max(high[c] - low[c], 0x1p-1000)) - digits);
