@@ -4,6 +4,7 @@
 #include <sunder/base/random.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/exact_plane.h>
+#include <sunder/solid/mesh/cut_polygons.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
 #include <sunder/solid/search/search_vector.h>
@@ -19,20 +20,6 @@ namespace sunder::solid {
 
 namespace {
 
-// A corner of a polygon, and what the edge to the next one lies on, beside the polygon's own plane: plane number `edge`
-// of the tree, or, of a triangle, its own side -1 - edge.
-struct RingCorner {
-  std::uint32_t corner;
-  std::int32_t edge;
-};
-
-// A convex polygon: ring_[begin] to ring_[begin + size]. `of`: of a part of a triangle that triangle; of a facet of a
-// cell the plane.
-struct Polygon {
-  std::uint32_t of = 0, begin = 0, size = 0;
-};
-using Polygons = std::vector<Polygon>;
-
 // A plane that may cut a cell: how it is made exactly, and about where it is.
 struct Candidate {
   int axis = -1;  // across it, or
@@ -42,7 +29,8 @@ struct Candidate {
   double offset = 0;
 };
 
-struct Side {
+// A plane of the path to a cell, and on which side of it the cell is.
+struct PathSide {
   std::int32_t plane;
   Sign sign;
 };
@@ -51,8 +39,8 @@ struct Side {
 enum class Known : std::uint8_t { nothing, outside, inside };
 
 struct CellParts {
-  std::array<Polygons, 2> parts;  // of triangles of A and of B that go through the cell
-  Polygons facets;                // of what of the cell is in a box around both meshes
+  std::array<CutPolygonList, 2> parts;  // of triangles of A and of B that go through the cell
+  CutPolygonList facets;                // of what of the cell is in a box around both meshes
   std::array<Known, 2> known{};
 };
 
@@ -76,25 +64,26 @@ class Partitioning {
     Partitioned result;
     CellParts root;
     for (const std::size_t m : {0u, 1u}) add_triangles(m, root.parts[m]);
-    add_box(root.facets);
+    const Box3 box = box_around();
+    if (!is_spent_) root.facets = cut_.add_box(box);
     if (!is_spent_) divide(std::move(root));
     if (!is_spent_ && !found_.are_all()) add_rays();
     result.is_decided = !is_spent_ || found_.are_all();
     result.found = found_;
     result.in_both = in_both_;
     result.partition = std::move(partition_);
-    result.cost = cost_;
+    result.cost = cut_.cost();
     return result;
   }
 
  private:
   // ---- What there is at first.
 
-  void add_triangles(std::size_t m, Polygons& parts) {
+  void add_triangles(std::size_t m, CutPolygonList& parts) {
     const Mesh& mesh = meshes_[m]->mesh();
-    first_corner_[m] = static_cast<std::uint32_t>(corners_.size());
+    first_corner_[m] = static_cast<std::uint32_t>(cut_.corner_count());
     for (std::uint32_t k = 0; k < mesh.points().size(); ++k) {
-      add_corner(EnclosedPoint(exact_point(coordinates<Dyadic>(meshes_[m]->at(k)))));
+      cut_.add_corner(EnclosedPoint(exact_point(coordinates<Dyadic>(meshes_[m]->at(k)))));
     }
     for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
       if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
@@ -104,10 +93,10 @@ class Partitioning {
         has_needles_[m] = true;
         continue;
       }
-      parts.push_back({t, static_cast<std::uint32_t>(ring_.size()), 3});
-      for (std::size_t k = 0; k < 3; ++k) {
-        ring_.push_back({first_corner_[m] + corners[k], -1 - static_cast<std::int32_t>(k)});
-      }
+      const std::uint32_t first = first_corner_[m];
+      const std::array<RingCorner, 3> ring{
+          RingCorner{first + corners[0], -1}, {first + corners[1], -2}, {first + corners[2], -3}};
+      parts.push_back(cut_.add_polygon(t, ring));
     }
   }
 
@@ -117,104 +106,19 @@ class Partitioning {
     return plane.has_no_normal();
   }
 
-  // Six planes around both meshes, which are none of the tree.
-  void add_box(Polygons& facets) {
-    const Box3 around = hull(meshes_[0]->node_box(1), meshes_[1]->node_box(1));
-    Point3 low, high;
+  // Around both meshes, with a margin. Its planes are none of the tree.
+  Box3 box_around() {
+    Box3 box = hull(meshes_[0]->node_box(1), meshes_[1]->node_box(1));
     for (std::size_t c = 0; c < 3; ++c) {
-      const double size = around.high[c] - around.low[c];
-      low[c] = around.low[c] - size / 4 - 0x1p-1000;
-      high[c] = around.high[c] + size / 4 + 0x1p-1000;
-      if (!(size < 0x1p1000 && low[c] < around.low[c] && around.high[c] < high[c])) is_spent_ = true;
+      const double low = box.low[c], high = box.high[c], size = high - low;
+      box.low[c] = low - size / 4 - 0x1p-1000;
+      box.high[c] = high + size / 4 + 0x1p-1000;
+      if (!(size < 0x1p1000 && box.low[c] < low && high < box.high[c])) is_spent_ = true;
     }
-    if (is_spent_) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      planes_.push_back(ExactPlane::across_axis(axis, low[axis]));
-      planes_.push_back(ExactPlane::across_axis(axis, high[axis]));
-    }
-    const auto first = static_cast<std::uint32_t>(corners_.size());
-    for (std::uint32_t k = 0; k < 8; ++k) {
-      add_corner(
-          EnclosedPoint(exactly(Point3{k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z})));
-    }
-    // Facet 2 axis + end has its corners in a cycle; the edge to the next corner is on the plane that both are on.
-    for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      const std::uint32_t i = 1u << (axis + 1) % 3, j = 1u << (axis + 2) % 3;
-      const auto u = static_cast<std::int32_t>(2 * ((axis + 1) % 3)),
-                 v = static_cast<std::int32_t>(2 * ((axis + 2) % 3));
-      for (const std::uint32_t end : {0u, 1u}) {
-        const std::uint32_t at = first + (end << axis);
-        facets.push_back({2 * axis + end, static_cast<std::uint32_t>(ring_.size()), 4});
-        if (end == 1) {  // counter-clockwise, as it is seen from outside
-          for (const RingCorner& c : {RingCorner{at, v}, {at + i, u + 1}, {at + i + j, v + 1}, {at + j, u}})
-            ring_.push_back(c);
-        } else {
-          for (const RingCorner& c : {RingCorner{at, u}, {at + j, v + 1}, {at + i + j, u + 1}, {at + i, v}})
-            ring_.push_back(c);
-        }
-      }
-    }
+    return box;
   }
-
-  std::uint32_t add_corner(EnclosedPoint at) {
-    near_.push_back({middle(at.about.x), middle(at.about.y), middle(at.about.z)});
-    corners_.push_back(std::move(at));
-    signs_.push_back({-1, Sign::zero});
-    return static_cast<std::uint32_t>(corners_.size() - 1);
-  }
-  static double middle(const Interval& x) { return x.low / 2 + x.high / 2; }
 
   // ---- Cuts.
-
-  Sign sign_at(std::uint32_t corner, std::int32_t plane) {
-    Side& known = signs_[corner];
-    if (known.plane != plane) {
-      if (++cost_.probes > most_) is_spent_ = true;
-      StageTally tally;
-      known = {plane, planes_[static_cast<std::size_t>(plane)].side_of(corners_[corner], &tally)};
-      cost_.exact += tally.exact;
-    }
-    return known.sign;
-  }
-
-  // On which sides of a plane a polygon has points.
-  std::pair<bool, bool> above_and_below(const Polygon& polygon, std::int32_t plane) {
-    bool above = false, below = false;
-    for (std::uint32_t k = 0; k < polygon.size; ++k) {
-      const Sign sign = sign_at(ring_[polygon.begin + k].corner, plane);
-      above |= sign == Sign::positive;
-      below |= sign == Sign::negative;
-    }
-    return {above, below};
-  }
-
-  bool goes_through(const Polygons& facets, std::int32_t plane) {
-    bool above = false, below = false;
-    for (const Polygon& facet : facets) {
-      const auto [has_above, has_below] = above_and_below(facet, plane);
-      above |= has_above;
-      below |= has_below;
-    }
-    return above && below;
-  }
-
-  // The part of a polygon on one side of a plane; requires that it has points on both.
-  template <class CornerOn>
-  Polygon clipped(const Polygon& polygon, std::int32_t plane, Sign side, const CornerOn& corner_on) {
-    Polygon result{polygon.of, static_cast<std::uint32_t>(ring_.size()), 0};
-    for (std::uint32_t k = 0; k < polygon.size; ++k) {
-      const RingCorner here = ring_[polygon.begin + k], next = ring_[polygon.begin + (k + 1) % polygon.size];
-      const Sign sign = sign_at(here.corner, plane), sign_next = sign_at(next.corner, plane);
-      const bool leaves = sign_next != Sign::zero && sign_next != side;
-      if (sign == side || sign == Sign::zero) {
-        ring_.push_back({here.corner, sign == Sign::zero && leaves ? plane : here.edge});
-      }
-      if (sign == Sign::zero || sign_next == Sign::zero || sign == sign_next) continue;
-      ring_.push_back({corner_on(here.edge), leaves ? plane : here.edge});
-    }
-    result.size = static_cast<std::uint32_t>(ring_.size()) - result.begin;
-    return result;
-  }
 
   const ExactPlane& plane_of(std::size_t m, std::uint32_t triangle) {
     auto found = triangle_planes_[m].find(triangle);
@@ -229,21 +133,21 @@ class Partitioning {
     return found->second;
   }
 
-  void cut_parts(std::size_t m, const Polygons& parts, std::int32_t plane, Polygons& above, Polygons& below) {
-    for (const Polygon& part : parts) {
-      const auto [has_above, has_below] = above_and_below(part, plane);
+  void cut_parts(std::size_t m, const CutPolygonList& parts, std::int32_t plane, CutPolygonList& above,
+                 CutPolygonList& below) {
+    for (const CutPolygon& part : parts) {
+      const auto [has_above, has_below] = cut_.above_and_below(part, plane);
       if (has_above && has_below) {
         std::vector<RingCorner> made;  // two edges are crossed at most, once for both sides
         const auto corner_on = [&](std::int32_t edge) {
           for (const RingCorner& known : made) {
             if (known.edge == edge) return known.corner;
           }
-          made.push_back({add_corner(part_corner(m, part.of, edge, plane)), edge});
-          signs_[made.back().corner] = {plane, Sign::zero};
+          made.push_back({cut_.add_corner(part_corner(m, part.of, edge, plane)), edge});
           return made.back().corner;
         };
-        above.push_back(clipped(part, plane, Sign::positive, corner_on));
-        below.push_back(clipped(part, plane, Sign::negative, corner_on));
+        above.push_back(cut_.clipped(part, plane, Sign::positive, corner_on));
+        below.push_back(cut_.clipped(part, plane, Sign::negative, corner_on));
       } else if (has_above) {
         above.push_back(part);
       } else if (has_below) {
@@ -253,80 +157,25 @@ class Partitioning {
   }
 
   EnclosedPoint part_corner(std::size_t m, std::uint32_t triangle, std::int32_t edge, std::int32_t plane) {
-    const ExactPlane& cut = planes_[static_cast<std::size_t>(plane)];
-    if (edge >= 0) return common_point(plane_of(m, triangle), planes_[static_cast<std::size_t>(edge)], cut);
+    const ExactPlane& cut = cut_.plane(plane);
+    if (edge >= 0) return common_point(plane_of(m, triangle), cut_.plane(edge), cut);
     const Mesh::Triangle& corners = meshes_[m]->mesh().triangles()[triangle];
     const auto k = static_cast<std::size_t>(-1 - edge);
-    return crossing_of(cut, corners_[first_corner_[m] + corners[k]].exact,
-                       corners_[first_corner_[m] + corners[(k + 1) % 3]].exact);
+    return crossing_of(cut, cut_.corner(first_corner_[m] + corners[k]).exact,
+                       cut_.corner(first_corner_[m] + corners[(k + 1) % 3]).exact);
   }
 
-  // The facets of the part of a cell on one side of a plane, which goes through the cell.
-  Polygons cut_facets(const Polygons& facets, std::int32_t plane, Sign side) {
-    Polygons result;
-    struct Edge {
-      std::uint32_t from, to;
-      std::int32_t on;
-    };
-    std::vector<Edge> rim;  // edges of the new facet
-    for (const Polygon& facet : facets) {
-      const auto [above, below] = above_and_below(facet, plane);
-      if (!(side == Sign::positive ? above : below)) continue;
-      Polygon kept = facet;
-      if (above && below) {
-        kept = clipped(facet, plane, side, [&](std::int32_t edge) {
-          const std::uint32_t corner = add_corner(common_point(
-              planes_[facet.of], planes_[static_cast<std::size_t>(edge)], planes_[static_cast<std::size_t>(plane)]));
-          signs_[corner] = {plane, Sign::zero};
-          return corner;
-        });
-      }
-      result.push_back(kept);
-      for (std::uint32_t k = 0; k < kept.size; ++k) {
-        const std::uint32_t here = ring_[kept.begin + k].corner, next = ring_[kept.begin + (k + 1) % kept.size].corner;
-        if (sign_at(here, plane) == Sign::zero && sign_at(next, plane) == Sign::zero) {
-          rim.push_back({next, here, static_cast<std::int32_t>(facet.of)});
-        }
-      }
-    }
-    Polygon cap{static_cast<std::uint32_t>(plane), static_cast<std::uint32_t>(ring_.size()), 0};
-    std::uint32_t at = rim.empty() ? 0 : rim.front().from;
-    for (std::size_t k = 0; k < rim.size(); ++k) {
-      const auto next = std::find_if(rim.begin() + static_cast<std::ptrdiff_t>(k), rim.end(),
-                                     [&](const Edge& edge) { return are_equal(edge.from, at); });
-      if (next == rim.end()) break;
-      std::swap(rim[k], *next);
-      ring_.push_back({rim[k].from, rim[k].on});
-      at = rim[k].to;
-    }
-    cap.size = static_cast<std::uint32_t>(ring_.size()) - cap.begin;
-    if (cap.size < 3 || cap.size < rim.size()) is_spent_ = true;  // never: the plane goes through the cell
-    result.push_back(cap);
-    return result;
-  }
-
-  bool are_equal(std::uint32_t i, std::uint32_t j) const {
-    if (i == j) return true;
-    const EnclosedPoint &p = corners_[i], &q = corners_[j];
-    const auto are_apart = [](const Interval& x, const Interval& y) { return x.high < y.low || y.high < x.low; };
-    if (are_apart(p.about.x, q.about.x) || are_apart(p.about.y, q.about.y) || are_apart(p.about.z, q.about.z)) {
-      return false;
-    }
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (!(p.exact[c] * q.exact.denominator == q.exact[c] * p.exact.denominator)) return false;
-    }
-    return true;
-  }
+  const Point3& near_first(const CutPolygon& polygon) const { return cut_.near(cut_.ring(polygon)[0].corner); }
 
   // ---- Points.
 
   // A point within the cell, of few digits if there is one; any, where is_spent_ is set. Each try is about another one.
-  FinePoint point_in(const Polygons& facets, int tries) {
-    Point3 middle, low = near_[ring_[facets[0].begin].corner], high = low;
+  FinePoint point_in(const CutPolygonList& facets, int tries) {
+    Point3 middle, low = near_first(facets[0]), high = low;
     double count = 0;
-    for (const Polygon& facet : facets) {
-      for (std::uint32_t k = 0; k < facet.size; ++k) {
-        const Point3& p = near_[ring_[facet.begin + k].corner];
+    for (const CutPolygon& facet : facets) {
+      for (const RingCorner& of : cut_.ring(facet)) {
+        const Point3& p = cut_.near(of.corner);
         const double weight = tries == 0 ? 1 : random_.uniform(0.5, 1.5);
         count += weight;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -351,12 +200,13 @@ class Partitioning {
     return fine;
   }
 
-  FinePoint fine_middle(const Polygons& facets) const {
+  FinePoint fine_middle(const CutPolygonList& facets) const {
     std::array<Dyadic, 3> sum;
     double count = 0;
-    for (const Polygon& facet : facets) {
-      for (std::uint32_t k = 0; k < facet.size; ++k, ++count) {
-        const ExactPoint3& p = corners_[ring_[facet.begin + k].corner].exact;
+    for (const CutPolygon& facet : facets) {
+      for (const RingCorner& of : cut_.ring(facet)) {
+        ++count;
+        const ExactPoint3& p = cut_.corner(of.corner).exact;
         for (std::size_t c = 0; c < 3; ++c) {
           const auto [high, low] = in_two(p[c], p.denominator);
           if (std::isfinite(high)) sum[c] = sum[c] + Dyadic(high) + Dyadic(low);
@@ -384,9 +234,8 @@ class Partitioning {
       if (!std::isfinite(point.high[c])) return false;
     }
     const EnclosedPoint at = exact_of(point);
-    return std::all_of(path_.begin(), path_.end(), [&](const Side& side) {
-      return planes_[static_cast<std::size_t>(side.plane)].side_of(at) == side.sign;
-    });
+    return std::all_of(path_.begin(), path_.end(),
+                       [&](const PathSide& side) { return cut_.plane(side.plane).side_of(at) == side.sign; });
   }
 
   // A point within the cell which is on no triangle without an area of a mesh that has no other ones there.
@@ -413,11 +262,11 @@ class Partitioning {
     Point3 low{most, most, most}, high{-most, -most, -most};
     static constexpr double most = std::numeric_limits<double>::infinity();
   };
-  Extent extent(const Polygons& parts) const {
+  Extent extent(const CutPolygonList& parts) const {
     Extent result;
-    for (const Polygon& part : parts) {
-      for (std::uint32_t k = 0; k < part.size; ++k) {
-        const Point3& p = near_[ring_[part.begin + k].corner];
+    for (const CutPolygon& part : parts) {
+      for (const RingCorner& corner : cut_.ring(part)) {
+        const Point3& p = cut_.near(corner.corner);
         for (std::size_t c = 0; c < 3; ++c) {
           result.low[c] = std::min(result.low[c], p[c]);
           result.high[c] = std::max(result.high[c], p[c]);
@@ -440,7 +289,7 @@ class Partitioning {
     result.is_of_b = m == 1;
     result.triangle = triangle;
     const Mesh::Triangle& of = meshes_[m]->mesh().triangles()[triangle];
-    const auto corner = [&](std::size_t k) { return near_[first_corner_[m] + of[k]]; };
+    const auto corner = [&](std::size_t k) { return cut_.near(first_corner_[m] + of[k]); };
     const Point3 p = corner(0), q = corner(1), r = corner(2);
     const Point3 u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
     result.normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
@@ -452,15 +301,15 @@ class Partitioning {
     double above = 0, below = 0, both = 0;
   };
   // Of some of the parts, as floating point sees them: for searches.
-  Counts counts(const Polygons& parts, const Candidate& candidate, double size) const {
+  Counts counts(const CutPolygonList& parts, const Candidate& candidate, double size) const {
     Counts result;
     const std::size_t step = 1 + parts.size() / 128;
     const double width =
         1e-11 * size * (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
     for (std::size_t i = 0; i < parts.size(); i += step) {
       bool above = false, below = false;
-      for (std::uint32_t k = 0; k < parts[i].size; ++k) {
-        const double height = dot(candidate.normal, near_[ring_[parts[i].begin + k].corner]) - candidate.offset;
+      for (const RingCorner& corner : cut_.ring(parts[i])) {
+        const double height = dot(candidate.normal, cut_.near(corner.corner)) - candidate.offset;
         above |= height > width;
         below |= height < -width;
       }
@@ -508,7 +357,7 @@ class Partitioning {
     for (const Candidate& candidate : candidates) look(candidate);
     if (least > 0.9 * now) least = never;  // too little
     for (const std::size_t m : {0u, 1u}) {
-      const Polygons& parts = cell.parts[m];
+      const CutPolygonList& parts = cell.parts[m];
       const std::size_t tried = std::min<std::size_t>(8, parts.size());
       for (std::size_t k = 0; k < tried; ++k) {
         if (least == 0) break;
@@ -537,9 +386,9 @@ class Partitioning {
   // About the median of where parts are along an axis, with few digits.
   double middle_part(const CellParts& cell, std::size_t axis) {
     std::vector<double> places;
-    for (const Polygons& parts : cell.parts) {
+    for (const CutPolygonList& parts : cell.parts) {
       const std::size_t step = 1 + parts.size() / 64;
-      for (std::size_t i = 0; i < parts.size(); i += step) places.push_back(near_[ring_[parts[i].begin].corner][axis]);
+      for (std::size_t i = 0; i < parts.size(); i += step) places.push_back(near_first(parts[i])[axis]);
     }
     const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
     std::nth_element(places.begin(), middle, places.end());
@@ -589,13 +438,11 @@ class Partitioning {
     }
     if (path_.size() > 2000) is_spent_ = true;
     if (is_spent_) return;
-    const auto plane = static_cast<std::int32_t>(planes_.size());
-    planes_.push_back(exact_of(choose(cell, true)));
-    if (!goes_through(cell.facets, plane)) {  // floating point did not see that it does not
-      planes_.back() = exact_of(choose(cell, false));
-      std::fill(signs_.begin(), signs_.end(), Side{-1, Sign::zero});
+    const std::int32_t plane = cut_.add_plane(exact_of(choose(cell, true)));
+    if (!cut_.goes_through(cell.facets, plane)) {  // floating point did not see that it does not
+      cut_.replace_plane(exact_of(choose(cell, false)));
     }
-    const ExactPlane& made = planes_.back();
+    const ExactPlane& made = cut_.plane(plane);
     partition_.cuts.push_back(1);
     partition_.planes.push_back({{made.normal.x, made.normal.y, made.normal.z, made.offset}});
     std::array<CellParts, 2> sides;
@@ -604,7 +451,12 @@ class Partitioning {
       cut_parts(m, cell.parts[m], plane, sides[0].parts[m], sides[1].parts[m]);
     }
     for (const std::size_t k : {0u, 1u}) {
-      sides[k].facets = cut_facets(cell.facets, plane, k == 0 ? Sign::positive : Sign::negative);
+      sides[k].facets = cut_.cut_cell(cell.facets, plane, k == 0 ? Sign::positive : Sign::negative);
+      if (sides[k].facets.empty()) is_spent_ = true;
+    }
+    if (cut_.cost().probes > most_ || is_spent_) {
+      is_spent_ = true;
+      return;
     }
     cell = {};
     for (const std::size_t k : {0u, 1u}) {
@@ -642,20 +494,15 @@ class Partitioning {
   InsideKinds found_;
   Random random_;
   std::uint64_t most_ = 0;
-  Cost cost_;
   bool is_spent_ = false;              // the budget is, or a point in a cell was not found
   std::array<bool, 2> has_needles_{};  // triangles without an area
   std::optional<FinePoint> in_both_;
 
-  std::vector<EnclosedPoint> corners_;
-  std::vector<Point3> near_;  // the same, about
-  std::vector<Side> signs_;   // of each corner the side of the plane that it was compared with last
+  CutPolygons cut_;
   std::array<std::uint32_t, 2> first_corner_{};
-  std::vector<RingCorner> ring_;
-  std::vector<ExactPlane> planes_;  // those of the box, then those of the tree
   std::array<std::unordered_map<std::uint32_t, ExactPlane>, 2> triangle_planes_;
 
-  std::vector<Side> path_;
+  std::vector<PathSide> path_;
   MeshPartition partition_;
   std::vector<KnownCell> known_;  // of each cell
 };
