@@ -242,7 +242,8 @@ Integer height(const Integers& plane, const Integers& point) {
   return plane[0] * point[0] + plane[1] * point[1] + plane[2] * point[2] - plane[3] * point[3];
 }
 
-// What of a polygon is above a plane, and what is below; no corners, where it has no point there.
+// What of a polygon is above a plane, and what is below; no corners, where it has no point there. New corners are not in
+// lowest terms.
 std::array<Corners, 2> halves(const Corners& polygon, const Integers& plane) {
   Integers heights;
   for (const Integers& corner : polygon) heights.push_back(height(plane, corner));
@@ -258,7 +259,6 @@ std::array<Corners, 2> halves(const Corners& polygon, const Integers& plane) {
     if (sign(here) * sign(there) >= 0) continue;
     Integers crossing;
     for (std::size_t c = 0; c < 4; ++c) crossing.push_back(here * polygon[next][c] - there * polygon[k][c]);
-    crossing = lowest_terms(std::move(crossing));
     for (Corners& half : result) half.push_back(crossing);
   }
   return result;
@@ -270,7 +270,7 @@ bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) 
 
 std::vector<Corners> polygons_of(const MeshBody& mesh) {
   const MeshPieces& pieces = *mesh.pieces;
-  take_steps(16 * pieces.closed, 2 * mesh.given->bits, 2 * mesh.given->bits);
+  take_steps(16 * (mesh.rows().size() + pieces.closed), mesh.size(), mesh.size());
   std::vector<Integers> corners;
   for (std::size_t k = 0; k < mesh.rows().size(); ++k) corners.push_back(lowest_terms(place_of(mesh, k)));
   std::vector<Corners> result;
@@ -286,9 +286,16 @@ std::vector<Corners> polygons_of(const MeshBody& mesh) {
 enum class Told : std::uint8_t { nothing, outside, inside };
 using ToldCells = std::vector<std::array<Told, 2>>;
 
+// A plane that cut a cell, on which side of it the cell is, and the step before, or no_index.
+struct PathStep {
+  std::size_t plane;
+  int side;
+  std::size_t before;
+};
+
 struct CutCell {
-  std::vector<std::pair<std::size_t, int>> path;  // planes, and on which side of each the cell is
-  PolygonsOfBoth parts;                           // of triangles that go through it
+  std::size_t path = no_index;  // its last step
+  PolygonsOfBoth parts;         // of triangles that go through it
 };
 
 std::size_t most_bits(const Corners& polygon) {
@@ -297,20 +304,25 @@ std::size_t most_bits(const Corners& polygon) {
   return most;
 }
 
-std::array<CutCell, 2> cut_by(const Integers& plane, std::size_t index, CutCell cell) {
-  std::array<CutCell, 2> sides;
+// Each polygon, and what of it is on either side.
+std::array<PolygonsOfBoth, 2> cut_by(const Integers& plane, const PolygonsOfBoth& parts) {
+  std::array<PolygonsOfBoth, 2> sides;
   for (const std::size_t which : {0u, 1u}) {
-    for (const Corners& polygon : cell.parts[which]) {
-      take_steps(8 * polygon.size(), bits(plane), most_bits(polygon));
+    for (const Corners& polygon : parts[which]) {
+      const std::size_t of_plane = bits(plane), of_corners = most_bits(polygon);
+      take_steps(8 * polygon.size(), of_plane, of_corners);
       std::array<Corners, 2> half = halves(polygon, plane);
+      if (!half[0].empty() && !half[1].empty()) {
+        take_steps(32, of_plane + 2 * of_corners, of_plane + 2 * of_corners);
+        for (Corners& of_half : half) {
+          for (Integers& corner : of_half) corner = lowest_terms(std::move(corner));
+        }
+      }
       for (const std::size_t k : {0u, 1u}) {
-        if (!half[k].empty()) sides[k].parts[which].push_back(std::move(half[k]));
+        if (!half[k].empty()) sides[k][which].push_back(std::move(half[k]));
       }
     }
   }
-  sides[0].path = sides[1].path = std::move(cell.path);
-  sides[0].path.emplace_back(index, 1);
-  sides[1].path.emplace_back(index, -1);
   return sides;
 }
 
@@ -328,6 +340,7 @@ ToldCells told_cells(const char* rule, const Groups& cuts, const Points& planes,
     }
   }
   for (const std::size_t which : {0u, 1u}) root.parts[which] = polygons_of(*meshes[which]);
+  std::vector<PathStep> path;
   std::vector<CutCell> left;
   left.push_back(std::move(root));
   std::size_t used = 0;
@@ -339,9 +352,11 @@ ToldCells told_cells(const char* rule, const Groups& cuts, const Points& planes,
     if (cut == 1) {
       require(of_planes.size() < planes.size(), rule, "there is no plane for a cut");
       of_planes.push_back(common(planes[of_planes.size()]).integers);
-      std::array<CutCell, 2> sides = cut_by(of_planes.back(), of_planes.size() - 1, std::move(cell));
-      left.push_back(std::move(sides[1]));
-      left.push_back(std::move(sides[0]));
+      std::array<PolygonsOfBoth, 2> sides = cut_by(of_planes.back(), cell.parts);
+      for (const std::size_t k : {1u, 0u}) {
+        path.push_back({of_planes.size() - 1, k == 0 ? 1 : -1, cell.path});
+        left.push_back({path.size() - 1, std::move(sides[k])});
+      }
       continue;
     }
     require(used < cells.size(), rule, "there is no point for a cell");
@@ -351,7 +366,8 @@ ToldCells told_cells(const char* rule, const Groups& cuts, const Points& planes,
               "a triangle of " + meshes[which]->quoted + " goes through " + name);
     }
     const Integers& place = places[used++];
-    for (const auto& [plane, side] : cell.path) {
+    for (std::size_t k = cell.path; k != no_index; k = path[k].before) {
+      const auto& [plane, side, before] = path[k];
       take_steps(8, bits(of_planes[plane]), bits(place));
       require(sign(height(of_planes[plane], place)) == side, rule, "the point of " + name + " is not in it");
     }

@@ -217,8 +217,10 @@ MeshBody read_mesh(const Json& item, const std::vector<MeshBody>& meshes, const 
       triangles.push_back({corners[0], corners[1], corners[2]});
     }
     if (triangles.empty()) refuse_form(where + ".triangles is empty");
+    set_name(item, where, mesh);
     take_steps(32 * triangles.size(), 2 * mesh.given->bits, 2 * mesh.given->bits);
     mesh.pieces = std::make_shared<const MeshPieces>(pieces_of(std::move(triangles), mesh.rows()));
+    return mesh;
   }
   set_name(item, where, mesh);
   return mesh;
@@ -646,12 +648,15 @@ Tables read_tables(const Json& item, InputNames inputs) {
   std::vector<std::string> names;
   for (const auto& [name, reader] : readers) names.push_back(name);
   require_members(item, {}, names, "tables");
-  for (const auto& [key, list] : item.members()) {
-    const std::string name(key);
-    const ReadNow table(*list);
-    if (!(*table).is_array()) refuse_form("tables." + name + " is not a list");
-    readers.at(name)(*table, tables);
-    tables.sizes[name] = (*table).size();
+  for (const bool are_meshes : {false, true}) {  // these last, as finding their pieces takes steps
+    for (const auto& [key, list] : item.members()) {
+      const std::string name(key);
+      if ((name == "meshes") != are_meshes) continue;
+      const ReadNow table(*list);
+      if (!(*table).is_array()) refuse_form("tables." + name + " is not a list");
+      readers.at(name)(*table, tables);
+      tables.sizes[name] = (*table).size();
+    }
   }
   return tables;
 }

@@ -253,7 +253,9 @@ MeshAnswer answer_by(decltype(first_pair_by_scan)* first_pair, const Mesh& a, co
   const OrientedBox &all_a = a.tree().box(1), &all_b = b.tree().box(1);
   const auto beyond_b = [&](const OrientedBox& box) { return !is_scan && boxes.are_apart(box, all_b); };
   const auto beyond_a = [&](const OrientedBox& box) { return !is_scan && boxes.are_apart(all_a, box); };
-  if (const auto found = first_pair(placed_a, placed_b, answer.cost, tally)) {
+  if (beyond_b(all_a)) {
+    answer.cost.probes = 2;
+  } else if (const auto found = first_pair(placed_a, placed_b, answer.cost, tally)) {
     answer.evidence = *found;
   } else if (const auto of_a = point_within(placed_a, placed_b, beyond_b, answer.cost)) {
     answer.evidence = PointWithin{true, *of_a};

@@ -150,4 +150,15 @@ bool knows_point_of_first_only(const Mesh& first, const Pose& pose_first, const 
   return false;
 }
 
+bool has_inside_beside(const Mesh& mesh, const Pose& pose, std::uint32_t triangle) {
+  const PlacedMesh placed(mesh, pose);
+  const Point3 at = middle_about(placed, triangle), n = normal_about(placed, triangle);
+  const double step = std::ldexp(longest_side(placed.node_box(1)), -30);
+  for (const double way : {-step, step}) {
+    const Point3 p{at.x + way * n.x, at.y + way * n.y, at.z + way * n.z};
+    if (is_finite(p) && mesh_point(mesh, pose, p).place == MeshPlace::inside) return true;
+  }
+  return false;
+}
+
 }  // namespace sunder::solid

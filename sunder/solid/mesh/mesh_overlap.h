@@ -21,4 +21,8 @@ std::optional<Point3> point_inside_both(const Mesh& a, const Pose& pose_a, const
 bool knows_point_of_first_only(const Mesh& first, const Pose& pose_first, const Mesh& other, const Pose& pose_other,
                                std::uint32_t triangles = 16);
 
+// Is something inside next to the middle of the triangle, on either side? As floating point finds the middle and the
+// sides; false where it finds none.
+bool has_inside_beside(const Mesh& mesh, const Pose& pose, std::uint32_t triangle);
+
 }  // namespace sunder::solid

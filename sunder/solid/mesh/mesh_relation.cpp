@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace sunder::solid {
 
@@ -20,6 +21,27 @@ bool are_all_pieces(MeshPlace place, const Mesh& of, const Pose& pose, const Mes
     may_be_interrupted(100);
     return mesh_point(other, pose_other, placed.at(of.triangles()[piece.first][0])).place == place;
   });
+}
+
+// Has it two triangles back to back, with nothing inside beside them? (Not seen where the two sides of such a sheet are
+// cut into other triangles.) Beside a triangle is what is next to its middle, as floating point finds it.
+bool may_have_sheets(const Mesh& mesh, const Pose& pose) {
+  struct Named {
+    Mesh::Triangle corners;
+    std::uint32_t triangle;
+  };
+  std::vector<Named> all;
+  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
+    Mesh::Triangle corners = mesh.triangles()[t];
+    std::sort(corners.begin(), corners.end());
+    if (corners[0] != corners[1] && corners[1] != corners[2]) all.push_back({corners, t});
+  }
+  std::sort(all.begin(), all.end(), [](const Named& s, const Named& t) { return s.corners < t.corners; });
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    may_be_interrupted(1);
+    if (all[k].corners == all[k - 1].corners && !has_inside_beside(mesh, pose, all[k].triangle)) return true;
+  }
+  return false;
 }
 
 Relation relation_of(const InsideKinds& found) {
@@ -68,8 +90,9 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     if (!known.are_all()) result.partition = std::move(partitioned.partition);
   }
   result.relation = relation_of(known);
-  // surfaces that are apart touch nowhere: it is a sheet that is inside of the other one
-  if (result.relation == Relation::touching && std::holds_alternative<PointWithin>(answer.evidence)) {
+  // Where surfaces are apart and yet none is inside of both, it is a sheet that is inside of the other one.
+  if (result.relation != Relation::overlapping && (std::holds_alternative<PointWithin>(answer.evidence) ||
+                                                   may_have_sheets(a, pose_a) || may_have_sheets(b, pose_b))) {
     result.relation = Relation::meeting;
   }
   if (result.relation == Relation::meeting) result.partition.reset();

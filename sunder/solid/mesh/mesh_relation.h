@@ -9,8 +9,9 @@
 // | A in the interior of B: the surfaces are apart                         | a_inside_b    |
 // | A a part of B: what is inside of A is inside of B or on its triangles  | a_part_of_b   |
 // | each is a part of the other                                            | equal         |
-// | they meet, and one has an open piece, or no inside                     | meeting       |
-// and the same with A and B exchanged. A point is inside as mesh_point.h says.
+// | they meet, and one has an open piece, a sheet, or no inside            | meeting       |
+// and the same with A and B exchanged. A point is inside as mesh_point.h says. A sheet is two triangles back to back with
+// nothing inside beside them; it is seen where both have the same corners.
 #pragma once
 
 #include <sunder/base/cost.h>

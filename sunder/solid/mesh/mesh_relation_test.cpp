@@ -125,6 +125,17 @@ TEST(MeshRelation, SurfacesMeetAndNoMoreIsTold) {
   EXPECT_TRUE(found.inside.has_value());
 }
 
+// A fin of two triangles back to back has no inside: that it goes into the other solid is not told to be touching.
+TEST(MeshRelation, OfSheets) {
+  Boxes fin;
+  fin.box({0, 0, 0}, {1, 1, 1});
+  fin.triangle({1, 0, 0}, {3, 0.5, 0.5}, {1, 1, 0}).triangle({1, 0, 0}, {1, 1, 0}, {3, 0.5, 0.5});
+  const Mesh mesh = fin.mesh();
+  ASSERT_TRUE(mesh.is_closed());
+  EXPECT_EQ(relation_between(mesh, box_mesh({2, 0, 0}, {4, 1, 1})).relation, Relation::meeting);
+  EXPECT_EQ(relation_between(mesh, box_mesh({0.5, 0.5, 0.5}, {4, 1, 1})).relation, Relation::overlapping);
+}
+
 // Triangles without area do not count, wherever they are, and a cell's point is beside them.
 TEST(MeshRelation, NeedlesDoNotCount) {
   Boxes needles;

@@ -207,7 +207,7 @@ def covered_within(steps, cuts, directions, inner, outer, a, b):
 
 def halves(polygon, heights):
     """What of a convex polygon is above a plane, and what is below, as its corners' heights tell; nothing where it has no
-    point there."""
+    point there. New corners are not in lowest terms."""
     above, below = [], []
     if max(heights) > 0 > min(heights):
         for corner, height, following, its_height in zip(
@@ -217,7 +217,7 @@ def halves(polygon, heights):
             if height <= 0:
                 below.append(corner)
             if height > 0 > its_height or height < 0 < its_height:
-                crossing = lowest_terms([height * y - its_height * x for x, y in zip(corner, following)])
+                crossing = [height * y - its_height * x for x, y in zip(corner, following)]
                 above.append(crossing)
                 below.append(crossing)
     elif max(heights) > 0:
@@ -241,7 +241,7 @@ def partition(rule, steps, cuts, planes, cells, rays, meshes):
             told[k][which] = bool(mesh.winding(steps, rule, common(direction)[0], places[k]))
     parts = []
     for mesh in meshes:
-        steps.take(16 * len(mesh.closed), 2 * mesh.bits, 2 * mesh.bits)
+        steps.take(16 * (len(mesh.rows) + len(mesh.closed)), mesh.size, mesh.size)
         images, e = mesh.images
         corners = [lowest_terms([n << max(e, 0) for n in image] + [1 << max(-e, 0)]) for image in images]
         parts.append([[corners[i] for i in triangle] for triangle in mesh.closed if has_area(*(mesh.rows[i] for i in triangle))])
@@ -267,9 +267,13 @@ def partition(rule, steps, cuts, planes, cells, rays, meshes):
         for polygons in parts:
             both = [], []
             for polygon in polygons:
-                steps.take(8 * len(polygon), bits(plane), max(map(bits, polygon)))
-                x, y, z, w = plane
-                for side, half in zip(both, halves(polygon, [x * p + y * q + z * r - w * s for p, q, r, s in polygon])):
+                of_plane, of_corners, (x, y, z, w) = bits(plane), max(map(bits, polygon)), plane
+                steps.take(8 * len(polygon), of_plane, of_corners)
+                above, below = halves(polygon, [x * p + y * q + z * r - w * s for p, q, r, s in polygon])
+                if above and below:
+                    steps.take(32, *2 * [of_plane + 2 * of_corners])
+                    above, below = [*map(lowest_terms, above)], [*map(lowest_terms, below)]
+                for side, half in zip(both, (above, below)):
                     if half:
                         side.append(half)
             for side, those in zip(sides, both):
