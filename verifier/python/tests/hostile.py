@@ -192,6 +192,17 @@ TETRAHEDRON = {"question": "hull", "body": 0, "verdict": "solid", "faces": [[0, 
                "claims": [{"claim": "surface", "homes": [None] * 4}]}
 
 
+def tree_of_planes(corner, planes, points=4, times=1):
+    """Two tetrahedra, with more points in their table; and each plane cuts what is above the last one."""
+    rows = [ZEROS, corner, ["0x1p0", "0x0p0", "0x0p0"], ["0x0p0", "0x1p0", "0x0p0"]]
+    rows += [["0x%xp4" % (k + 1), "0x0p0", "0x0p0"] for k in range(points - 4)]
+    mesh = {"points": rows, "triangles": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}
+    tree = {"claim": "equal_insides", "cuts": [1] * len(planes) + [0] * (len(planes) + 1), "planes": planes,
+            "cells": [["0"] * 3] * (len(planes) + 1), "rays_first": [], "rays_second": []}
+    return claimed("meshes", [{"name": name, **mesh} for name in "ab"], *[
+        {"question": "meshes", "a": 0, "b": 1, "verdict": "equal", "claims": [tree]}] * times)
+
+
 def mesh_on(*meshes, size="0x1p0"):
     """Faces of meshes upon the first of a tetrahedron."""
     corners = [ZEROS, [size, "0x0p0", "0x1p-30"], ["0x0p0", size, "0x1p-30"], ["0x0p0", "0x0p0", size]]
@@ -322,6 +333,10 @@ HOSTILE = {  # about 1 MB each, but for those that need less
         *[{"question": "common_part", "a": 0, "b": 1, "verdict": "between", "first": ["0"] * 3, "last": ["0"] * 3,
            "claims": [{"claim": "holds", "weights": [[0, "1"]]}] * 4 + [
                {"claim": "no_further", "before": ["-1", "0", "0"], "after": ["1", "0", "0"]}]}] * 1500),
+    "a deep tree of planes": lambda: tree_of_planes(["0x1p0"] * 3, [["1", "0", "0", str(-k)] for k in range(1, 22000)]),
+    "trees of planes of long integers": lambda: tree_of_planes(["0x1p0"] * 3, [
+        [digits(9000)] * 4, *[["1", "2", str(k), "1"] for k in range(400)]]),
+    "trees of planes, often": lambda: tree_of_planes(["0x1p0", "0x3p0", "0x5p0"], [["1", "0", "0", "9"]], points=9000, times=2000),
     "a mesh on one face": lambda: mesh_on([[0, 1, 2]] * 55000),
     "a mesh on one face, often": lambda: mesh_on(*[[[0, 1, 2]] * 3] * 7000),
     "a mesh on one face of long integers": lambda: mesh_on([[0, 1, 2]] * 55000, size="0x1p1000"),
