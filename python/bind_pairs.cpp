@@ -27,18 +27,12 @@ struct PythonRelation : YesNo {
   Relation relation = Relation::none;
   bool is_known = true;
 };
-
-// The certificate tells what the answer tells.
 PythonRelation relation_of(const std::shared_ptr<solid::Mesh>& a, const solid::Pose& pose_a,
                            const std::shared_ptr<solid::Mesh>& b, const solid::Pose& pose_b) {
   return unlocked([&] {
     const solid::MeshAnswer answer = intersect(*a, pose_a, *b, pose_b);
     const solid::MeshRelation found = mesh_relation(*a, pose_a, *b, pose_b, answer);
-    const auto text = [=] {
-      AskedPair asked{*a, pose_a, *b, pose_b};
-      asked.tells_relation = true;
-      return proof_of(asked, answer);
-    };
+    const auto text = [=] { return proof_of(AskedPair{*a, pose_a, *b, pose_b, "A", "B", true}, answer); };
     return PythonRelation{{{answer.cost, text}, answer.meet()}, found.relation, found.is_known};
   });
 }
@@ -275,8 +269,7 @@ void bind_solid(nb::module_& module, nb::module_& solid) {
           "none, touching, overlapping, A inside B, A part of B, equal and the like; meeting: of surfaces.")
       .def_ro("known", &PythonRelation::is_known, "False: a budget was spent, or one has an open piece besides.");
   module.def("relation", &relation_of, nb::arg("a"), nb::arg("pose_a"), nb::arg("b"), nb::arg("pose_b"),
-             "How do the solids lie to each other that two meshes bound: do they touch or overlap, is one a part of "
-             "the other?");
+             "How do the solids that two meshes bound lie to each other?");
   solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
             "The certificate file of what the convex hull of these points is, facet by facet.");
   bind_sections(solid);
