@@ -10,7 +10,6 @@
 #include <sunder/solid/search/search_vector.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
