@@ -115,7 +115,7 @@ class PlacedBoxes {
     const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
     const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
     // The way from one middle to the other, and the second one's axes.
-    const double mx{b.x[3]}, my{b.y[3]}, mz{b.z[3]};
+    const auto mx = static_cast<double>(b.x[3]), my = static_cast<double>(b.y[3]), mz = static_cast<double>(b.z[3]);
     const auto to = [&](std::size_t row, float from) {
       const double* const m = to_frame_.data() + 3 * row;
       return static_cast<float>(m[0] * mx + m[1] * my + m[2] * mz + shift_[row] - static_cast<double>(from));
