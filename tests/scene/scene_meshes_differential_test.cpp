@@ -128,13 +128,14 @@ void expect_accepted(const std::vector<Body>& bodies, const Answer& answer, cons
   ASSERT_TRUE(result.accepted()) << result.failed_form << result.error;
   std::size_t as_meshes = 0, overlapping = 0, stated = 0;
   for (const auto& statement : result.statements) {
-    stated += statement.sentence.starts_with("the solid of") || statement.sentence.starts_with("the surface of");
+    stated += statement.sentence.starts_with("the solid of") || statement.sentence.starts_with("the surface of") ||
+              statement.sentence.starts_with("what is inside of the solid of");
   }
   for (const PartPair& pair : answer.pairs) {
     as_meshes += pair.meshes != nullptr;
-    overlapping += pair.meshes && pair.meshes->inside.has_value();
+    overlapping += pair.meshes && pair.meshes->relation.inside.has_value();
     if (pair.meshes) {
-      ASSERT_EQ(pair.meshes->inside.has_value(), pair.relation == Relation::overlapping);
+      ASSERT_EQ(pair.meshes->relation.inside.has_value(), pair.relation == Relation::overlapping);
     }
   }
   ASSERT_GE(stated, as_meshes);

@@ -89,6 +89,7 @@ std::string proved_word(const std::string& verdict) {
 
 TEST(MeshCases, MeetAsTheirAnswersSay) {
   Random random(chosen_seed(4001));
+  const bool proves_all = scaled_count(4) == 4;  // else, where all takes long, each fourth
   int pairs = 0, within = 0, proofs = 0;
   std::map<std::string, int> relations;
   for (const char* file : {"hand.json", "reports.json", "voxels.json"}) {
@@ -108,7 +109,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
         const MeshAnswer answer = mesh_mesh(a, pose, b, pose), other = mesh_mesh(b, pose, a, pose);
         ASSERT_EQ(answer.meet(), meet) << k;
         ASSERT_EQ(other.meet(), meet) << k;
-        if (a.triangles().size() + b.triangles().size() <= 3000) {
+        if ((proves_all || pairs % 4 == 0) && a.triangles().size() + b.triangles().size() <= 3000) {
           EXPECT_EQ(proved_word(proved_pair(a, pose, b, pose, answer, true)), relation) << k;
           proved_pair(b, pose, a, pose, other, k == 1);
           ++proofs;
@@ -124,7 +125,7 @@ TEST(MeshCases, MeetAsTheirAnswersSay) {
   }
   EXPECT_EQ(pairs, 405);
   EXPECT_GT(within, 10);
-  EXPECT_GT(proofs, 750);
+  EXPECT_GT(proofs, proves_all ? 750 : 180);
   EXPECT_EQ(relations["apart"], 58);
   EXPECT_EQ(relations["touch"], 167);
 }

@@ -16,6 +16,7 @@ struct Spanned {
 };
 
 bool are_equal(const Posed3& p, const Posed3& q, StageTally* tally) {
+  if (p.pose == q.pose && p.point == q.point) return true;
   for (int axis = 0; axis < 3; ++axis) {
     if (compare_coordinate(axis, p, q, tally) != Sign::zero) return false;
   }

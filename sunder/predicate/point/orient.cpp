@@ -102,7 +102,6 @@ bool are_collinear(const Point3& a, const Point3& b, const Posed3& c, StageTally
 }
 
 Sign compare_coordinate(int axis, const Posed3& a, const Posed3& b, StageTally* tally) {
-  if (a.pose == b.pose && a.point == b.point) return Sign::zero;
   if (axis == 0) return decide(tally, difference_formula<0>, a, b);
   if (axis == 1) return decide(tally, difference_formula<1>, a, b);
   return decide(tally, difference_formula<2>, a, b);
