@@ -70,7 +70,7 @@ Mesh surface(std::size_t u, std::size_t v, bool has_poles, const At& at) {
 constexpr double kTurn = 6.283185307179586;
 
 Mesh bumpy(std::size_t triangles, Random& random) {
-  const auto u = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 4));
+  const auto u = std::max<std::size_t>(3, static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 4)));
   const double a = random.uniform(3, 9), b = random.uniform(3, 9), c = random.uniform(0, 6);
   return surface(u, 2 * u, true, [&](double s, double t) {
     const double z = std::cos(s * kTurn / 2), r = std::sin(s * kTurn / 2), x = r * std::cos(t * kTurn),
@@ -80,7 +80,7 @@ Mesh bumpy(std::size_t triangles, Random& random) {
 }
 
 Mesh torus(std::size_t triangles, Random& random) {
-  const auto u = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 2));
+  const auto u = std::max<std::size_t>(3, static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles) / 2)));
   const double thick = random.uniform(0.1, 0.4);
   return surface(u, u, false, [&](double s, double t) {
     const double r = 1 + thick * std::cos(t * kTurn);
