@@ -177,7 +177,7 @@ Contest contest(const Pool& pool, Question question, std::uint64_t seed) {
 }
 
 // What is demanded of FCL's time over Sunder's.
-double at_least(Question question) { return question == Question::near ? 2 : question == Question::deep ? 1.2 : 1; }
+double at_least(Question question) { return question == Question::near ? 1.5 : question == Question::deep ? 1.2 : 1; }
 
 constexpr std::array<const char*, 3> kQuestions{"near", "deep", "far"};
 
