@@ -2,7 +2,6 @@
 #include <sunder/planar/pair/contact_evidence.h>
 #include <sunder/planar/pair/polygon_polygon.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
-#include <sunder/solid/mesh/mesh_relation.h>
 #include <sunder/solid/object/hull_claims.h>
 #include <sunder/solid/pair/contact_evidence.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -22,20 +21,6 @@ using solid::ConvexPolyhedron;
 struct PythonPairAnswer : YesNo {
   DecidedBy decided_by = DecidedBy::filter;
 };
-
-struct PythonRelation : YesNo {
-  Relation relation = Relation::none;
-  bool is_known = true;
-};
-PythonRelation relation_of(const std::shared_ptr<solid::Mesh>& a, const solid::Pose& pose_a,
-                           const std::shared_ptr<solid::Mesh>& b, const solid::Pose& pose_b) {
-  return unlocked([&] {
-    const solid::MeshAnswer answer = intersect(*a, pose_a, *b, pose_b);
-    const solid::MeshRelation found = mesh_relation(*a, pose_a, *b, pose_b, answer);
-    const auto text = [=] { return proof_of(AskedPair{*a, pose_a, *b, pose_b, "A", "B", true}, answer); };
-    return PythonRelation{{{answer.cost, text}, answer.meet()}, found.relation, found.is_known};
-  });
-}
 
 // What differs between the plane and space, where polygons have z = 0.
 struct Planar {
@@ -263,13 +248,6 @@ void bind_solid(nb::module_& module, nb::module_& solid) {
       .def("__len__", [](const solid::Mesh& mesh) { return mesh.triangles().size(); }, "How many triangles it has.");
   bind_intersect<solid::Mesh, solid::Pose>(module,
                                            "Do two meshes meet, as they are, placed or not? Touching is meeting.");
-  nb::class_<PythonRelation, YesNo>(solid, "MeshRelation", "How two solids lie to each other. True where they meet.")
-      .def_prop_ro(
-          "relation", [](const PythonRelation& found) { return name_of(found.relation); },
-          "none, touching, overlapping, A inside B, A part of B, equal and the like; meeting: of surfaces.")
-      .def_ro("known", &PythonRelation::is_known, "False: a budget was spent, or one has an open piece besides.");
-  module.def("relation", &relation_of, nb::arg("a"), nb::arg("pose_a"), nb::arg("b"), nb::arg("pose_b"),
-             "How do the solids that two meshes bound lie to each other?");
   solid.def("hull_certificate", &hull_certificate, nb::arg("points"), nb::arg("name") = "body",
             "The certificate file of what the convex hull of these points is, facet by facet.");
   bind_sections(solid);
