@@ -39,7 +39,8 @@ struct ExactPlane {
   Dyadic height(const ExactPoint3& p) const;
 };
 
-// Where the segment between two points on different sides of a plane meets it. Bits: as of the plane, and those of both.
+// The point in which the plane meets the segment from p to q. Requires that these are on different sides of it. Its
+// numbers have about as many bits as the plane and both points together.
 EnclosedPoint crossing_of(const ExactPlane& plane, const ExactPoint3& p, const ExactPoint3& q);
 
 // The point that three planes have in common. Requires that there is one, and no other. Cramer's rule.

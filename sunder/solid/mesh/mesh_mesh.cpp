@@ -62,7 +62,7 @@ class Walk {
         tally_(tally),
         of_pair_(of_pair) {}
 
-  // Of two nodes that are not surely apart the larger one is split.
+  // The walk splits the larger one of two nodes, unless they are surely apart.
   bool any() {
     std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
     std::size_t count = 0;

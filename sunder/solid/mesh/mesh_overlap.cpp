@@ -111,11 +111,12 @@ class InnerPoint {
 }  // namespace
 
 std::optional<Point3> point_inside_both(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
-                                        const MeshEvidence& evidence, std::uint32_t pairs) {
+                                        const MeshEvidence& evidence) {
   if (!a.has_inside() || !b.has_inside()) return std::nullopt;
   InnerPoint search(a, pose_a, b, pose_b);
   if (const auto* within = std::get_if<PointWithin>(&evidence)) return search.near(*within);
   std::optional<Point3> found;
+  int pairs = 4;
   Cost cost;
   StageTally tally;
   any_meeting_triangles(PlacedMesh(a, pose_a), PlacedMesh(b, pose_b), cost, tally,
@@ -126,12 +127,11 @@ std::optional<Point3> point_inside_both(const Mesh& a, const Pose& pose_a, const
   return found;
 }
 
-bool knows_point_of_first_only(const Mesh& first, const Pose& pose_first, const Mesh& other, const Pose& pose_other,
-                               std::uint32_t triangles) {
+bool knows_point_of_first_only(const Mesh& first, const Pose& pose_first, const Mesh& other, const Pose& pose_other) {
   const PlacedMesh placed(first, pose_first);
   const double size = longest_side(placed.node_box(1));
   const auto all = static_cast<std::uint32_t>(first.triangles().size());
-  triangles = std::min(triangles, all);
+  const std::uint32_t triangles = std::min(16u, all);
   for (std::uint32_t k = 0; k < triangles; ++k) {
     may_be_interrupted(100);
     const auto t = static_cast<std::uint32_t>(std::uint64_t{k} * all / triangles);

@@ -19,6 +19,10 @@ namespace sunder::solid {
 
 namespace {
 
+// Floating point sees a corner off by less than this part of the largest coordinate. The search for a plane uses it; no
+// side of a plane is decided by it.
+constexpr double seen_off_by = 0x1p-36;
+
 // A plane that may cut a cell: how it is made exactly, and about where it is.
 struct Candidate {
   int axis = -1;  // across it, or
@@ -299,12 +303,14 @@ class Partitioning {
   struct Counts {
     double above = 0, below = 0, both = 0;
   };
-  // Of some of the parts, as floating point sees them: for searches.
+  // How many parts have points above the plane, below it, and on both sides. Looks at some of them in floating point, and
+  // counts the others in proportion.
   Counts counts(const CutPolygonList& parts, const Candidate& candidate, double size) const {
     Counts result;
     const std::size_t step = 1 + parts.size() / 128;
     const double width =
-        1e-11 * size * (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
+        seen_off_by * size *
+        (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
     for (std::size_t i = 0; i < parts.size(); i += step) {
       bool above = false, below = false;
       for (const RingCorner& corner : cut_.ring(parts[i])) {
@@ -344,7 +350,7 @@ class Partitioning {
       }
     }
     for (std::size_t c = 0; may_be_across && c < 3; ++c) {
-      if (are_two) add_ends(candidates, of, c, 1e-11 * size);
+      if (are_two) add_ends(candidates, of, c, seen_off_by * size);
       if (cell.parts[0].size() + cell.parts[1].size() > 8) candidates.push_back(across(c, middle_part(cell, c)));
     }
     Candidate best;
@@ -367,8 +373,8 @@ class Partitioning {
     return best;
   }
 
-  // Where one ends before the other begins, there; else around what both have in common, with a margin: so cuts leave
-  // no slivers, and have few digits.
+  // If one mesh ends before the other begins, the planes go there. Else they go around what both have in common, with a
+  // margin: so cuts leave no slivers, and the planes have few digits.
   static void add_ends(std::vector<Candidate>& candidates, const std::array<Extent, 2>& of, std::size_t axis,
                        double hair) {
     const double low = std::max(of[0].low[axis], of[1].low[axis]), high = std::min(of[0].high[axis], of[1].high[axis]);

@@ -31,8 +31,8 @@ struct MeshPartition {
   struct Plane {
     std::array<Dyadic, 4> numbers;  // the points x with n x = d: n, d
   };
-  // No triangle with an area of a mesh of which a ray is told has a point in the cell, and the ray from the point meets
-  // no edge of that mesh.
+  // A ray goes from the point, and meets no edge of its mesh. No triangle of that mesh has a point in the cell, unless the
+  // triangle has no area.
   struct Cell {
     FinePoint point;
     std::optional<std::array<Dyadic, 3>> ray_a, ray_b;
@@ -50,7 +50,8 @@ struct Partitioned {
   bool is_decided = false;
   InsideKinds found;
   std::optional<FinePoint> in_both;  // a point that is inside of both, where that was not known
-  // Where they are not all found: rays tell of each cell that what is not found is not in it. Else not whole.
+  // If one of the three kinds was not found, the rays show for each cell that the cell has no point of that kind. If all
+  // were found, the walk stopped early, and the tree is not whole.
   MeshPartition partition;
   Cost cost;  // probes: corners that were compared with a plane
 };

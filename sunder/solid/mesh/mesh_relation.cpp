@@ -14,7 +14,7 @@ namespace sunder::solid {
 
 namespace {
 
-// Of two whose surfaces are apart: are all pieces of `of` at that place of the other one?
+// Are all pieces of the first mesh at that place of the other one? Requires that the surfaces are apart.
 bool are_all_pieces(MeshPlace place, const Mesh& of, const Pose& pose, const Mesh& other, const Pose& pose_other) {
   const PlacedMesh placed(of, pose);
   return std::all_of(of.pieces().begin(), of.pieces().end(), [&](const Mesh::Piece& piece) {
@@ -67,7 +67,7 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     if (is_inside(b, pose_b, a, pose_a)) return {Relation::b_inside_a, true, {}, {}};
   }
   InsideKinds known;
-  if (const auto inside = point_inside_both(a, pose_a, b, pose_b, answer.evidence, 4)) {
+  if (const auto inside = point_inside_both(a, pose_a, b, pose_b, answer.evidence)) {
     result.inside = FinePoint{*inside, {}};
     known.both = true;
   }
@@ -90,7 +90,8 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     if (!known.are_all()) result.partition = std::move(partitioned.partition);
   }
   result.relation = relation_of(known);
-  // Where surfaces are apart and yet none is inside of both, it is a sheet that is inside of the other one.
+  // If the surfaces are apart and no point is inside of both, a sheet of one mesh is inside of the other. The cells do not
+  // see sheets, so the relation is not told then, nor where a mesh may have sheets.
   if (result.relation != Relation::overlapping && (std::holds_alternative<PointWithin>(answer.evidence) ||
                                                    may_have_sheets(a, pose_a) || may_have_sheets(b, pose_b))) {
     result.relation = Relation::meeting;

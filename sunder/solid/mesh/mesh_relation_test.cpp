@@ -117,7 +117,7 @@ TEST(MeshRelation, SurfacesMeetAndNoMoreIsTold) {
   const Mesh flat = Boxes().triangle({1, 0, 0}, {1, 1, 0}, {1, 0, 1}).triangle({1, 0, 0}, {1, 0, 1}, {1, 1, 0}).mesh();
   EXPECT_TRUE(flat.is_closed());
   EXPECT_EQ(relation_between(unit, flat).relation, Relation::meeting);
-  // Of a mesh with an open piece besides, that a point is inside of both.
+  // One mesh has an open piece besides: that a point is inside of both is told all the same.
   const Mesh mixed = Boxes().box({0.5, 0.5, 0.5}, {2, 2, 2}).triangle({9, 9, 9}, {9, 9, 8}, {9, 8, 9}).mesh();
   const MeshRelation found = relation_between(unit, mixed);
   EXPECT_EQ(found.relation, Relation::overlapping);
@@ -150,7 +150,7 @@ TEST(MeshRelation, NeedlesDoNotCount) {
   expect_relation(mesh, box_mesh({0, 0, 0}, {1, 1, 1}), Relation::equal, Relation::equal);
 }
 
-// Where the first tries find nothing, the tree decides: a box that goes into a thin plate by less than they reach.
+// A box goes into another one by 2^-53. Nothing is known before, so the tree finds all three kinds.
 TEST(MeshPartition, FindsAPointThatIsInsideOfBoth) {
   const Mesh a = box_mesh({0, 0, 0}, {1, 1, 1}), b = box_mesh({1 - 0x1p-53, 0, 0}, {2, 1, 1});
   const Partitioned found = mesh_partition(a, {}, b, {}, {});
