@@ -36,8 +36,8 @@ using solid::Pose;
 class PairRatios {
  public:
   // column: what docs/images/plot_solid_probes.py knows it as.
-  PairRatios(std::string_view question, std::string_view column, double bound)
-      : question_(question), column_(column), bound_(bound) {}
+  PairRatios(std::string_view question, std::string_view column, double most)
+      : question_(question), column_(column), bound_(most) {}
 
   void add(std::string_view family, Placement placement, std::size_t p, std::size_t q, double of,
            const PairAnswer& answer) {
