@@ -1,6 +1,8 @@
-// The proof of an answer about two meshes, as its checker sees it.
+// Proofs of answers about two meshes, as their checker sees them.
 #pragma once
 
+#include <sunder/certificate/claims.h>
+#include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 
@@ -8,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,6 +30,29 @@ inline std::string proved_pair(const solid::Mesh& a, const solid::Pose& pose_a, 
                                  << text.substr(0, 3000);
   EXPECT_TRUE(!result.statements.empty() && (result.statements[0].verdict != "apart") == answer.meet());
   return result.statements.empty() ? "" : result.statements[0].verdict;
+}
+
+// The same of how far apart they are, and of whether that is `least`; which are stated as two, in this order.
+inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
+                                   const solid::Pose& pose_b, const solid::MeshDistance& distance, double least) {
+  std::string text, verdicts;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin({});
+  solid::MeshClaims meshes(file);
+  const std::uint32_t of_a = meshes.add_mesh("A", a), of_b = meshes.add_mesh("B", b);
+  const solid::StatedMesh stated_a{meshes.add_placed("placed A", of_a, pose_a), a, pose_a},
+      stated_b{meshes.add_placed("placed B", of_b, pose_b), b, pose_b};
+  meshes.end_table();
+  meshes.add_distance(stated_a, stated_b, distance);
+  meshes.add_clearance(stated_a, stated_b, distance, least);
+  file.end();
+  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
+  for (const auto& statement : result.statements) {
+    EXPECT_EQ(statement.reason, "");
+    verdicts += (verdicts.empty() ? "" : " ") + statement.verdict;
+  }
+  return verdicts;
 }
 
 }  // namespace sunder::tests

@@ -124,9 +124,29 @@ std::int64_t winding(const char* rule, const MeshBody& mesh, const Numbers& alon
 using Pair = std::array<Part, 2>;
 using Pieces = std::set<std::size_t>;
 
-// Requires that each triangle of A is parted from each of B. The pieces of each that are parted from all of the other.
+// How far apart parts have to be, squared: square / over * 2^e.
+struct Width {
+  Integer square, over;
+  std::int64_t e;
+  std::size_t length;  // of what it is made of
+};
+
+// Requires that along the direction, from where A's part ends to where B's begins, it is as far as that.
+void require_width(const char* rule, const Width& width, const Integers& direction, const Extent& of_a,
+                   const Extent& of_b, const MeshBody& a, const MeshBody& b) {
+  const std::size_t size = bits(direction) + a.size() + b.size() + width.length;
+  take_steps(16, size, size);
+  const std::int64_t e = std::min(of_a.e, of_b.e);
+  const Integer gap = shifted(of_b.least, of_b.e - e) - shifted(of_a.greatest, of_a.e - e);
+  require(
+      compare(gap * gap * width.over, 2 * e, width.square * dot(direction, direction), width.e) >= 0, rule,
+      "a part of " + a.quoted + " and one of " + b.quoted + " are less far apart than stated, along their direction");
+}
+
+// Requires that each triangle of A is parted from each of B, and that far. The pieces of each that are parted from all of
+// the other.
 std::array<Pieces, 2> parted(const char* rule, const Groups& cuts, const Points& directions, const MeshBody& a,
-                             const MeshBody& b) {
+                             const MeshBody& b, const Width* width = nullptr) {
   const std::array<const MeshBody*, 2> meshes{&a, &b};
   const Pair whole{Part{0, a.pieces->triangles.size()}, Part{0, b.pieces->triangles.size()}};
   std::array<Pieces, 2> outside;
@@ -151,6 +171,7 @@ std::array<Pieces, 2> parted(const char* rule, const Groups& cuts, const Points&
     const Extent of_a = extent(a, direction, pair[0]), of_b = extent(b, direction, pair[1]);
     require(compare(of_a.greatest, of_a.e, of_b.least, of_b.e) < 0, rule,
             "a part of " + a.quoted + " is not strictly less far along its direction than one of " + b.quoted);
+    if (width != nullptr) require_width(rule, *width, direction, of_a, of_b, a, b);
     for (const std::size_t which : {0u, 1u}) {
       if (pair[1 - which] != whole[1 - which]) continue;
       const auto piece = meshes[which]->pieces->piece.begin();
@@ -199,6 +220,25 @@ void check_covered(const Groups& cuts, const Points& directions, const StatedRay
   const std::array<Pieces, 2> outside = parted("covered", cuts, directions, a, b);
   require_outside("covered", a, b, rays_a, outside[0]);
   require_outside("covered", b, a, rays_b, outside[1]);
+}
+
+void check_covered_apart(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
+                         const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const Numbers& from_a,
+                         const Numbers& to_b) {
+  const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
+  const Integer over = p.back() * q.back();
+  const Width width{dot(way, way), over * over, 0, length(from_a) + length(to_b)};
+  const std::array<Pieces, 2> outside = parted("covered_apart", cuts, directions, a, b, &width);
+  require_outside("covered_apart", a, b, rays_a, outside[0]);
+  require_outside("covered_apart", b, a, rays_b, outside[1]);
+}
+
+void check_covered_clear(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
+                         const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const Number& least) {
+  const Width width{least.n * least.n, 1, 2 * least.e, length({least})};
+  const std::array<Pieces, 2> outside = parted("covered_clear", cuts, directions, a, b, &width);
+  require_outside("covered_clear", a, b, rays_a, outside[0]);
+  require_outside("covered_clear", b, a, rays_b, outside[1]);
 }
 
 void check_covered_within(const Groups& cuts, const Points& directions, const StatedRays& inner,
@@ -401,13 +441,16 @@ void check_equal_insides(const Groups& cuts, const Points& planes, const Points&
   }
 }
 
+constexpr const char* cover = "cuts: cuts; directions: points; rays_a: rays of a; rays_b: rays of b";
 constexpr const char* partition =
     "cuts: cuts; planes: planes; cells: points; rays_first: told rays; rays_second: told rays";
 
 }  // namespace
 
 const ClaimRows claims_of_meshes{
-    {"covered", "cuts: cuts; directions: points; rays_a: rays of a; rays_b: rays of b", rule<check_covered>},
+    {"covered", cover, rule<check_covered>},
+    {"covered_apart", cover, rule<check_covered_apart>},
+    {"covered_clear", cover, rule<check_covered_clear>},
     {"covered_within", "cuts: cuts; directions: points; rays_inner: told rays; rays_outer: told rays",
      rule<check_covered_within>},
     {"insides_apart", partition, rule<check_insides_apart>},

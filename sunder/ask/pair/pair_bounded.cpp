@@ -10,17 +10,6 @@ namespace sunder::ask {
 
 namespace {
 
-// The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
-double least_clearance(const PairCall& call) {
-  if (call.clearance.empty()) return 0;
-  const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");
-  if (numbers.size() != 1 || !(numbers[0] > 0)) {
-    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(call.clearance)),
-                "--clearance");
-  }
-  return numbers[0];
-}
-
 std::string length_told(const Interval& length) {
   const auto [low, high] = length;
   if (high == 0) return "0";
@@ -49,6 +38,16 @@ void add_features(const Measure& found, const char* form, Fact& fact) {
 
 }  // namespace
 
+double least_clearance(const PairCall& call) {
+  if (call.clearance.empty()) return 0;
+  const std::vector<double> numbers = parse_numbers(call.clearance, "--clearance");
+  if (numbers.size() != 1 || !(numbers[0] > 0)) {
+    throw Error(ErrorCode::bad_call, fmt::format("{} is not one number above zero", io::quote(call.clearance)),
+                "--clearance");
+  }
+  return numbers[0];
+}
+
 BoundedPair::BoundedPair(const PairCall& asked, PairObject a, PairObject b, bool is_hull, const PairFiles& files,
                          Space space)
     : PairQuestion(asked, std::move(a), std::move(b), files, space),
@@ -63,23 +62,23 @@ void BoundedPair::ask() {
   bool is_of_hulls = is_yes_ || call.distance;
   Measure apart;
   if (call.distance || least_ > 0) apart = distance();
-  if (call.distance) facts_.push_back(told_distance(apart));
+  if (call.distance) facts_.push_back(told_distance(apart, is_hull_ && !meet_));
   if (call.depth && meet_) facts_.push_back(told_depth(depth()));
   if (least_ > 0) {
     const Verdict found = clearance_of(least_);
     is_yes_ = found != Verdict::apart;
     is_undecided_ = is_undecided_ || found == Verdict::undecided;
     is_of_hulls = is_of_hulls || is_yes_;
-    facts_.push_back(told_clearance(found, apart.length));
+    facts_.push_back(told_clearance(found, least_, apart.length, is_hull_ && !meet_));
   }
   if (space_ == Space::planar) return;
   facts_.insert(facts_.begin(), {"said_of", is_hull_ && is_of_hulls ? "hulls" : "bodies", ""});
 }
 
-Fact BoundedPair::told_distance(const Measure& found) const {
+Fact told_distance(const Measure& found, bool is_of_hulls) {
   Fact fact{"distance", json_of(found), length_told(found.length)};
   add_features(found, ", from {} to {}", fact);
-  if (is_hull_ && !meet_) fact.text += " (of the hulls)";
+  if (is_of_hulls) fact.text += " (of the hulls)";
   return fact;
 }
 
@@ -99,16 +98,15 @@ Fact BoundedPair::told_depth(const Measure& found) {
   return fact;
 }
 
-Fact BoundedPair::told_clearance(Verdict found, const Interval& distance) const {
+Fact told_clearance(Verdict found, double least, const Interval& distance, bool is_of_hulls) {
   const bool is_kept = found == Verdict::apart, is_undecided = found == Verdict::undecided;
   const char* const word = is_undecided ? "undecided" : is_kept ? "kept" : "not kept";
   const std::string apart = is_undecided ? length_told(distance) : about_length(distance);
-  Fact fact{
-      "clearance",
-      {{"least", least_}, {"kept", is_kept}},
-      fmt::format("{}: {}; {}", least_, word, is_undecided || distance.high > 0 ? apart + " apart" : "they meet")};
+  Fact fact{"clearance",
+            {{"least", least}, {"kept", is_kept}},
+            fmt::format("{}: {}; {}", least, word, is_undecided || distance.high > 0 ? apart + " apart" : "they meet")};
   if (is_undecided) fact.json["undecided"] = true;
-  if (!is_kept && is_hull_ && !meet_) fact.text += " (of the hulls)";
+  if (!is_kept && is_of_hulls) fact.text += " (of the hulls)";
   return fact;
 }
 

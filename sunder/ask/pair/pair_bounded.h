@@ -19,6 +19,13 @@ struct Measure {
   WorldDirection direction{Point3{}};            // of a depth: from A to B; A is moved back along it
 };
 
+// The clearance that is asked about; 0: none. Throws Error bad_call for what is no number above zero.
+double least_clearance(const PairCall& call);
+
+// The facts "distance" and "clearance". is_of_hulls: of the hulls of meshes.
+Fact told_distance(const Measure& found, bool is_of_hulls);
+Fact told_clearance(Verdict found, double least, const Interval& distance, bool is_of_hulls);
+
 class BoundedPair : public PairQuestion {
  public:
   void ask();
@@ -35,9 +42,7 @@ class BoundedPair : public PairQuestion {
   virtual Verdict clearance_of(double least) = 0;  // apart: kept; meet: broken. Has the distance
 
  private:
-  Fact told_distance(const Measure& found) const;
   Fact told_depth(const Measure& found);
-  Fact told_clearance(Verdict found, const Interval& distance) const;
 
   bool is_hull_;
   double least_;  // the clearance that is asked about; 0: none

@@ -1,9 +1,11 @@
 // sunder pair where A or B is a mesh that is not convex: both are asked about as they are.
 #include <sunder/ask/evidence.h>
+#include <sunder/ask/pair/pair_bounded.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
 #include <sunder/solid/mesh/mesh_cover.h>
+#include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/mesh/mesh_relation.h>
@@ -78,7 +80,8 @@ class MeshPair : public PairQuestion {
         pose_a_(a.pose),
         pose_b_(b.pose),
         mesh_a_(mesh_a),
-        mesh_b_(mesh_b) {}
+        mesh_b_(mesh_b),
+        least_(least_clearance(asked)) {}
 
   void ask() {
     function_ = method_.function;
@@ -95,10 +98,11 @@ class MeshPair : public PairQuestion {
       if (relation_.partition) facts_.push_back(told(*relation_.partition));
       add_what_is_unknown();
     }
+    measure();
     if (meet_ || is_parted_) return;
     const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
     if (open == 0) return;
-    is_yes_ = !call.surface;
+    is_yes_ = is_yes_ || !call.surface;
     verdict_ = "apart (surfaces alone)";
     facts_.push_back(
         {"enclosed", "not asked",
@@ -110,11 +114,34 @@ class MeshPair : public PairQuestion {
   std::string certificate() const {
     return claims_text(origin(), [this](ClaimsWriter& file) {
       solid::add_claims(file, {a_.name, mesh_a_, pose_a_, a_.said}, {b_.name, mesh_b_, pose_b_, b_.said}, answer_,
-                        &relation_);
+                        &relation_, {&distance_, call.distance, least_});
     });
   }
 
  private:
+  // How far apart, where that is asked.
+  void measure() {
+    if (!call.distance && least_ == 0) return;
+    distance_ = call.method == "scan" ? mesh_distance_by_scan(mesh_a_, pose_a_, mesh_b_, pose_b_)
+                                      : mesh_distance(mesh_a_, pose_a_, mesh_b_, pose_b_);
+    const solid::NearTriangles* const nearest = nearest_of(distance_);
+    Measure found{distance_of(distance_)};
+    if (nearest != nullptr) found.between = {of_polygon(mesh_a_, *nearest, true), of_polygon(mesh_b_, *nearest, false)};
+    if (call.distance) facts_.push_back(told_distance(found, false));
+    cost_ = distance_.cost;
+    if (least_ == 0) return;
+    const bool is_kept = compare_distance(distance_, least_) != Sign::negative;
+    is_yes_ = !is_kept;
+    facts_.push_back(told_clearance(is_kept ? Verdict::apart : Verdict::meet, least_, found.length, false));
+  }
+
+  static Told of_polygon(const solid::Mesh& mesh, const solid::NearTriangles& nearest, bool is_a) {
+    const std::uint32_t polygon = mesh.face_of(is_a ? nearest.of_a : nearest.of_b);
+    const Point3 point = nearest.closest.nearest_points()[is_a ? 0 : 1];
+    return {{{"face", polygon}, {"point", to_json(point)}},
+            fmt::format("{} of polygon {} of {}", about(point), polygon, is_a ? "A" : "B")};
+  }
+
   static std::size_t open_pieces(const solid::Mesh& mesh) {
     const auto pieces = mesh.pieces();
     return static_cast<std::size_t>(std::count_if(
@@ -177,6 +204,8 @@ class MeshPair : public PairQuestion {
   solid::MeshAnswer answer_;
   bool is_parted_ = false;        // by one plane
   solid::MeshRelation relation_;  // where --classify asks for it
+  double least_;                  // 0: no clearance is asked about
+  solid::MeshDistance distance_;  // where that or --distance asks for it
 };
 
 // Throws Error for what is asked of convex objects alone.
@@ -187,10 +216,12 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
                             io::quote(mesh.file), mesh.why_hull, what),
                 place);
   };
-  const std::pair<bool, const char*> options[] = {
-      {call.distance, "--distance"},          {call.depth, "--depth"},        {!call.clearance.empty(), "--clearance"},
-      {!call.a.to.empty(), "--to-a"},         {!call.b.to.empty(), "--to-b"}, {!call.a.radius.empty(), "--radius-a"},
-      {!call.b.radius.empty(), "--radius-b"}, {call.support, "--support"}};
+  const std::pair<bool, const char*> options[] = {{call.depth, "--depth"},
+                                                  {!call.a.to.empty(), "--to-a"},
+                                                  {!call.b.to.empty(), "--to-b"},
+                                                  {!call.a.radius.empty(), "--radius-a"},
+                                                  {!call.b.radius.empty(), "--radius-b"},
+                                                  {call.support, "--support"}};
   for (const auto& [is_given, option] : options) {
     if (is_given) refuse("this option is for convex objects", option);
   }

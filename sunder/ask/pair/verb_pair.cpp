@@ -147,7 +147,7 @@ std::vector<Option> pair_options(PairCall& call) {
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
-      flats{kind::flats}, meshes{kind::meshes};
+      flats{kind::flats}, meshes{kind::meshes}, measured{kind::planar, kind::bodies, kind::round, kind::meshes};
   Kinds any_shape = plane;
   any_shape.insert(any_shape.end(), space.begin(), space.end());
   Kinds any_at_rest = resting;
@@ -158,10 +158,10 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--radius-b", solid},
                                                     {"--classify", resting},
                                                     {"--require-convex", space},
-                                                    {"--distance", bounded},
+                                                    {"--distance", measured},
                                                     {"--depth", bounded},
                                                     {"--support", flats},
-                                                    {"--clearance", bounded},
+                                                    {"--clearance", measured},
                                                     {"--feature-a", plane},
                                                     {"--feature-b", plane},
                                                     {"--mend", plane},

@@ -1,5 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/interruption.h>
+#include <sunder/number/root.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/solid/exact/exact_gjk.h>
 #include <sunder/solid/mesh/mesh_cover.h>
@@ -119,7 +120,13 @@ class CornersSupport {
 
 class Covering {
  public:
-  Covering(const PlacedMesh& a, const PlacedMesh& b, double scale) : a_(a, scale), b_(b, scale) {
+  Covering(const PlacedMesh& a, const PlacedMesh& b, double scale, const CoverWidth& width)
+      : a_(a, scale), b_(b, scale), width_(width), is_wide_(width.squared.numerator.sign() != Sign::zero) {
+    if (is_wide_) {
+      const auto [low, high] = root(width.squared);
+      wide_ = high;
+      about_ = low * scale * (1 - 0x1p-30);
+    }
     outside_a_.resize(a.mesh().pieces().size());
     outside_b_.resize(b.mesh().pieces().size());
   }
@@ -160,8 +167,8 @@ class Covering {
 
   std::optional<std::array<Dyadic, 3>> direction_between(const Part& of_a, const Part& of_b) {
     for (std::size_t c = 0; c < 3; ++c) {
-      const bool is_up = of_a.box.high[c] < of_b.box.low[c];
-      if (!is_up && !(of_b.box.high[c] < of_a.box.low[c])) continue;
+      const bool is_up = is_behind(of_b.box.low[c], of_a.box.high[c]);
+      if (!is_up && !is_behind(of_a.box.low[c], of_b.box.high[c])) continue;
       std::array<Dyadic, 3> axis;
       axis[c] = is_up ? 1.0 : -1.0;
       return axis;
@@ -173,9 +180,12 @@ class Covering {
     Cost cost;
     std::optional<std::array<Dyadic, 3>> found;
     search.run({.steps = 60, .in_vain = 4}, cost, [&](const DifferenceVertex& w) {
-      return search.gap_at(w) > 0 && (found = in_doubles(search.direction));
+      const double gap = search.gap_at(w);
+      return gap > 0 && gap * gap >= about_ * about_ * dot(search.direction, search.direction) &&
+             (found = in_doubles(search.direction));
     });
     if (found) return found;
+    if (width_.way && search.distance2 >= about_ * about_ && (found = shortened(*width_.way))) return found;
     if (of_a.is_node(a_.placed) || of_b.is_node(b_.placed)) return std::nullopt;
     return exactly(search.simplex);
   }
@@ -189,7 +199,12 @@ class Covering {
   bool parts(const WorldDirection& direction) {
     const std::uint32_t last_a = extreme(a_, corners_a_, direction, Sign::positive, corners_a_.front()),
                         first_b = extreme(b_, corners_b_, direction, Sign::negative, corners_b_.front());
-    return compare_along(direction, a_.placed.at(last_a), b_.placed.at(first_b)) == Sign::positive;
+    const Posed3 last = a_.placed.at(last_a), first = b_.placed.at(first_b);
+    if (!is_wide_) return compare_along(direction, last, first) == Sign::positive;
+    const Vector3<Dyadic> d = direction.exact();
+    const Dyadic gap = dot(d, coordinates<Dyadic>(first) - coordinates<Dyadic>(last));
+    return gap.sign() == Sign::positive &&
+           (gap * gap * width_.squared.denominator - dot(d, d) * width_.squared.numerator).sign() != Sign::negative;
   }
 
   // From `from` on, the corner that is furthest along the direction, or least far: `from`, where none is beyond it.
@@ -204,7 +219,12 @@ class Covering {
     return from;
   }
 
-  // The exact search, of few corners. Nothing where their hulls meet.
+  // What begins at `low` along an axis, behind what ends at `high`?
+  bool is_behind(double low, double high) const {
+    return high < low && (!is_wide_ || std::nextafter(low - high, 0.0) >= wide_);
+  }
+
+  // The exact search, of few corners. Nothing where their hulls meet, or are not that far apart.
   std::optional<std::array<Dyadic, 3>> exactly(const DifferenceSimplex& simplex) {
     ExactNearest nearest;
     join(nearest, {corners_a_.front(), corners_b_.front()});
@@ -232,18 +252,21 @@ class Covering {
   }
 
  private:
-  // A direction that parts the corners, of as few digits as will do: as doubles, as sums of two, or as it is.
-  std::array<Dyadic, 3> shortened(const Vector3<Dyadic>& d) {
+  // The direction, if it parts the corners, in as few digits as will do: as doubles, as sums of two, or as it is.
+  std::optional<std::array<Dyadic, 3>> shortened(const Vector3<Dyadic>& d) {
     std::int64_t top = std::numeric_limits<std::int64_t>::min();
     for (const Dyadic* x : {&d.x, &d.y, &d.z}) {
       if (x->sign() != Sign::zero) top = std::max(top, x->top());
     }
     const std::array<Dyadic, 3> exact{d.x.scaled(-top), d.y.scaled(-top), d.z.scaled(-top)};
     const Point3 once{exact[0].nearest(), exact[1].nearest(), exact[2].nearest()};
-    if (auto found = in_doubles(once)) return *std::move(found);
+    if (auto found = in_doubles(once)) return found;
     std::array<Dyadic, 3> twice;
     for (std::size_t c = 0; c < 3; ++c) twice[c] = Dyadic(once[c]) + Dyadic((exact[c] - Dyadic(once[c])).nearest());
-    return parts(WorldDirection(Vector3<Dyadic>{twice[0], twice[1], twice[2]})) ? twice : exact;
+    for (const auto& tried : {twice, exact}) {
+      if (parts(WorldDirection(Vector3<Dyadic>{tried[0], tried[1], tried[2]}))) return tried;
+    }
+    return std::nullopt;
   }
 
   // Marks the pieces in `part` as outside of the other mesh, if `other_part` is the whole of that.
@@ -268,6 +291,9 @@ class Covering {
   }
 
   Searched a_, b_;
+  const CoverWidth& width_;
+  bool is_wide_;
+  double wide_ = 0, about_ = 0;                       // not less than the width; not more, in units of the search
   std::vector<std::uint32_t> corners_a_, corners_b_;  // of the pair that is looked at
   std::vector<bool> outside_a_, outside_b_;           // of each piece
   MeshCover cover_;
@@ -275,10 +301,10 @@ class Covering {
 
 }  // namespace
 
-MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
+MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, const CoverWidth& width) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
   const double scale = scale_to_one(std::max(placed_a.at(0u).reach, placed_b.at(0u).reach));
-  return Covering(placed_a, placed_b, scale).run();
+  return Covering(placed_a, placed_b, scale, width).run();
 }
 
 }  // namespace sunder::solid

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <sunder/number/dyadic.h>
+#include <sunder/number/exact_fraction.h>
+#include <sunder/number/vector.h>
 #include <sunder/predicate/exact_point.h>
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/object/pose.h>
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace sunder::solid {
@@ -33,9 +36,17 @@ struct MeshCover {
   std::vector<Ray> rays_a, rays_b;
 };
 
-// Requires that the meshes are apart (mesh_mesh.h), and what that requires. Exact: directions are checked, and where
-// floating point finds none, exact numbers do. Cost: the pairs of parts of both trees that no plane parts, each times
-// the points of the parts.
-MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
+// How far apart directions show parts to be. squared: of a distance; along the direction, one part begins that far behind
+// the other, or further. 0: strictly behind it. way: a direction that may do for many parts; of the nearest points, say.
+struct CoverWidth {
+  ExactFraction squared{};
+  std::optional<Vector3<Dyadic>> way{};
+};
+
+// Requires that the meshes are apart (mesh_mesh.h), and that far apart, and what mesh_mesh() requires. Exact: directions
+// are checked, and where floating point finds none, exact numbers do. Cost: the pairs of parts of both trees that no
+// planes part by so much, each times the points of the parts.
+MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
+                     const CoverWidth& width = {});
 
 }  // namespace sunder::solid

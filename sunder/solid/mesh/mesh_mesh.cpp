@@ -272,6 +272,12 @@ bool can_be_placed(const Mesh& mesh, const Pose& pose) {
   return pose.linear_range().greatest < 0x1p1000 || mesh.sizes().greatest < 0x1p1020;
 }
 
+void require_can_be_placed(const Mesh& mesh, const Pose& pose) {
+  if (can_be_placed(mesh, pose)) return;
+  throw Error(ErrorCode::bad_pose,
+              "entries of 2^1000 and more, of a mesh with coordinates of 2^1020; give smaller ones");
+}
+
 MeshAnswer mesh_mesh(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
   return answer_by(first_pair_by_trees, a, pose_a, b, pose_b);
 }
@@ -288,10 +294,8 @@ namespace sunder {
 
 solid::MeshAnswer intersect(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
                             const solid::Pose& pose_b) {
-  if (!can_be_placed(a, pose_a) || !can_be_placed(b, pose_b)) {
-    throw Error(ErrorCode::bad_pose,
-                "entries of 2^1000 and more, of a mesh with coordinates of 2^1020; give smaller ones");
-  }
+  solid::require_can_be_placed(a, pose_a);
+  solid::require_can_be_placed(b, pose_b);
   return mesh_mesh(a, pose_a, b, pose_b);
 }
 

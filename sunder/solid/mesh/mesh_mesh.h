@@ -40,6 +40,7 @@ using MeshAnswer = Answer<MeshEvidence>;
 // Can it be asked about there? Its numbers are not beyond all that searches can bear: the entries of the pose are below
 // 2^1000, or the coordinates of the mesh below 2^1020.
 bool can_be_placed(const Mesh& mesh, const Pose& pose);
+void require_can_be_placed(const Mesh& mesh, const Pose& pose);  // throws Error bad_pose
 
 // Exact, under poses. Requires that each can be placed so. Cost: the pairs of nodes of both trees (mesh_tree.h) whose
 // boxes are not apart; where no two triangles meet, for each piece that is not beyond the other mesh what is near a

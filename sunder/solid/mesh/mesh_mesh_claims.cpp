@@ -5,6 +5,7 @@
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/pair/contact_evidence.h>
 
 #include <algorithm>
 #include <array>
@@ -84,7 +85,39 @@ class Statement {
 
   void operator()(const MeshesApart&) const {
     begin("apart");
+    file_.begin_claims();
     cover("covered", a_, b_, "rays_a", "rays_b");
+    file_.end_statement();
+  }
+
+  void closest(const NearTriangles& nearest) const {
+    begin("closest", "mesh_distance");
+    const auto [of_a, of_b] = two_points(nearest);
+    const ShortestWay<Dyadic> way = nearest.closest.way().way;
+    cover("covered_apart", a_, b_, "rays_a", "rays_b", {nearest.closest.squared(), way.way});
+    file_.end_statement();
+  }
+
+  void kept(double least) const {
+    begin_clearance("kept", least);
+    file_.begin_claims();
+    cover("covered_clear", a_, b_, "rays_a", "rays_b", {{Dyadic(least) * Dyadic(least)}, {}});
+    file_.end_statement();
+  }
+  void broken(double least, const NearTriangles& near) const {
+    begin_clearance("broken", least);
+    two_points(near);
+    file_.begin_claim("nearer");
+    file_.end_claim();
+    file_.end_statement();
+  }
+  void broken(double least, const MeetingTriangles& meeting) const {
+    begin_clearance("broken", least);
+    const CommonPoint point = common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting);
+    two_points(meeting.of_a, {point.at, point.of_a}, meeting.of_b, {point.at, point.of_b});
+    file_.begin_claim("nearer");
+    file_.end_claim();
+    file_.end_statement();
   }
 
   // By what is known of how they lie to each other. False: nothing is stated.
@@ -95,14 +128,8 @@ class Statement {
       case Relation::a_part_of_b: parted("a_part_of_b", "part_of", *known.partition, true); return true;
       case Relation::b_part_of_a: parted("b_part_of_a", "part_of", *known.partition, false); return true;
       case Relation::equal: parted("equal", "equal_insides", *known.partition, true); return true;
-      case Relation::a_inside_b:
-        begin("a_inside_b");
-        cover("covered_within", a_, b_, "rays_inner", "rays_outer");
-        return true;
-      case Relation::b_inside_a:
-        begin("b_inside_a");
-        cover("covered_within", b_, a_, "rays_inner", "rays_outer");
-        return true;
+      case Relation::a_inside_b: within("a_inside_b", a_, b_); return true;
+      case Relation::b_inside_a: within("b_inside_a", b_, a_); return true;
       case Relation::none:
       case Relation::meeting: break;
     }
@@ -178,9 +205,35 @@ class Statement {
     add_on_triangle(file_, meeting.of_b, point.of_b);
   }
 
-  void cover(const char* rule, const StatedMesh& a, const StatedMesh& b, const char* key_a, const char* key_b) const {
-    const MeshCover cover = mesh_cover(a.mesh, a.pose, b.mesh, b.pose);
+  // Begins the claims: that triangles hold the nearest points, or others.
+  ClosestPoints two_points(const NearTriangles& near) const {
+    ClosestPoints points = closest_points(near.closest);
+    two_points(near.of_a, points.of_a, near.of_b, points.of_b);
+    return points;
+  }
+  void two_points(std::uint32_t triangle_a, const PointOf& of_a, std::uint32_t triangle_b, const PointOf& of_b) const {
+    file_.fractions("from_a", of_a.at);
+    file_.fractions("to_b", of_b.at);
     file_.begin_claims();
+    add_on_triangle(file_, triangle_a, of_a.of_body);
+    add_on_triangle(file_, triangle_b, of_b.of_body);
+  }
+
+  void begin_clearance(const char* verdict, double least) const {
+    begin(verdict, "mesh_clearance");
+    file_.real("least", least);
+  }
+
+  void within(const char* verdict, const StatedMesh& inner, const StatedMesh& outer) const {
+    begin(verdict);
+    file_.begin_claims();
+    cover("covered_within", inner, outer, "rays_inner", "rays_outer");
+    file_.end_statement();
+  }
+
+  void cover(const char* rule, const StatedMesh& a, const StatedMesh& b, const char* key_a, const char* key_b,
+             const CoverWidth& width = {}) const {
+    const MeshCover cover = mesh_cover(a.mesh, a.pose, b.mesh, b.pose, width);
     file_.begin_claim(rule);
     file_.integers("cuts", cover.cuts);
     file_.begin_list("directions");
@@ -189,7 +242,6 @@ class Statement {
     add_rays(file_, key_a, cover.rays_a);
     add_rays(file_, key_b, cover.rays_b);
     file_.end_claim();
-    file_.end_statement();
   }
 
   void add_partition(const char* rule, const MeshPartition& partition, bool is_a_first) const {
@@ -221,8 +273,8 @@ class Statement {
     return {Dyadic(p.high.x) + Dyadic(p.low.x), Dyadic(p.high.y) + Dyadic(p.low.y), Dyadic(p.high.z) + Dyadic(p.low.z)};
   }
 
-  void begin(const char* verdict) const {
-    file_.begin_statement("meshes");
+  void begin(const char* verdict, const char* question = "meshes") const {
+    file_.begin_statement(question);
     file_.index("a", a_.index);
     file_.index("b", b_.index);
     file_.text("verdict", verdict);
@@ -312,8 +364,21 @@ void MeshClaims::add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEv
   if (relation == nullptr || !statement.related(*relation, evidence)) std::visit(statement, evidence);
 }
 
+void MeshClaims::add_distance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance) {
+  if (const NearTriangles* nearest = nearest_of(distance)) Statement(file_, a, b).closest(*nearest);
+}
+
+void MeshClaims::add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least) {
+  SUNDER_REQUIRE(least > 0);
+  const Statement statement(file_, a, b);
+  if (const auto* within = std::get_if<PointWithin>(&distance.evidence)) return statement(*within);
+  if (const auto* meeting = std::get_if<MeetingTriangles>(&distance.evidence)) return statement.broken(least, *meeting);
+  if (compare_distance(distance, least) == Sign::negative) return statement.broken(least, *nearest_of(distance));
+  statement.kept(least);
+}
+
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
-                const MeshRelation* relation) {
+                const MeshRelation* relation, const MeshMeasures& measures) {
   MeshClaims meshes(file);
   const auto add = [&](const NamedMesh& of) {
     const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
@@ -321,7 +386,10 @@ void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, cons
   };
   const std::uint32_t index_a = add(a), index_b = add(b);
   meshes.end_table();
-  meshes.add_pair({index_a, a.mesh, a.pose}, {index_b, b.mesh, b.pose}, answer.evidence, relation);
+  const StatedMesh stated_a{index_a, a.mesh, a.pose}, stated_b{index_b, b.mesh, b.pose};
+  meshes.add_pair(stated_a, stated_b, answer.evidence, relation);
+  if (measures.tells_distance) meshes.add_distance(stated_a, stated_b, *measures.distance);
+  if (measures.least > 0) meshes.add_clearance(stated_a, stated_b, *measures.distance, measures.least);
 }
 
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer) {

@@ -7,6 +7,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/said.h>
+#include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_relation.h>
 
@@ -56,6 +57,13 @@ class MeshClaims {
   void add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
                 const MeshRelation* relation = nullptr);
 
+  // How far apart they are, exactly; of meshes that meet nothing.
+  void add_distance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance);
+
+  // That they are `least` apart, or two points that are nearer. Where all that is known is a point of one inside of the
+  // other, that they meet so.
+  void add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least);
+
  private:
   void begin_entry(const std::string& name, const Said& said);
 
@@ -63,10 +71,17 @@ class MeshClaims {
   std::uint32_t count_ = 0;
 };
 
-// The table, and the one statement; the file's origin stands before, and its end is not written. Cost: as of
-// MeshClaims::add_pair().
+// What is stated besides whether they meet: how far apart they are, and whether that is `least`, where it is not 0.
+struct MeshMeasures {
+  const MeshDistance* distance = nullptr;  // not needed where neither is stated
+  bool tells_distance = false;
+  double least = 0;
+};
+
+// The table, and the statements; the file's origin stands before, and its end is not written. Cost: as of
+// MeshClaims::add_pair(), for each.
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
-                const MeshRelation* relation = nullptr);
+                const MeshRelation* relation = nullptr, const MeshMeasures& measures = {});
 
 // The certificate file of the answer, whole (asked_pair.h). tells_relation: how they lie to each other, as far as that is
 // found (mesh_relation.h).

@@ -61,6 +61,12 @@ struct BoxFrame {
   }
 };
 
+inline FloatLanes float_lanes_of(const std::array<float, 4>& numbers) {
+  FloatLanes result;
+  std::memcpy(&result, numbers.data(), sizeof result);
+  return result;
+}
+
 // All is seen from the frame of the first one. There two boxes are apart if they are so along an axis of either, or
 // along the vector product of an axis of one and one of the other. The axes of the second stay across each other only
 // if its frame turns them there, and perhaps makes all larger or smaller; else the first one's axes alone are tried.
@@ -97,6 +103,12 @@ class PlacedBoxes {
       shift_[c] = shift[c];
     }
     error_ = static_cast<float>(off) + 0x1p-60F;
+    double stretched = 0;  // no way is longer in the first one's units than this times itself, squared
+    for (const Point3& row : inverse) {
+      stretched = std::max(stretched, std::fabs(dot(row, inverse[0])) + std::fabs(dot(row, inverse[1])) +
+                                          std::fabs(dot(row, inverse[2])));
+    }
+    if (stretched > 0x1p-1000 && stretched < 0x1p1000) shortest_ = (1 - 0x1p-15) / std::sqrt(stretched);
     const double xx = dot(linear[0], linear[0]), yy = dot(linear[1], linear[1]), zz = dot(linear[2], linear[2]);
     const double skew = std::max({std::fabs(dot(linear[0], linear[1])), std::fabs(dot(linear[0], linear[2])),
                                   std::fabs(dot(linear[1], linear[2]))});
@@ -114,20 +126,11 @@ class PlacedBoxes {
     if (!is_known_) return false;
     const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
     const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
-    // The way from one middle to the other, and the second one's axes.
-    const auto mx = static_cast<double>(b.x[3]), my = static_cast<double>(b.y[3]), mz = static_cast<double>(b.z[3]);
-    const auto to = [&](std::size_t row, float from) {
-      const double* const m = to_frame_.data() + 3 * row;
-      return static_cast<float>(m[0] * mx + m[1] * my + m[2] * mz + shift_[row] - static_cast<double>(from));
-    };
-    const float to_x = to(0, a.x[3]), to_y = to(1, a.y[3]), to_z = to(2, a.z[3]);
+    const auto [to_x, to_y, to_z] = way_between(a, b);
     const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
                      y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
                      z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
-    // Single precision: parts in 2^19 of all that is looked at.
-    const float sizes = std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
-                        (b.half[0] + b.half[1] + b.half[2]) * longest_;
-    float error = error_ + std::fabs(sizes) * 0x1p-19F;
+    float error = error_ + sizes_of(to_x, to_y, to_z, a, b) * 0x1p-19F;  // with that of single precision
     const FloatLanes way = ax * to_x + ay * to_y + az * to_z;
     std::array<FloatLanes, 3> seen;  // each axis of the second along those of the first
     FloatLanes reach = half_a + error;
@@ -154,6 +157,29 @@ class PlacedBoxes {
     return (bits_of_four(apart) & 7) != 0;
   }
 
+  // How far apart they are in the world, at least, as axes of either tell: not more than that, and 0 where they may
+  // meet or nothing is known.
+  double at_least(const OrientedBox& a, const OrientedBox& b) const {
+    if (!is_known_) return 0;
+    const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
+    const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
+    const auto [to_x, to_y, to_z] = way_between(a, b);
+    const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
+                     y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
+                     z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
+    const float error = error_ + sizes_of(to_x, to_y, to_z, a, b) * 0x1p-19F;
+    FloatLanes reach = half_a + error;
+    for (int k = 0; k < 3; ++k) reach += absolute(ax * x[k] + ay * y[k] + az * z[k]) * half_b[k];
+    double square = sum_of_squares(absolute(ax * to_x + ay * to_y + az * to_z) - reach);
+    if (turns_) {
+      reach = half_b * (times_ * times_) + error * 2 * (1 + times_);
+      for (int k = 0; k < 3; ++k) reach += absolute(x * ax[k] + y * ay[k] + z * az[k]) * half_a[k];
+      const auto length = static_cast<double>(times_);
+      square = std::max(square, sum_of_squares(absolute(x * to_x + y * to_y + z * to_z) - reach) / (length * length));
+    }
+    return std::sqrt(square) * shortest_;
+  }
+
   // Is the first box the larger one, about?
   bool is_first_larger(const OrientedBox& a, const OrientedBox& b) const {
     const auto side = [](const OrientedBox& box) { return std::max({box.half[0], box.half[1], box.half[2]}); };
@@ -161,11 +187,31 @@ class PlacedBoxes {
   }
 
  private:
-  static FloatLanes lanes(const std::array<float, 4>& numbers) {
-    FloatLanes result;
-    std::memcpy(&result, numbers.data(), sizeof result);
-    return result;
+  // From one middle to the other.
+  std::array<float, 3> way_between(const OrientedBox& a, const OrientedBox& b) const {
+    const auto mx = static_cast<double>(b.x[3]), my = static_cast<double>(b.y[3]), mz = static_cast<double>(b.z[3]);
+    const auto to = [&](std::size_t row, float from) {
+      const double* const m = to_frame_.data() + 3 * row;
+      return static_cast<float>(m[0] * mx + m[1] * my + m[2] * mz + shift_[row] - static_cast<double>(from));
+    };
+    return {to(0, a.x[3]), to(1, a.y[3]), to(2, a.z[3])};
   }
+  // Of all that is looked at.
+  float sizes_of(float to_x, float to_y, float to_z, const OrientedBox& a, const OrientedBox& b) const {
+    return std::fabs(std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
+                     (b.half[0] + b.half[1] + b.half[2]) * longest_);
+  }
+  // Of the first three that are positive.
+  static double sum_of_squares(FloatLanes gaps) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      const auto gap = static_cast<double>(std::max(gaps[k], 0.0F));
+      sum += gap * gap;
+    }
+    return sum;
+  }
+
+  static FloatLanes lanes(const std::array<float, 4>& numbers) { return float_lanes_of(numbers); }
   // The first three, each in the place of the one before.
   static FloatLanes turned(FloatLanes v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 
@@ -190,10 +236,56 @@ class PlacedBoxes {
   std::array<float, 9> linear_{};
   std::array<double, 9> to_frame_{};  // the same
   std::array<double, 3> shift_{};
-  float error_ = 0;    // of a way along an axis of the first, but for single precision
-  float times_ = 1;    // how many times as long axes of the second are, where it turns them
-  float size_ = 1;     // of axes of the second, about
-  float longest_ = 1;  // no axis is longer
+  float error_ = 0;      // of a way along an axis of the first, but for single precision
+  float times_ = 1;      // how many times as long axes of the second are, where it turns them
+  float size_ = 1;       // of axes of the second, about
+  float longest_ = 1;    // no axis is longer
+  double shortest_ = 0;  // a length 1 in the first one's units is at least that in the world
+};
+
+// Along one direction of the world, from A to B: how far apart are two boxes, at least?
+class BoxesAlong {
+ public:
+  // Requires a direction of length 1, about.
+  BoxesAlong(const BoxFrame& a, const BoxFrame& b, const Point3& d)
+      : a_(a, d),
+        b_(b, d),
+        between_(dot(d, {b.middle.x - a.middle.x, b.middle.y - a.middle.y, b.middle.z - a.middle.z})),
+        error_((a.sum + b.sum) * 0x1p-45) {}
+
+  double at_least(const OrientedBox& a, const OrientedBox& b) const {
+    return (between_ + b_.middle_of(b) - a_.middle_of(a) - a_.reach_of(a) - b_.reach_of(b) - error_) * (1 - 0x1p-40);
+  }
+
+ private:
+  // The direction as a mesh's boxes see it.
+  struct Seen {
+    Point3 along;
+    std::array<float, 3> rounded;
+    double size;
+
+    Seen(const BoxFrame& of, const Point3& d)
+        : along{dot(of.edges[0], d), dot(of.edges[1], d), dot(of.edges[2], d)},
+          rounded{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)},
+          size(std::fabs(along.x) + std::fabs(along.y) + std::fabs(along.z)) {}
+
+    double middle_of(const OrientedBox& box) const {
+      return along.x * static_cast<double>(box.x[3]) + along.y * static_cast<double>(box.y[3]) +
+             along.z * static_cast<double>(box.z[3]);
+    }
+    // Axes are of length 1 and across each other up to parts in 2^20; single precision: parts in 2^20.
+    double reach_of(const OrientedBox& box) const {
+      const FloatLanes half = float_lanes_of(box.half),
+                       ways = float_lanes_of(box.x) * rounded[0] + float_lanes_of(box.y) * rounded[1] +
+                              float_lanes_of(box.z) * rounded[2],
+                       reaches = absolute(ways) * half;
+      const float reach = reaches[0] + reaches[1] + reaches[2], sizes = std::fabs(half[0] + half[1] + half[2]);
+      return static_cast<double>(reach) + static_cast<double>(sizes) * size * 0x1p-17 + size * 0x1p-40;
+    }
+  };
+
+  Seen a_, b_;
+  double between_, error_;
 };
 
 // Calls of_triangle(t) with each triangle whose leaf is not surely apart from the segment between two points, until it

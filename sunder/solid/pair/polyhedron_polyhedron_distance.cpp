@@ -152,13 +152,11 @@ bool propose(const Placed& a, const Placed& b, std::uint32_t from_a, std::uint32
 
 }  // namespace
 
-ClosestFeatures::ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b,
+ClosestFeatures::ClosestFeatures(std::span<const Point3> a, const Pose& pose_a, std::span<const Point3> b,
                                  const Pose& pose_b, const FeatureVertices& features)
     : features_(features), pose_a_(pose_a.affine()), pose_b_(pose_b.affine()) {
-  for (std::size_t k = 0; k < features.count_a; ++k) points_[k] = a.vertices()[features.of_a(k)];
-  for (std::size_t k = 0; k < features.count_b; ++k) {
-    points_[features.count_a + k] = b.vertices()[features.of_b(k)];
-  }
+  for (std::size_t k = 0; k < features.count_a; ++k) points_[k] = a[features.of_a(k)];
+  for (std::size_t k = 0; k < features.count_b; ++k) points_[features.count_a + k] = b[features.of_b(k)];
 }
 
 std::array<Posed3, 4> ClosestFeatures::images() const {
@@ -253,17 +251,22 @@ PolyhedronDistance polyhedron_polyhedron_distance(const ConvexPolyhedron& body_a
       propose<DoubleDouble>(a, b, closest.features.of_a(0), closest.features.of_b(0), closest, answer.cost);
   if (!held) closest.descend();
   conclude(answer, answer.cost.exact + tally.exact, !held || answer.decided_by == DecidedBy::finishing);
-  return {ClosestFeatures(body_a, pose_a, body_b, pose_b, closest.features), answer.decided_by, answer.cost};
+  return {ClosestFeatures(body_a.vertices(), pose_a, body_b.vertices(), pose_b, closest.features), answer.decided_by,
+          answer.cost};
 }
 
 Sign compare_distance(const PolyhedronDistance& distance, double radius) {
   SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
   const ClosestFeatures* closest = closest_of(distance);
   if (closest == nullptr) return radius > 0 ? Sign::negative : Sign::zero;
-  const auto [low, high] = closest->distance();
+  return compare_distance(*closest, radius);
+}
+
+Sign compare_distance(const ClosestFeatures& closest, double radius) {
+  const auto [low, high] = closest.distance();
   if (radius < low) return Sign::positive;
   if (radius > high) return Sign::negative;
-  return compare_root(closest->squared(), radius);
+  return compare_root(closest.squared(), radius);
 }
 
 }  // namespace sunder::solid

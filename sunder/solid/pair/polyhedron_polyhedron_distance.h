@@ -19,6 +19,7 @@
 #include <sunder/solid/search/closest_features.h>
 
 #include <array>
+#include <span>
 #include <variant>
 
 namespace sunder::solid {
@@ -30,8 +31,8 @@ class ClosestFeatures {
  public:
   static constexpr Verdict verdict = Verdict::apart;
 
-  // Those of these placed bodies. Keeps what it needs of them.
-  ClosestFeatures(const ConvexPolyhedron& a, const Pose& pose_a, const ConvexPolyhedron& b, const Pose& pose_b,
+  // Those of these vertices, under their poses. Keeps what it needs of them.
+  ClosestFeatures(std::span<const Point3> a, const Pose& pose_a, std::span<const Point3> b, const Pose& pose_b,
                   const FeatureVertices& features);
 
   const FeatureVertices& features() const { return features_; }
@@ -88,6 +89,7 @@ PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron
                                                           const ConvexPolyhedron& b, const Pose& pose_b);
 
 // positive: further apart than the radius; zero: exactly so far; negative: closer. Requires a finite radius >= 0.
+Sign compare_distance(const ClosestFeatures& closest, double radius);
 Sign compare_distance(const PolyhedronDistance& distance, double radius);
 
 }  // namespace sunder::solid

@@ -120,7 +120,7 @@ PolyhedronDistance polyhedron_polyhedron_distance_by_scan(const ConvexPolyhedron
   FeatureVertices found{best_a.count, best_b.count, {}};
   for (std::size_t k = 0; k < best_a.count; ++k) found.vertices[k] = best_a.vertex[k];
   for (std::size_t k = 0; k < best_b.count; ++k) found.vertices[best_a.count + k] = best_b.vertex[k];
-  return {ClosestFeatures(body_a, pose_a, body_b, pose_b, found), answer.decided_by, answer.cost};
+  return {ClosestFeatures(body_a.vertices(), pose_a, body_b.vertices(), pose_b, found), answer.decided_by, answer.cost};
 }
 
 }  // namespace sunder::solid

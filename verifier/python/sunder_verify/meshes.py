@@ -4,7 +4,8 @@ import functools
 import itertools
 import math
 
-from .reader import LIST, bits, common, form, projective, require
+from .linear import aligned, way_between
+from .reader import LIST, bits, common, form, length, projective, require
 from .rules import holds
 from .sentences import counted
 from .tables import Body, cross, dot
@@ -147,8 +148,9 @@ def meshes(value, where, read):
     return result
 
 
-def parted(rule, steps, cuts, directions, a, b):
-    """Each triangle of A is parted from each of B; the pieces of each that are parted from all of the other."""
+def parted(rule, steps, cuts, directions, a, b, width=None):
+    """Each triangle of A is parted from each of B, and that far; the pieces of each that are parted from all of the other.
+    width: n, m, e and its length, for n / m * 2^e, the square of a distance."""
     whole = [(0, len(mesh.triangles)) for mesh in (a, b)]
     pairs, outside, left = [whole], (set(), set()), iter(directions)
     for k in cuts:
@@ -167,6 +169,13 @@ def parted(rule, steps, cuts, directions, a, b):
         (_, last, e), (begin, _, f) = a.ends(steps, d, *parts[0]), b.ends(steps, d, *parts[1])
         require(last << max(e - f, 0) < begin << max(f - e, 0), rule,
                 "a part of %s is not strictly less far along its direction than one of %s" % (a.name, b.name))
+        if width:
+            square, over, unit, size = width
+            size += bits(d) + a.size + b.size
+            steps.take(16, size, size)
+            begin, last = aligned(begin, f, last, e)
+            far, asked = aligned((begin - last) ** 2 * over, 2 * min(e, f), square * dot(d, d), unit)
+            require(far >= asked, rule, "a part of %s and one of %s are less far apart than stated, along their direction" % (a.name, b.name))
         for mesh, of, part, other in (a, 0, parts[0], 1), (b, 1, parts[1], 0):
             if parts[other] == whole[other]:
                 outside[of].update(mesh.piece[part[0]:part[1]])
@@ -190,11 +199,25 @@ def outside_of(rule, steps, mesh, other, rays, parted_pieces):
             "a piece of %s is not shown to be outside of %s" % (mesh.name, other.name))
 
 
-def covered(steps, cuts, directions, rays_a, rays_b, a, b):
+def covered(steps, cuts, directions, rays_a, rays_b, a, b, rule="covered", width=None):
     """Each triangle of A is parted from each of B; and each piece of one is outside of the other."""
-    outside = parted("covered", steps, cuts, directions, a, b)
-    outside_of("covered", steps, a, b, rays_a, outside[0])
-    outside_of("covered", steps, b, a, rays_b, outside[1])
+    outside = parted(rule, steps, cuts, directions, a, b, width)
+    outside_of(rule, steps, a, b, rays_a, outside[0])
+    outside_of(rule, steps, b, a, rays_b, outside[1])
+
+
+def covered_apart(steps, cuts, directions, rays_a, rays_b, a, b, from_a, to_b):
+    """Likewise, and as far apart as two points."""
+    p, q = projective(from_a), projective(to_b)
+    way = way_between(p, q)
+    width = dot(way, way), (p[3] * q[3]) ** 2, 0, length(from_a) + length(to_b)
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_apart", width)
+
+
+def covered_clear(steps, cuts, directions, rays_a, rays_b, a, b, least):
+    """Likewise, and that far apart."""
+    width = least[0] ** 2, 1, 2 * least[2], length([least])
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_clear", width)
 
 
 def covered_within(steps, cuts, directions, inner, outer, a, b):

@@ -415,7 +415,8 @@ CLAIMS = {
     **{rule.__name__: (rule, "multipliers") for rule in (
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
-    "covered": (meshes.covered, "cuts", "directions", "rays_a", "rays_b"),
+    **{rule.__name__: (rule, "cuts", "directions", "rays_a", "rays_b") for rule in (
+        meshes.covered, meshes.covered_apart, meshes.covered_clear)},
     "covered_within": (meshes.covered_within, "cuts", "directions", "rays_inner", "rays_outer"),
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
         meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
@@ -505,6 +506,11 @@ QUESTIONS = {
         "a_inside_b": "covered_within a b", "b_inside_a": "covered_within b a",
         "a_within": "on_triangle a point, encloses b point",
         "b_within": "encloses a point, on_triangle b point"}),
+    "mesh_distance": ("meshes", "a b", {
+        "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),
+    "mesh_clearance": ("meshes", "a b least", {
+        "kept": "covered_clear a b least",
+        "broken": "on_triangle a from_a, on_triangle b to_b, nearer from_a to_b least"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
         "apart_by_hyperplanes": "parted_by_hyperplanes a b",

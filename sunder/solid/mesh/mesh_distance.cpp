@@ -1,0 +1,433 @@
+#include <sunder/solid/mesh/mesh_distance.h>
+
+#include <sunder/base/contract.h>
+#include <sunder/base/interruption.h>
+#include <sunder/number/root.h>
+#include <sunder/predicate/point/along.h>
+#include <sunder/solid/exact/exact_gjk.h>
+#include <sunder/solid/mesh/near_triangles.h>
+#include <sunder/solid/mesh/placed_boxes.h>
+#include <sunder/solid/mesh/placed_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+namespace sunder::solid {
+
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// Walks down both trees.
+class NearWalk {
+ public:
+  NearWalk(const PlacedMesh& a, const PlacedMesh& b, Cost& cost)
+      : a_(a),
+        b_(b),
+        tree_a_(a.mesh().tree()),
+        tree_b_(b.mesh().tree()),
+        frame_a_(BoxFrame::of(a)),
+        frame_b_(BoxFrame::of(b)),
+        boxes_(frame_a_, frame_b_),
+        of_a_(a),
+        of_b_(b),
+        gaps_(a, b),
+        cost_(cost) {
+    const Point3 &p = frame_a_.middle, &q = frame_b_.middle;
+    look_along({q.x - p.x, q.y - p.y, q.z - p.z});
+  }
+
+  // The way between the nearest points that are known, or about that: boxes are compared along it, too. What is nearest on
+  // curved bodies is told from what is beside it so, by boxes of any size; by their own axes, only once they are small.
+  void look_along(const Point3& way) {
+    const double length = std::sqrt(dot(way, way));
+    if (!(length > 0x1p-400 && length < 0x1p400)) return;
+    way_ = {way.x / length, way.y / length, way.z / length};
+    along_.emplace(frame_a_, frame_b_, way_);
+  }
+
+  // Calls of_pair(t, u, gap) with the triangles of two leaves, down to which the boxes are less far apart along the way.
+  template <class OfPair>
+  void dive(double& limit, const OfPair& of_pair) {
+    NodePair pair;
+    while (!is_of_leaves(pair)) {
+      const auto halves = halves_of(pair, unbounded);
+      pair = halves[is_second_nearer(halves) ? 1 : 0];
+    }
+    any_of_leaves(pair, limit, of_pair);
+  }
+
+  // The same with each two triangles that may be no further apart than `limit`, which of_pair may lower; the nearest boxes
+  // first of all, so that few are looked at that are further apart than what is nearest.
+  template <class OfPair>
+  void nearest_first(double& limit, const OfPair& of_pair) {
+    std::array<NodePair, 512> waiting;  // a heap; what finds no place in it is gone through at once
+    std::size_t count = 0;
+    const auto is_later = [](const NodePair& p, const NodePair& q) { return p.at_least > q.at_least; };
+    waiting[count++] = NodePair{};
+    while (count > 0 && !(waiting[0].at_least > limit)) {
+      may_be_interrupted(1);
+      std::pop_heap(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), is_later);
+      const NodePair pair = waiting[--count];
+      if (is_of_leaves(pair)) {
+        any_of_leaves(pair, limit, of_pair);
+        continue;
+      }
+      for (const NodePair& half : halves_of(pair, limit)) {
+        if (half.at_least > limit) continue;
+        if (count == waiting.size()) {
+          any(limit, of_pair, half);
+          continue;
+        }
+        waiting[count++] = half;
+        std::push_heap(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(count), is_later);
+      }
+    }
+  }
+
+  struct NodePair {
+    std::size_t a = 1, b = 1;
+    double at_least = 0;        // as boxes tell
+    double along = -unbounded;  // the same along the way
+  };
+
+  // The same below two nodes, in a space that does not grow, until of_pair returns true. Returns whether it did.
+  template <class OfPair>
+  bool any(double& limit, const OfPair& of_pair, const NodePair& from = {}) {
+    std::array<NodePair, 2 * MeshTree::deepest + 2> waiting;
+    std::size_t count = 0;
+    waiting[count++] = from;
+    while (count > 0) {
+      may_be_interrupted(1);
+      const NodePair pair = waiting[--count];
+      if (pair.at_least > limit) continue;
+      if (is_of_leaves(pair)) {
+        if (any_of_leaves(pair, limit, of_pair)) return true;
+        continue;
+      }
+      const auto halves = halves_of(pair, limit);
+      const std::size_t nearer = is_second_nearer(halves) ? 1 : 0;
+      for (const std::size_t k : {1 - nearer, nearer}) {
+        if (halves[k].at_least <= limit) waiting[count++] = halves[k];
+      }
+    }
+    return false;
+  }
+
+ private:
+  bool is_of_leaves(const NodePair& pair) const { return tree_a_.is_leaf(pair.a) && tree_b_.is_leaf(pair.b); }
+
+  // Boxes that are further apart along the way than the limit are not compared otherwise.
+  std::array<NodePair, 2> halves_of(const NodePair& pair, double limit) {
+    const bool splits_a = tree_b_.is_leaf(pair.b) || (!tree_a_.is_leaf(pair.a) &&
+                                                      boxes_.is_first_larger(tree_a_.box(pair.a), tree_b_.box(pair.b)));
+    std::array<NodePair, 2> halves;
+    for (const std::size_t k : {0u, 1u}) {
+      NodePair& half = halves[k];
+      half = splits_a ? NodePair{2 * pair.a + k, pair.b} : NodePair{pair.a, 2 * pair.b + k};
+      ++cost_.probes;
+      const OrientedBox &box_a = tree_a_.box(half.a), &box_b = tree_b_.box(half.b);
+      if (along_) half.along = along_->at_least(box_a, box_b);
+      half.at_least = std::max(0.0, half.along);  // 0 where it is no number
+      if (half.at_least <= limit) half.at_least = std::max(half.at_least, boxes_.at_least(box_a, box_b));
+    }
+    return halves;
+  }
+  static bool is_second_nearer(const std::array<NodePair, 2>& halves) { return halves[1].along < halves[0].along; }
+
+  template <class OfPair>
+  bool any_of_leaves(const NodePair& pair, double& limit, const OfPair& of_pair) {
+    const TriangleRange in_a = of_a_.take(pair.a), in_b = of_b_.take(pair.b);
+    for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
+      for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
+        ++cost_.probes;
+        if (gaps_.along(way_, of_a_[t], of_b_[u]) > limit) continue;
+        const RoundedGap gap = gaps_(of_a_[t], of_b_[u], limit);
+        if (gap.distance.low <= limit && of_pair(t, u, gap)) return true;
+      }
+    }
+    return false;
+  }
+
+  const PlacedMesh &a_, &b_;
+  const MeshTree &tree_a_, &tree_b_;
+  BoxFrame frame_a_, frame_b_;
+  PlacedBoxes boxes_;
+  Point3 way_;  // of length 1, or 0 where there is none
+  std::optional<BoxesAlong> along_;
+  LeafTriangles of_a_, of_b_;
+  TriangleGaps gaps_;
+  Cost& cost_;
+};
+
+// Two triangles that are apart, in exact numbers: by the search of exact_gjk.h, whose support this is.
+class ExactTriangles {
+ public:
+  ExactTriangles(const PosedTriangle& t, const PosedTriangle& u) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      a_[k] = coordinates<Dyadic>(t[k]);
+      b_[k] = coordinates<Dyadic>(u[k]);
+    }
+  }
+
+  ClosestWay<Dyadic> nearest(const FeatureVertices& from, Cost& cost) {
+    ExactNearest search;
+    for (std::size_t k = 0; k < from.count_a; ++k) search.a.add(from.of_a(k), a_[from.of_a(k)]);
+    for (std::size_t k = 0; k < from.count_b; ++k) search.b.add(from.of_b(k), b_[from.of_b(k)]);
+    std::uint32_t ways = 0;
+    [[maybe_unused]] const bool are_apart = exact_gjk(*this, search, ways);
+    SUNDER_REQUIRE(are_apart);
+    cost.exact += ways;
+    ++cost.iterations;
+    return search.closest;
+  }
+
+  std::array<std::uint32_t, 2> extreme(const ExactNearest& search) const {
+    return {furthest(a_, search.closest.way.way, search.of_a(), Sign::positive),
+            furthest(b_, search.closest.way.way, search.of_b(), Sign::negative)};
+  }
+  void join(ExactNearest& search, const std::array<std::uint32_t, 2>& next) const {
+    if (!search.a.has(next[0])) search.a.add(next[0], a_[next[0]]);
+    if (!search.b.has(next[1])) search.b.add(next[1], b_[next[1]]);
+  }
+
+ private:
+  static std::uint32_t furthest(const std::array<Vector3<Dyadic>, 3>& corners, const Vector3<Dyadic>& along,
+                                std::uint32_t from, Sign beyond) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (dot(along, corners[k] - corners[from]).sign() == beyond) from = k;
+    }
+    return from;
+  }
+
+  std::array<Vector3<Dyadic>, 3> a_, b_;
+};
+
+class Search {
+ public:
+  Search(const PlacedMesh& a, const PlacedMesh& b, Cost& cost) : a_(a), b_(b), cost_(cost) {}
+
+  // The nearest two triangles. First about how near they are; then, in floating point, those that may be it; of these the
+  // nearest.
+  NearTriangles nearest() {
+    NearWalk walk(a_, b_, cost_);
+    double limit = unbounded;
+    std::array<Candidate, 64> candidates;
+    std::size_t count = 0;
+    bool are_all = true;  // in `candidates`
+    const auto lower = [&](std::uint32_t, std::uint32_t, const RoundedGap& gap) {
+      if (gap.distance.high < limit) {
+        limit = gap.distance.high;
+        walk.look_along(gap.way);
+      }
+      return false;
+    };
+    const auto keep = [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+      lower(t, u, gap);
+      if (count == candidates.size()) {
+        count = static_cast<std::size_t>(std::remove_if(candidates.begin(), candidates.end(),
+                                                        [&](const Candidate& c) { return c.distance.low > limit; }) -
+                                         candidates.begin());
+      }
+      are_all = are_all && count < candidates.size();
+      if (are_all) candidates[count++] = {t, u, gap.distance, gap.features};
+      return false;
+    };
+    double before = 0;
+    do {
+      before = limit;
+      walk.dive(limit, lower);
+    } while (limit < before);
+    walk.nearest_first(limit, keep);
+    if (are_all) {
+      if (const auto sure = surely_nearest(std::span(candidates).first(count))) return *sure;
+      for (const auto& [t, u, distance, features] : std::span(candidates).first(count)) {
+        if (distance.low <= limit) look_at(t, u, features);
+      }
+    } else {
+      walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+        look_at(t, u, gap.features);
+        return false;
+      });
+    }
+    return result();
+  }
+
+  NearTriangles nearest_by_scan() {
+    for (std::uint32_t t = 0; t < a_.mesh().triangles().size(); ++t) {
+      for (std::uint32_t u = 0; u < b_.mesh().triangles().size(); ++u) {
+        may_be_interrupted(1);
+        ++cost_.probes;
+        take_if_nearer(t, u, ExactTriangles(a_.triangle(t), b_.triangle(u)).nearest({1, 1, {0, 0}}, cost_));
+      }
+    }
+    return result();
+  }
+
+  // Are two triangles closer than that?
+  bool any_closer(double least) {
+    NearWalk walk(a_, b_, cost_);
+    double limit = least;
+    return walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+      if (gap.distance.low >= least) return false;
+      if (gap.distance.high < least) return true;
+      const ClosestWay<Dyadic> closest = ExactTriangles(a_.triangle(t), b_.triangle(u)).nearest(gap.features, cost_);
+      return compare_root(square_of(closest.way), least) == Sign::negative;
+    });
+  }
+
+ private:
+  struct Candidate {
+    std::uint32_t t = 0, u = 0;
+    Interval distance{};
+    FeatureVertices features;
+  };
+
+  // The one that seems to be the nearest, if intervals tell that its features hold the nearest points of all of them.
+  std::optional<NearTriangles> surely_nearest(std::span<const Candidate> candidates) const {
+    const Candidate& best = *std::min_element(candidates.begin(), candidates.end(), [](const auto& c, const auto& d) {
+      return c.distance.high < d.distance.high;
+    });
+    const FeatureVertices named = named_by_points(best.t, best.u, best.features);
+    const std::span<const std::uint32_t> all(named.vertices), of_a = all.first(named.count_a),
+                                                              of_b = all.subspan(named.count_a, named.count_b);
+    std::array<Posed3, 4> at{};
+    for (std::size_t k = 0; k < of_a.size(); ++k) at[k] = a_.at(of_a[k]);
+    for (std::size_t k = 0; k < of_b.size(); ++k) at[of_a.size() + k] = b_.at(of_b[k]);
+    const std::span<const Posed3> posed(at);
+    const EnclosedWay way = enclosed_way(posed.first(of_a.size()), posed.subspan(of_a.size(), of_b.size()));
+    if (way.weights != Guess::positive) return std::nullopt;
+    const EnclosedAlong along_a(way.way, a_.pose().affine()), along_b(way.way, b_.pose().affine());
+    const auto is_one_of = [](std::span<const std::uint32_t> features, std::uint32_t point) {
+      return std::find(features.begin(), features.end(), point) != features.end();
+    };
+    for (const Candidate& c : candidates) {
+      if (c.distance.low > best.distance.high) continue;
+      for (const std::uint32_t point : a_.mesh().triangles()[c.t]) {
+        if (!is_one_of(of_a, point) && !along_a.surely_less_far(at[0].point, a_.at(point).point)) return std::nullopt;
+      }
+      for (const std::uint32_t point : b_.mesh().triangles()[c.u]) {
+        if (!is_one_of(of_b, point) && !along_b.surely_further(posed[of_a.size()].point, b_.at(point).point)) {
+          return std::nullopt;
+        }
+      }
+    }
+    return NearTriangles{best.t, best.u,
+                         ClosestFeatures(a_.mesh().points(), a_.pose(), b_.mesh().points(), b_.pose(), named)};
+  }
+
+  static ExactFraction square_of(const ShortestWay<Dyadic>& way) { return {way.squared(), way.denominator}; }
+
+  // Are they nearer than what was found before? What of them is furthest along its way, and least far, tells it for
+  // nearly all.
+  void look_at(std::uint32_t t, std::uint32_t u, const FeatureVertices& from) {
+    if (found_ && is_beyond(t, u)) return;
+    take_if_nearer(t, u, ExactTriangles(a_.triangle(t), b_.triangle(u)).nearest(from, cost_));
+  }
+
+  bool is_beyond(std::uint32_t t, std::uint32_t u) const {
+    const auto is_before = [&](const Posed3& p, const Posed3& q) {
+      return compare_along(*direction_, p, q) != Sign::negative;
+    };
+    const Posed3 last = a_.triangle(of_a_)[found_->features.of_a(0)],
+                 first = b_.triangle(of_b_)[found_->features.of_b(0)];
+    const PosedTriangle of_a = a_.triangle(t), of_b = b_.triangle(u);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_before(of_a[k], last) || !is_before(first, of_b[k])) return false;
+    }
+    return true;
+  }
+
+  void take_if_nearer(std::uint32_t t, std::uint32_t u, ClosestWay<Dyadic> closest) {
+    if (found_ && !closest_features_detail::is_shorter(closest.way, found_->way)) return;
+    found_ = std::move(closest);
+    of_a_ = t;
+    of_b_ = u;
+    direction_.emplace(found_->way.way);
+  }
+
+  FeatureVertices named_by_points(std::uint32_t t, std::uint32_t u, FeatureVertices named) const {
+    const std::size_t count = std::size_t{named.count_a} + named.count_b;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool is_a = k < named.count_a;
+      named.vertices[k] = (is_a ? a_ : b_).mesh().triangles()[is_a ? t : u][named.vertices[k]];
+    }
+    return named;
+  }
+
+  NearTriangles result() const {
+    return {of_a_, of_b_,
+            ClosestFeatures(a_.mesh().points(), a_.pose(), b_.mesh().points(), b_.pose(),
+                            named_by_points(of_a_, of_b_, found_->features))};
+  }
+
+  const PlacedMesh &a_, &b_;
+  Cost& cost_;
+  std::optional<ClosestWay<Dyadic>> found_;  // features: corners of these triangles
+  std::optional<WorldDirection> direction_;
+  std::uint32_t of_a_ = 0, of_b_ = 0;
+};
+
+// `met`: whether they meet; where they do not, the search finds the rest.
+MeshDistance distance_by(NearTriangles (Search::*search)(), const MeshAnswer& met, const Mesh& a, const Pose& pose_a,
+                         const Mesh& b, const Pose& pose_b) {
+  MeshDistance answer;
+  answer.cost = met.cost;
+  if (const auto* triangles = std::get_if<MeetingTriangles>(&met.evidence)) {
+    answer.evidence = *triangles;
+  } else if (const auto* within = std::get_if<PointWithin>(&met.evidence)) {
+    answer.evidence = *within;
+  } else {
+    const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+    answer.evidence = (Search(placed_a, placed_b, answer.cost).*search)();
+  }
+  conclude(answer, answer.cost.exact);
+  return answer;
+}
+
+}  // namespace
+
+MeshDistance mesh_distance(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
+  return distance_by(&Search::nearest, mesh_mesh(a, pose_a, b, pose_b), a, pose_a, b, pose_b);
+}
+
+MeshDistance mesh_distance_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b) {
+  MeshDistance answer =
+      distance_by(&Search::nearest_by_scan, mesh_mesh_by_scan(a, pose_a, b, pose_b), a, pose_a, b, pose_b);
+  answer.decided_by = DecidedBy::scan;
+  return answer;
+}
+
+Sign compare_distance(const MeshDistance& distance, double radius) {
+  SUNDER_REQUIRE(std::isfinite(radius) && radius >= 0);
+  const NearTriangles* nearest = nearest_of(distance);
+  if (nearest == nullptr) return radius > 0 ? Sign::negative : Sign::zero;
+  return compare_distance(nearest->closest, radius);
+}
+
+bool are_meshes_closer(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, double least, Cost* cost) {
+  SUNDER_REQUIRE(least > 0 && std::isfinite(least));
+  const MeshAnswer met = mesh_mesh(a, pose_a, b, pose_b);
+  Cost sum = met.cost;
+  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+  const bool is_closer = met.meet() || Search(placed_a, placed_b, sum).any_closer(least);
+  if (cost != nullptr) *cost = sum;
+  return is_closer;
+}
+
+}  // namespace sunder::solid
+
+namespace sunder {
+
+solid::MeshDistance distance(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
+                             const solid::Pose& pose_b) {
+  solid::require_can_be_placed(a, pose_a);
+  solid::require_can_be_placed(b, pose_b);
+  return solid::mesh_distance(a, pose_a, b, pose_b);
+}
+
+}  // namespace sunder
