@@ -1,14 +1,18 @@
+#include <sunder/solid/mesh/near_triangles.h>
 #include <sunder/solid/mesh/placed_boxes.h>
 #include <sunder/solid/mesh/placed_triangles.h>
 
 #include <sunder/base/random.h>
 #include <sunder/predicate/line/space_triangles.h>
+#include <sunder/solid/pair/polyhedron_polyhedron_distance.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace sunder::solid {
@@ -118,6 +122,61 @@ TEST(PlacedBoxes, ApartMeansThatNoTrianglesMeet) {
   }
   EXPECT_GT(meeting, 100);
   EXPECT_GT(apart, pairs * 99 / 100);
+}
+
+// Bounds of boxes, along their own axes and along any direction, are no greater than the distance of any two triangles in
+// them; what is told of two triangles encloses theirs. And most bounds are no less than a third of it.
+TEST(PlacedBoxes, BoundsOfDistancesHold) {
+  Random random(5204);
+  int tight = 0, boxes_apart = 0;
+  for (int i = 0; i < 24; ++i) {
+    const Mesh a = some_mesh(random, {}, 1, 12, i % 2 == 0),
+               b = some_mesh(random, {random.uniform(1, 9), 0, 0}, 1, 12, i % 3 == 0);
+    const Pose pose_a = some_pose(random, i % 4 == 0 ? 3 : 3 * i), pose_b = some_pose(random, i % 2 == 0 ? 0 : i);
+    const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
+    const BoxFrame frame_a = BoxFrame::of(placed_a), frame_b = BoxFrame::of(placed_b);
+    const PlacedBoxes boxes(frame_a, frame_b);
+    Point3 d{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    if (i % 3 == 0) {
+      for (std::size_t c = 0; c < 3; ++c) d[c] = frame_b.middle[c] - frame_a.middle[c];
+    }
+    const double length = std::sqrt(dot(d, d));
+    d = {d.x / length, d.y / length, d.z / length};
+    const BoxesAlong along(frame_a, frame_b, d);
+    const TriangleGaps gaps(placed_a, placed_b);
+    LeafTriangles of_a(placed_a), of_b(placed_b);
+    const auto hull_of = [](const Mesh& mesh, std::uint32_t t) {
+      const Mesh::Triangle& corners = mesh.triangles()[t];
+      return ConvexPolyhedron(
+          std::array{mesh.points()[corners[0]], mesh.points()[corners[1]], mesh.points()[corners[2]]});
+    };
+    for (std::size_t leaf_a = a.tree().leaves(); leaf_a < 2 * a.tree().leaves(); ++leaf_a) {
+      for (std::size_t leaf_b = b.tree().leaves(); leaf_b < 2 * b.tree().leaves(); ++leaf_b) {
+        const TriangleRange in_a = of_a.take(leaf_a), in_b = of_b.take(leaf_b);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t t = in_a.first; t < in_a.end; ++t) {
+          for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
+            const Interval exact =
+                distance_of(polyhedron_polyhedron_distance(hull_of(a, t), pose_a, hull_of(b, u), pose_b));
+            const RoundedGap gap = gaps(of_a[t], of_b[u], std::numeric_limits<double>::infinity());
+            EXPECT_LE(gap.distance.low, exact.high) << i;
+            EXPECT_GE(gap.distance.high, exact.low) << i;
+            EXPECT_LE(gap.distance.high - gap.distance.low, 1e-9 * gap.distance.high + 1e-6 * exact.high + 1e-4) << i;
+            EXPECT_LE(gaps.along(d, of_a[t], of_b[u]), exact.high) << i;
+            least = std::min(least, exact.high);
+          }
+        }
+        for (std::size_t up_a = leaf_a, up_b = leaf_b; up_a > 0 && up_b > 0; up_a /= 2, up_b /= 2) {
+          const double bound = boxes.at_least(a.tree().box(up_a), b.tree().box(up_b));
+          EXPECT_LE(bound, least) << i;
+          EXPECT_LE(along.at_least(a.tree().box(up_a), b.tree().box(up_b)), least) << i;
+          ++boxes_apart;
+          tight += 3 * bound >= least;
+        }
+      }
+    }
+  }
+  EXPECT_GT(tight, boxes_apart / 2);
 }
 
 // Boxes are as tight far from the origin as near it.
