@@ -51,14 +51,6 @@ double squared_reach(const Box3& a, const Box3& b) {
   return std::isnan(sum) ? infinity : sum;
 }
 
-PartDistance distance_of(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j) {
-  const Part &a = members.part(bodies, i), &b = members.part(bodies, j);
-  const PartPair of = members.pair(i, j);
-  solid::RoundDistance found = round_distance(a.shape, a.pose, b.shape, b.pose);
-  const Interval distance = distance_of(found);
-  return {of.body_a, of.body_b, of.part_a, of.part_b, distance, std::move(found.evidence)};
-}
-
 // Is `one` nearer? Exactly; where one is curved, and the bounds do not tell, is its upper bound less?
 bool is_nearer(const PartDistance& one, const PartDistance& other) {
   if (one.meet() || other.meet()) return one.meet() && !other.meet();
@@ -125,7 +117,7 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
     least = first->squared;
   });
   if (!first) return std::nullopt;
-  PartDistance nearest = distance_of(members, bodies, first->i, first->j);
+  PartDistance nearest = part_distance(members, bodies, first->i, first->j, infinity);
   if (nearest.meet()) return nearest;  // of all whose boxes meet, the first one
   const auto bound = [&] { return above(nearest.distance.high * nearest.distance.high); };  // of the square, rounded up
   // The boxes of the first may have much more room than others (one around all bodies, say).
@@ -140,7 +132,7 @@ std::optional<PartDistance> nearest_parts(std::span<const Body> bodies,
   double low = nearest.distance.low;  // of all that were looked at
   for (const Candidate& here : candidates) {
     if (here.squared > bound()) break;
-    PartDistance found = distance_of(members, bodies, here.i, here.j);
+    PartDistance found = part_distance(members, bodies, here.i, here.j, nearest.distance.high);
     low = std::min(low, found.distance.low);
     const bool is_first = comes_first(found, nearest);
     if (is_nearer(found, nearest) || (is_first && !is_nearer(nearest, found))) {

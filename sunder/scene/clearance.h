@@ -4,6 +4,8 @@
 //   C1. A pair is listed as closer iff it is closer than its margin: exactly, for the doubles given; that far apart is
 //       far enough. Where one is curved (a cylinder, a cone, an ellipsoid), it may be undecided (round_clearance.h,
 //       C2); then it is listed and counted as that.
+//       Two parts of which one is the hull of a mesh, and neither has a radius, are asked about as the meshes are, where
+//       their hulls are too close (solid/mesh/mesh_distance.h); hulls are no further apart than meshes.
 //   C2. Boxes never hide a pair that is too close: they are widened, and that is rounded outwards.
 //   C3. Lists are ordered by body_a, body_b, part_a, part_b, and are the same for every compiler and machine.
 #pragma once
@@ -38,8 +40,8 @@ struct ClearanceQuestion {
 struct PartDistance {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  Interval distance{0, 0};  // encloses it (round_distance.h, D1 to D4); both ends are 0 where they meet
-  solid::RoundDistanceEvidence evidence{};
+  Interval distance{0, 0};                  // encloses it (round_distance.h, D1 to D4); both ends are 0 where they meet
+  solid::RoundDistanceEvidence evidence{};  // of meshes that do not meet, features of them (is_of_meshes)
 
   bool meet() const { return distance.high == 0; }
 };
@@ -49,6 +51,10 @@ struct CloserParts : PartDistance {
   double least = 0;
 };
 
+// Is it the distance of meshes as they are, and not that of the parts' shapes? Of what the functions below list, and find.
+// Requires the bodies that it is of.
+bool is_of_meshes(const PartDistance& pair, std::span<const Body> bodies);
+
 struct [[nodiscard]] ClearanceAnswer {
   std::vector<CloserParts> closer;     // than their margins
   std::vector<CloserParts> undecided;  // whether they are
@@ -56,6 +62,8 @@ struct [[nodiscard]] ClearanceAnswer {
   std::uint64_t allowed = 0;           // of these, not asked about
   std::uint64_t by_boxes = 0;          // far enough apart by their boxes, or whose margin is 0
   std::uint64_t by_method = 0;         // whose distance was looked at; pairs = allowed + by_boxes + by_method
+  std::uint64_t surfaces_alone = 0;  // of these, far enough apart as meshes whose hulls meet, of which one has an open
+                                     // piece: what it seems to enclose is not asked about
 };
 
 // Requires indices of bodies in range, and margins as they say. Throws Error: bad_pose where a part with a radius is at

@@ -1,6 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/members.h>
+#include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
@@ -20,50 +21,89 @@ namespace {
 using BodyPair = std::array<std::uint32_t, 2>;
 using MemberPairs = std::vector<std::array<std::uint32_t, 2>>;
 
-class ClearanceClaims {
+// The pairs of a scene's parts that are asked about.
+class AskedParts {
  public:
-  ClearanceClaims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                  const std::vector<BodyPair>& allowed)
-      : claims_(claims), bodies_(bodies), members_(bodies, allowed) {
-    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
-      first_.push_back(static_cast<std::uint32_t>(all_.members.size()));
-      all_.members.insert(all_.members.end(), numbers[b].begin(), numbers[b].end());
-      all_.groups.insert(all_.groups.end(), numbers[b].size(), b);
-    }
+  AskedParts(std::span<const Body> bodies, const std::vector<BodyPair>& allowed)
+      : bodies_(bodies), members_(bodies, allowed) {
     for (std::uint32_t i = 0; i < members_.size(); ++i) boxes_.push_back(box_of(members_.part(bodies, i)));
     for (std::uint32_t i = 0; i < members_.size(); ++i) {
       for (std::uint32_t j = i + 1; j < members_.size(); ++j) {
         if (members_.are_asked_about(i, j)) {
           asked_.push_back({i, j});
         } else if (members_.body(i) != members_.body(j)) {
-          all_.besides.push_back({i, j});
+          besides_.push_back({i, j});
         }
       }
     }
   }
 
-  const MemberPairs& asked() const { return asked_; }  // pairs of members, in order
-  const AllPairs& all() const { return all_; }         // the same, without contacts
+  const MemberPairs& asked() const { return asked_; }      // pairs of members, in order
+  const MemberPairs& besides() const { return besides_; }  // likewise, of different bodies
+  std::uint32_t count() const { return members_.size(); }
   std::uint32_t body(std::uint32_t member) const { return members_.body(member); }
+  const Part& part(std::uint32_t member) const { return members_.part(bodies_, member); }
+  TwoParts parts(std::uint32_t i, std::uint32_t j) const { return TwoParts::of(members_.pair(i, j)); }
+
+  std::optional<AxisApart> axis_between(std::uint32_t i, std::uint32_t j, double least) const {
+    return apart_by_boxes(boxes_[i], boxes_[j], least);
+  }
+
+  // Are their hulls closer than that, and meshes to be asked about?
+  bool are_of_meshes(std::uint32_t i, std::uint32_t j, double least) const {
+    if (axis_between(i, j, least) || !meshes_of(part(i), part(j))) return false;
+    const solid::PlacedRound a(part(i).shape, part(i).pose), b(part(j).shape, part(j).pose);
+    return !solid::is_kept(round_clearance(a, b, least));
+  }
+
+ private:
+  std::span<const Body> bodies_;
+  Members members_;
+  std::vector<solid::WorldBox> boxes_;
+  MemberPairs asked_, besides_;
+};
+
+enum class Stated : std::uint8_t { no, of_bodies, of_meshes };
+
+class ClearanceClaims {
+ public:
+  ClearanceClaims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
+                  const std::vector<BodyPair>& allowed, const StateOfMeshes& of_meshes)
+      : claims_(claims), parts_(bodies, allowed), of_meshes_(of_meshes) {
+    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+      first_.push_back(static_cast<std::uint32_t>(all_.members.size()));
+      all_.members.insert(all_.members.end(), numbers[b].begin(), numbers[b].end());
+      all_.groups.insert(all_.groups.end(), numbers[b].size(), b);
+    }
+    all_.besides = parts_.besides();
+  }
+
+  const MemberPairs& asked() const { return parts_.asked(); }
+  const AllPairs& all() const { return all_; }  // the same, without contacts
+  std::uint32_t body(std::uint32_t member) const { return parts_.body(member); }
   std::uint32_t member(std::uint32_t body, std::uint32_t part) const { return first_[body] + part; }
 
-  // Whether they are `least` apart, or more. False, and nothing is stated, where that is undecided and cannot be told
+  // Whether they are `least` apart, or more. `no`, and nothing is stated, where that is undecided and cannot be told
   // from the bounds of their distance either.
-  bool state(std::uint32_t i, std::uint32_t j, double least) {
+  Stated state(std::uint32_t i, std::uint32_t j, double least) {
     const std::uint32_t of_i = all_.members[i], of_j = all_.members[j];
-    if (const auto apart = apart_by_boxes(boxes_[i], boxes_[j], least)) {
+    if (const auto apart = parts_.axis_between(i, j, least)) {
       std::array<Dyadic, 3> direction{};
       direction[apart->axis] = Dyadic(apart->a_is_lower ? 1.0 : -1.0);
       claims_.add_clearance(of_i, of_j, least, direction);
-      return true;
+      return Stated::of_bodies;
     }
-    return add_claims(claims_, of_i, members_.part(bodies_, i), of_j, members_.part(bodies_, j), least);
+    if (parts_.are_of_meshes(i, j, least)) {
+      of_meshes_(parts_.parts(i, j), least);
+      return Stated::of_meshes;
+    }
+    return add_claims(claims_, of_i, parts_.part(i), of_j, parts_.part(j), least) ? Stated::of_bodies : Stated::no;
   }
 
   // Where only these bodies are spoken of, which are asked about.
   AllPairs of_bodies(const BodyPair& bodies) const {
     AllPairs some;
-    for (std::uint32_t i = 0; i < members_.size(); ++i) {
+    for (std::uint32_t i = 0; i < parts_.count(); ++i) {
       if (body(i) != bodies[0] && body(i) != bodies[1]) continue;
       some.members.push_back(all_.members[i]);
       some.groups.push_back(body(i));
@@ -73,17 +113,53 @@ class ClearanceClaims {
 
  private:
   PairClaims& claims_;
-  std::span<const Body> bodies_;
-  Members members_;
+  AskedParts parts_;
+  const StateOfMeshes& of_meshes_;
   AllPairs all_;
   std::vector<std::uint32_t> first_;  // of each body, where its parts begin
-  std::vector<solid::WorldBox> boxes_;
-  MemberPairs asked_;
 };
 
 BodyPair in_order(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 
+// By pairs of bodies, but for those that have no own.
+std::map<BodyPair, double> own_margins(const ClearanceQuestion& question) {
+  std::map<BodyPair, double> margins;
+  for (const auto& [a, b, least] : question.margins) margins[in_order(a, b)] = least;
+  return margins;
+}
+
+// Adds that a pair, which was stated so or not, is left out of what is said of all pairs.
+void add_reason(PairReasons& reasons, Stated stated) {
+  if (stated == Stated::of_meshes) reasons.add("meshes as they are, in a statement of their own", 1);
+  if (stated == Stated::no) reasons.add("undecided", 1);
+}
+
 }  // namespace
+
+std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies, const ClearanceQuestion& question) {
+  const AskedParts parts(bodies, question.allowed);
+  const Margins margins(question);
+  std::vector<TwoParts> result;
+  for (const auto& [i, j] : parts.asked()) {
+    const double least = margins.of(parts.body(i), parts.body(j));
+    if (least > 0 && parts.are_of_meshes(i, j, least)) result.push_back(parts.parts(i, j));
+  }
+  return result;
+}
+
+std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies, const std::vector<BodyPair>& allowed,
+                                      const PartDistance& nearest) {
+  std::vector<TwoParts> result;
+  if (nearest.meet()) return result;
+  if (is_of_meshes(nearest, bodies)) result.push_back(TwoParts::of(nearest));
+  const AskedParts parts(bodies, allowed);
+  for (const auto& [i, j] : parts.asked()) {
+    if (nearest.distance.low > 0 && parts.are_of_meshes(i, j, nearest.distance.low)) {
+      result.push_back(parts.parts(i, j));
+    }
+  }
+  return result;
+}
 
 bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint32_t of_b, const Part& b,
                 double least) {
@@ -95,10 +171,10 @@ bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint
 }
 
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const ClearanceQuestion& question, const ClearanceAnswer& answer, const NotePairs& note) {
-  ClearanceClaims scene(claims, bodies, numbers, question.allowed);
-  std::map<BodyPair, double> margins;
-  for (const auto& [a, b, least] : question.margins) margins[in_order(a, b)] = least;
+                const ClearanceQuestion& question, const ClearanceAnswer& answer, const StateOfMeshes& of_meshes,
+                const NotePairs& note) {
+  ClearanceClaims scene(claims, bodies, numbers, question.allowed, of_meshes);
+  const std::map<BodyPair, double> margins = own_margins(question);
   const auto members_of = [&](const std::vector<CloserParts>& list) {
     std::set<std::array<std::uint32_t, 2>> pairs;
     for (const PartDistance& pair : list) {
@@ -111,21 +187,24 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   AllPairs all = scene.all();
   PairReasons others;
   std::map<BodyPair, AllPairs> own;
+  std::map<BodyPair, PairReasons> own_reasons;
   for (const auto& pair : scene.asked()) {
     const auto [i, j] = pair;
     const BodyPair of{scene.body(i), scene.body(j)};
     const auto margin = margins.find(of);
     const bool is_own = margin != margins.end();
     const double least = is_own ? margin->second : question.least;
-    const bool is_known = !undecided.contains(pair) && (least == 0 || scene.state(i, j, least));
-    if (is_own || !is_known) {
-      all.besides.push_back(pair);
-      others.add(is_own ? "with a margin of its own" : "undecided", 1);
-    }
+    const Stated stated = undecided.contains(pair) ? Stated::no
+                          : least == 0             ? Stated::of_bodies
+                                                   : scene.state(i, j, least);
+    const bool is_told = stated == Stated::of_bodies;
+    if (is_own || !is_told) all.besides.push_back(pair);
     if (!is_own) {
-      if (closer.contains(pair)) all.contacts.push_back(pair);
+      add_reason(others, stated);
+      if (is_told && closer.contains(pair)) all.contacts.push_back(pair);
       continue;
     }
+    others.add("with a margin of its own", 1);
     if (least == 0) continue;
     const auto found = own.find(of);
     AllPairs& those = found != own.end() ? found->second : own.emplace(of, scene.of_bodies(of)).first->second;
@@ -133,8 +212,9 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     // Members of the lower body come first.
     const auto count_a = static_cast<std::uint32_t>(bodies[a].parts.size());
     const std::array<std::uint32_t, 2> here{i - scene.member(a, 0), count_a + j - scene.member(b, 0)};
-    if (!is_known) those.besides.push_back(here);
-    if (closer.contains(pair)) those.contacts.push_back(here);
+    if (!is_told) those.besides.push_back(here);
+    add_reason(own_reasons[of], stated);
+    if (is_told && closer.contains(pair)) those.contacts.push_back(here);
   }
   std::sort(all.besides.begin(), all.besides.end());
   if (question.least > 0) {
@@ -142,29 +222,30 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     claims.add_all_clearances(all, question.least);
   }
   for (const auto& [of, pairs] : own) {
-    PairReasons of_two;
-    of_two.add("undecided", pairs.besides.size());
-    note(false, of_two);
+    note(false, own_reasons[of]);
     claims.add_all_clearances(pairs, margins.at(of));
   }
 }
 
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                const std::vector<BodyPair>& allowed, const PartDistance& nearest, const NotePairs& note) {
+                const std::vector<BodyPair>& allowed, const PartDistance& nearest, const StateOfMeshes& of_meshes,
+                const NotePairs& note) {
   if (nearest.meet()) return;
-  ClearanceClaims scene(claims, bodies, numbers, allowed);
+  ClearanceClaims scene(claims, bodies, numbers, allowed, of_meshes);
   if (const double low = nearest.distance.low; low > 0) {
     AllPairs all = scene.all();
     PairReasons others;
     for (const auto& [i, j] : scene.asked()) {
-      if (scene.state(i, j, low)) continue;
+      const Stated stated = scene.state(i, j, low);
+      if (stated == Stated::of_bodies) continue;
       all.besides.push_back({i, j});
-      others.add("undecided", 1);
+      add_reason(others, stated);
     }
     std::sort(all.besides.begin(), all.besides.end());
     note(true, others);
     claims.add_all_clearances(all, low);
   }
+  if (is_of_meshes(nearest, bodies)) return of_meshes(TwoParts::of(nearest), {});
   const std::uint32_t of_a = numbers[nearest.body_a][nearest.part_a], of_b = numbers[nearest.body_b][nearest.part_b];
   add_distance(claims, of_a, of_b, nearest.evidence);
 }

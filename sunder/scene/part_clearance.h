@@ -41,6 +41,10 @@ Box3 widened(const Box3& box, double least);
 void look_whether_closer(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j,
                          double least, ClearanceAnswer& answer, std::optional<Point3>* apart_along = nullptr);
 
+// How far apart the parts i < j are. Their meshes are only looked at where the hulls are no further apart than `most`.
+PartDistance part_distance(const Members& members, std::span<const Body> bodies, std::uint32_t i, std::uint32_t j,
+                           double most);
+
 // The order of pairs (clearance.h, C3).
 inline bool comes_first(const PartDistance& p, const PartDistance& q) {
   return std::tie(p.body_a, p.body_b, p.part_a, p.part_b) < std::tie(q.body_a, q.body_b, q.part_a, q.part_b);

@@ -30,12 +30,18 @@ solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& quest
   return round_round_warm(a.shape, a.pose, b.shape, b.pose, last);
 }
 
-void look_closer(PartPair& pair, const Part& a, const Part& b) {
-  if ((a.mesh == nullptr && b.mesh == nullptr) || !pair.answer.meet()) return;
+std::optional<MeshesOfPair> meshes_of(const Part& a, const Part& b) {
+  if (a.mesh == nullptr && b.mesh == nullptr) return std::nullopt;
   const solid::Mesh *mesh_a = mesh_of(a), *mesh_b = mesh_of(b);
-  if (mesh_a == nullptr || mesh_b == nullptr) return;
-  if (can_be_placed(*mesh_a, a.pose) && can_be_placed(*mesh_b, b.pose)) {
-    pair.meshes = std::make_shared<const PairAsMeshes>(PairAsMeshes{mesh_mesh(*mesh_a, a.pose, *mesh_b, b.pose)});
+  if (mesh_a == nullptr || mesh_b == nullptr) return std::nullopt;
+  if (!can_be_placed(*mesh_a, a.pose) || !can_be_placed(*mesh_b, b.pose)) return std::nullopt;
+  return MeshesOfPair{*mesh_a, *mesh_b};
+}
+
+void look_closer(PartPair& pair, const Part& a, const Part& b) {
+  if (!pair.answer.meet()) return;
+  if (const auto meshes = meshes_of(a, b)) {
+    pair.meshes = std::make_shared<const PairAsMeshes>(PairAsMeshes{mesh_mesh(meshes->a, a.pose, meshes->b, b.pose)});
   }
 }
 

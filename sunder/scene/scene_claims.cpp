@@ -2,14 +2,14 @@
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/pair_reasons.h>
 #include <sunder/scene/scene_claims.h>
-#include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/scene/scene_meshes.h>
 #include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -136,45 +136,31 @@ std::uint32_t add_placed(PairClaims& pairs, const std::string& prefix, std::uint
   return pairs.add_placed(prefix + part_name(body, part), shape, at.pose.affine());
 }
 
-// The parts that are asked about as meshes, and where they are in each placement: the table `meshes`, which stands
-// before that of bodies.
-class MeshesOfScene {
- public:
-  MeshesOfScene(ClaimsWriter& file, const SaidOfScene& said) : claims_(file), said_(said) {}
+// What of one placement is stated as meshes.
+struct MeshesOfPlacement {
+  SceneMeshes& meshes;
+  std::size_t placement;
+  std::span<const Body> placed;
+  std::string prefix;
 
-  // Adds the meshes of the pairs of one placement. Placements come in their order; end_table() is called after the last.
-  void add(std::size_t placement, const std::string& prefix, std::span<const Body> placed,
-           std::span<const PartPair> pairs) {
+  // Their meshes, for the table.
+  void add(std::span<const PartPair> pairs) const {
     for (const PartPair& pair : pairs) {
-      if (!pair.meshes) continue;
-      add(placement, prefix, placed[pair.body_a], pair.body_a, pair.part_a);
-      add(placement, prefix, placed[pair.body_b], pair.body_b, pair.part_b);
+      if (pair.meshes) add(TwoParts::of(pair));
     }
   }
-  void end_table() { claims_.end_table(); }
-
-  void add_pair(std::size_t placement, std::span<const Body> placed, const PartPair& pair) {
-    claims_.add_pair(stated(placement, placed[pair.body_a], pair.body_a, pair.part_a),
-                     stated(placement, placed[pair.body_b], pair.body_b, pair.part_b), pair.meshes->answer.evidence,
-                     &pair.meshes->relation);
+  void add(std::span<const TwoParts> pairs) const {
+    for (const TwoParts& pair : pairs) add(pair);
   }
+  void add(const TwoParts& pair) const { meshes.add(placement, prefix, placed, pair); }
 
- private:
-  void add(std::size_t placement, const std::string& prefix, const Body& body, std::uint32_t b, std::uint32_t p) {
-    const Part& part = body.parts[p];
-    const auto [mesh, is_new] = meshes_.try_emplace({b, p}, 0);
-    if (is_new) mesh->second = claims_.add_mesh(part_name(body, p), *mesh_of(part), said_.as_mesh(b, p));
-    const auto [at, is_new_there] = placed_.try_emplace({placement, b, p}, 0);
-    if (is_new_there) at->second = claims_.add_placed(prefix + part_name(body, p), mesh->second, part.pose);
+  StateOfMeshes states(PairClaims& claims, const SaidOfScene& said) const {
+    return [*this, &claims, &said](const TwoParts& pair, std::optional<double> least) {
+      claims.go_to_statements();
+      if (const auto joints = said.joints_of(placement)) claims.file().note(*joints);
+      least ? meshes.add_clearance(placement, placed, pair, *least) : meshes.add_distance(placement, placed, pair);
+    };
   }
-  solid::StatedMesh stated(std::size_t placement, const Body& body, std::uint32_t b, std::uint32_t p) const {
-    return {placed_.at({placement, b, p}), *mesh_of(body.parts[p]), body.parts[p].pose};
-  }
-
-  solid::MeshClaims claims_;
-  const SaidOfScene& said_;
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> meshes_;                           // by body and part
-  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, std::uint32_t> placed_;  // by placement, too
 };
 
 // Requires a pair that is not undecided, and not decided as meshes.
@@ -188,7 +174,7 @@ void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const Part
 }
 
 // Statements about the pairs that were decided as meshes.
-void add_mesh_pairs(PairClaims& pairs_of_bodies, MeshesOfScene& meshes, std::size_t placement,
+void add_mesh_pairs(PairClaims& pairs_of_bodies, SceneMeshes& meshes, std::size_t placement,
                     std::span<const Body> placed, std::span<const PartPair> pairs, const SaidOfScene& said) {
   for (const PartPair& pair : pairs) {
     if (!pair.meshes) continue;
@@ -240,9 +226,13 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   }
   ClaimsWriter file(sink);
   file.add_origin(origin);
-  MeshesOfScene meshes(file, said);
+  SceneMeshes meshes(file, said);
   for (std::size_t k = 0; k < placements.size(); ++k) {
-    meshes.add(k, prefix_of(placements[k]), placements[k].bodies, placements[k].answer.pairs);
+    const Placement& placed = placements[k];
+    const MeshesOfPlacement here{meshes, k, placed.bodies, prefix_of(placed)};
+    here.add(placed.answer.pairs);
+    if (placed.clearance) here.add(pairs_as_meshes(placed.bodies, clearance));
+    if (placed.nearest) here.add(pairs_as_meshes(placed.bodies, question.allowed, *placed.nearest));
   }
   meshes.end_table();
   PairClaims pairs(file);
@@ -264,8 +254,13 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
     add_mesh_pairs(pairs, meshes, k, placed, answer.pairs, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
-    if (placements[k].clearance) add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, note);
-    if (placements[k].nearest) add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest, note);
+    const StateOfMeshes of_meshes = MeshesOfPlacement{meshes, k, placed, {}}.states(pairs, said);
+    if (placements[k].clearance) {
+      add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, of_meshes, note);
+    }
+    if (placements[k].nearest) {
+      add_claims(pairs, placed, numbers[k], question.allowed, *placements[k].nearest, of_meshes, note);
+    }
   }
   pairs.end();
 }
@@ -277,10 +272,14 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   add_open(origin, count, placement, question);
   ClaimsWriter file(sink);
   file.add_origin(origin);
-  MeshesOfScene meshes(file, said);
+  SceneMeshes meshes(file, said);
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
-    meshes.add(k, placed.title + ": ", placed.bodies, placed.pairs);
+    const MeshesOfPlacement here{meshes, k, placed.bodies, placed.title + ": "};
+    here.add(placed.pairs);
+    for (const CloserPair& pair : placed.closer) {
+      if (pair.is_of_meshes) here.add(TwoParts::of(pair));
+    }
   }
   meshes.end_table();
   PairClaims pairs(file);
@@ -302,7 +301,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
       if (pair.meet() && !pair.meshes) add(pair);
     }
     for (const CloserPair& pair : placed.closer) {
-      if (!pair.is_undecided) add(pair);
+      if (!pair.is_undecided && !pair.is_of_meshes) add(pair);
     }
   }
   auto next = numbers.begin();
@@ -317,6 +316,10 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
     add_mesh_pairs(pairs, meshes, k, placed.bodies, placed.pairs, said);
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
+      if (pair.is_of_meshes) {
+        MeshesOfPlacement{meshes, k, placed.bodies, {}}.states(pairs, said)(TwoParts::of(pair), pair.least);
+        continue;
+      }
       const auto& [of_a, of_b] = *next++;
       if (const auto joints = said.joints_of(k)) file.note(*joints);
       add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
@@ -338,10 +341,12 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
   of_all.every_pair = true;
   ClaimsWriter file(sink);
   file.add_origin(origin);
-  MeshesOfScene meshes(file, said);
+  SceneMeshes meshes(file, said);
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
-    meshes.add(k, placed.title + ": ", placed.bodies, meeting_pairs(placed.bodies, of_all).pairs);
+    const MeshesOfPlacement here{meshes, k, placed.bodies, placed.title + ": "};
+    here.add(meeting_pairs(placed.bodies, of_all).pairs);
+    if (clearance != nullptr) here.add(pairs_as_meshes(placed.bodies, *clearance));
   }
   meshes.end_table();
   PairClaims pairs(file);
@@ -365,7 +370,8 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
     if (clearance != nullptr) {
-      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance), note);
+      add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance),
+                 MeshesOfPlacement{meshes, k, placed.bodies, {}}.states(pairs, said), note);
     }
   }
   pairs.end();

@@ -38,6 +38,7 @@ struct CloserPair {
   std::uint32_t part_a = 0, part_b = 0;
   double least = 0;
   bool is_undecided = false;
+  bool is_of_meshes = false;
 };
 
 // What meets, and what is closer, in one of many placements; the spans hold until the next one is asked for.

@@ -1,12 +1,16 @@
 // Scenes of meshes that are not convex, among convex bodies and balls: which meet, of each pair against mesh_mesh alone;
-// the follower against meeting_pairs; and each certificate by its checker.
+// how far apart they are, of each against all triangles; the follower against meeting_pairs; and each certificate by its checker.
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
 #include <sunder/base/random.h>
+#include <sunder/scene/clearance.h>
+#include <sunder/scene/clearance_follower.h>
 #include <sunder/scene/follower.h>
 #include <sunder/scene/scene_claims.h>
+#include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/round/round_distance.h>
 
 #include <verifier/cpp/verify.h>
 
@@ -14,6 +18,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -75,6 +80,14 @@ class MeshScenes {
       for (std::uint64_t parts = 1 + random_.below(2); parts > 0; --parts) bodies[b].parts.push_back(part());
     }
     return bodies;
+  }
+
+  // A frame, perhaps open, and a body that fits into its hole.
+  std::vector<Body> plug_in_a_hole() {
+    const auto quarter = [&] { return static_cast<double>(random_.between(-2, 2)) / 4; };
+    const Pose there = Pose::from_matrix({0.5, 0, 0, 0, 0.5, 0, 0, 0, 0.5}, {quarter(), quarter(), quarter()});
+    return {{"frame", {mesh_part(random_.below(4) == 0 ? open_ : closed_, Pose())}},
+            {"plug", {Part{"", RoundBody(unit_), there}}}};
   }
 
   Pose anywhere() {
@@ -182,6 +195,81 @@ TEST(SceneMeshesDifferential, PairsAreAsOfMeshesAlone) {
   for (const char* what : {"a ball meets a hull", "apart by hulls", "meet", "apart as meshes", "surfaces alone"}) {
     EXPECT_GE(seen[what], times / 80) << what;
   }
+}
+
+// How far apart two parts are, as clearances say it: as of hulls, where one has a radius.
+Interval distance_as_meshes(const Part& a, const Part& b) {
+  if (!a.shape.is_polyhedron() || !b.shape.is_polyhedron() || (a.mesh == nullptr && b.mesh == nullptr)) {
+    return distance_of(round_distance(a.shape, a.pose, b.shape, b.pose));
+  }
+  const auto mesh = [](const Part& part) { return part.mesh != nullptr ? *part.mesh : mesh_of(part.shape.core()); };
+  const Mesh of_a = mesh(a), of_b = mesh(b);
+  return distance_of(mesh_distance_by_scan(of_a, a.pose, of_b, b.pose));
+}
+
+TEST(SceneMeshesDifferential, ClearancesAreAsOfMeshesAlone) {
+  MeshScenes scenes(4023);
+  const int times = scaled_count(50);
+  int of_meshes = 0, kept_as_meshes = 0, alone = 0;
+  for (int i = 0; i < times; ++i) {
+    std::vector<Body> bodies = scenes.next();
+    if (i % 2 == 1) bodies = scenes.plug_in_a_hole();
+    scene::ClearanceQuestion question;
+    question.least = i % 3 == 0 ? 0.25 : i % 3 == 1 ? 0.5 : 1.5;
+    if (i % 4 == 0) question.margins.push_back({0, 1, 0.75});
+    const scene::ClearanceAnswer answer = closer_pairs(bodies, question);
+    scene::ClearanceFollower follower(bodies, question);
+    const scene::ClearanceAnswer again = follower.ask(bodies);
+    ASSERT_EQ(answer.closer.size(), again.closer.size());
+    ASSERT_EQ(answer.surfaces_alone, again.surfaces_alone);
+    std::size_t closer = 0;
+    Interval least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    for (std::uint32_t b = 0; b < bodies.size(); ++b) {
+      for (std::uint32_t c = b + 1; c < bodies.size(); ++c) {
+        for (const Part& p : bodies[b].parts) {
+          for (const Part& q : bodies[c].parts) {
+            const Interval distance = distance_as_meshes(p, q);
+            if (distance.low < least.low) least = distance;
+            const double margin = i % 4 == 0 && b == 0 && c == 1 ? 0.75 : question.least;
+            const bool is_closer = distance.low < margin;  // margins are doubles: where both ends are it, it is kept
+            kept_as_meshes += !is_closer && (p.mesh || q.mesh) && p.shape.is_polyhedron() && q.shape.is_polyhedron() &&
+                              distance_of(round_distance(p.shape, p.pose, q.shape, q.pose)).low < margin;
+            if (!is_closer) continue;
+            ASSERT_LT(closer, answer.closer.size()) << i;
+            const scene::CloserParts& found = answer.closer[closer];
+            ASSERT_EQ(std::tie(found.body_a, found.body_b), std::tie(b, c));
+            ASSERT_EQ(found.distance.low, distance.low);
+            ASSERT_EQ(found.distance.high, distance.high);
+            ASSERT_EQ(again.closer[closer].distance.low, distance.low);
+            ASSERT_EQ(is_of_meshes(found, bodies),
+                      (p.mesh || q.mesh) && p.shape.is_polyhedron() && q.shape.is_polyhedron());
+            of_meshes += is_of_meshes(found, bodies);
+            ++closer;
+          }
+        }
+      }
+    }
+    ASSERT_EQ(closer, answer.closer.size()) << i;
+    alone += answer.surfaces_alone > 0;
+    const auto nearest = nearest_parts(bodies);
+    ASSERT_EQ(nearest->distance.low, least.low) << i;
+    ASSERT_EQ(nearest->distance.high, least.high) << i;
+    if (i % 2 > 0) continue;
+    std::string text;
+    Question of_all;
+    of_all.every_pair = true;
+    const Answer met = meeting_pairs(bodies, of_all);
+    write_certificate(
+        std::array{scene::Placement{"here", bodies, met, &answer, &*nearest}}, of_all, {},
+        [&](std::string_view piece) { text += piece; }, question);
+    const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+    ASSERT_TRUE(result.accepted()) << result.failed_form << result.error << text.substr(0, 2000);
+  }
+  std::printf("closer as meshes %d, far enough though hulls are not %d, surfaces alone %d\n", of_meshes, kept_as_meshes,
+              alone);
+  EXPECT_GE(of_meshes, times / 10);
+  EXPECT_GE(kept_as_meshes, times / 25);
+  EXPECT_GE(alone, times / 50);
 }
 
 TEST(SceneMeshesDifferential, TheFollowerAgrees) {

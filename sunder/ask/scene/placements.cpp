@@ -67,10 +67,12 @@ struct FoundPlacements {
 };
 
 // Appends what is closer than it has to be, or may be, as certificates take it. Returns how many pairs are.
-std::size_t list_closer(const scene::Nearness& found, std::vector<scene::CloserPair>& list) {
+std::size_t list_closer(const scene::Nearness& found, std::span<const scene::Body> bodies,
+                        std::vector<scene::CloserPair>& list) {
   if (!found.clearance) return 0;
   const auto add = [&](const scene::CloserParts& pair, bool is_undecided) {
-    list.push_back({pair.body_a, pair.body_b, pair.part_a, pair.part_b, pair.least, is_undecided});
+    list.push_back(
+        {pair.body_a, pair.body_b, pair.part_a, pair.part_b, pair.least, is_undecided, is_of_meshes(pair, bodies)});
   };
   for (const scene::CloserParts& pair : found.clearance->closer) add(pair, false);
   for (const scene::CloserParts& pair : found.clearance->undecided) add(pair, true);
@@ -120,7 +122,7 @@ class Placements : RowRun {
     const scene::Answer& answer = moment.meeting;
     lines_.add(k, moment, found.lines);
     std::vector<scene::CloserPair> closer;
-    found.counts.closer += list_closer(moment.near, closer);
+    found.counts.closer += list_closer(moment.near, moment.bodies, closer);
     const bool is_kept = moment.near.is_kept();
     found.counts.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(), answer.counts.meeting, !is_kept,
                       0, answer.counts.surfaces_alone});

@@ -100,7 +100,7 @@ void RowLines::add(std::size_t row, const scene::Moment& moment, LineTexts& line
   if (wanted_.text) {
     add_to(lines.text, "{}: ", row);
     add_text(answer, lines.text);
-    add_text(moment.near, lines.text);
+    add_text(moment.near, moment.bodies, lines.text);
     lines.text += '\n';
   }
   if (wanted_.json) {
@@ -114,14 +114,14 @@ void RowLines::add(std::size_t row, const scene::Moment& moment, LineTexts& line
     if (!answer.pairs.empty()) {
       add_list("pairs", answer.pairs, [&](const PartPair& pair) { add_json(pair, moment.bodies, json); });
     }
-    const auto add_distance = [&](const CloserParts& pair) { add_json(pair, pair.least, json); };
+    const auto add_distance = [&](const CloserParts& pair) { add_json(pair, pair.least, moment.bodies, json); };
     if (const auto& near = moment.near.clearance) {
       add_list("closer", near->closer, add_distance);
       if (!near->undecided.empty()) add_list("closer_undecided", near->undecided, add_distance);
     }
     if (moment.near.nearest) {
       json.key("nearest");
-      add_json(*moment.near.nearest, {}, json);
+      add_json(*moment.near.nearest, {}, moment.bodies, json);
     }
     json.close('}');
     lines.json += '\n';
@@ -137,7 +137,7 @@ void RowLines::add(std::size_t row, const scene::Moment& moment, LineTexts& line
     }
     add_to(lines.csv, "{},{},{},{}", row, answer.verdict(), answer.counts.meeting - answer.counts.touching_only,
            quoted_csv(list));
-    add_csv(moment.near, lines.csv);
+    add_csv(moment.near, moment.bodies, lines.csv);
     lines.csv += '\n';
   }
 }
@@ -197,20 +197,20 @@ void RowLines::add_text(const scene::Answer& answer, std::string& text) const {
 
 // "; none are closer", "; hand and post are closer than 0.1: about 0.07 apart; nearest: hand and post: about 0.07
 // apart"
-void RowLines::add_text(const scene::Nearness& near, std::string& text) const {
+void RowLines::add_text(const scene::Nearness& near, std::span<const scene::Body> bodies, std::string& text) const {
   if (near.clearance) {
     const auto& [closer, undecided] = std::tie(near.clearance->closer, near.clearance->undecided);
     if (closer.empty()) text += undecided.empty() ? "; none are closer" : "; none are known to be closer";
     const auto add_pair = [&](const CloserParts& pair, const char* what) {
-      add_to(text, "; {}{} are closer than {}{}: {}", what, of(pair).both(), pair.least, of(pair).hulls(),
-             short_distance_text(pair));
+      add_to(text, "; {}{} are closer than {}{}: {}", what, of(pair).both(), pair.least,
+             is_of_meshes(pair, bodies) ? "" : of(pair).hulls(), short_distance_text(pair));
     };
     for (const CloserParts& pair : closer) add_pair(pair, "");
     for (const CloserParts& pair : undecided) add_pair(pair, "undecided whether ");
   }
   if (near.nearest) {
-    add_to(text, "; nearest: {}{}: {}", of(*near.nearest).both(), of(*near.nearest).hulls(),
-           short_distance_text(*near.nearest));
+    add_to(text, "; nearest: {}{}: {}", of(*near.nearest).both(),
+           is_of_meshes(*near.nearest, bodies) ? "" : of(*near.nearest).hulls(), short_distance_text(*near.nearest));
   } else if (near_.nearest) {
     text += "; nearest: no pair is asked about";
   }
@@ -241,9 +241,10 @@ void RowLines::add_json(const PartPair& pair, std::span<const scene::Body> bodie
   json.member("vertices_b", vertices.subspan(common->count_a, common->count_b)).close('}').close('}');
 }
 
-void RowLines::add_json(const PartDistance& pair, std::optional<double> margin, JsonLine& json) const {
+void RowLines::add_json(const PartDistance& pair, std::optional<double> margin, std::span<const scene::Body> bodies,
+                        JsonLine& json) const {
   open_pair(pair, json);
-  json.member("said_of", of(pair).said_of());
+  json.member("said_of", is_of_meshes(pair, bodies) ? "meshes" : of(pair).said_of());
   json.member("low", pair.distance.low).member("high", pair.distance.high);
   if (margin) json.member("least", *margin);
   if (const auto points = rounded_nearest(pair.evidence)) {
@@ -267,12 +268,12 @@ void RowLines::add_json(const SweptPair& pair, JsonLine& json) const {
   json.close('}');
 }
 
-void RowLines::add_csv(const scene::Nearness& near, std::string& csv) const {
+void RowLines::add_csv(const scene::Nearness& near, std::span<const scene::Body> bodies, std::string& csv) const {
   if (near.clearance) {
     std::string list;
     const auto add_pair = [&](const CloserParts& pair, const char* what) {
       add_to(list, "{}{} ({}{} of {}{})", list.empty() ? "" : "; ", of(pair).both(), what, pair.distance.high,
-             pair.least, of(pair).hulls(", as hulls"));
+             pair.least, is_of_meshes(pair, bodies) ? "" : of(pair).hulls(", as hulls"));
     };
     for (const CloserParts& pair : near.clearance->closer) add_pair(pair, "");
     for (const CloserParts& pair : near.clearance->undecided) add_pair(pair, "undecided, ");
@@ -280,7 +281,8 @@ void RowLines::add_csv(const scene::Nearness& near, std::string& csv) const {
   }
   if (near.nearest) {
     add_to(csv, ",{},{},{}", near.nearest->distance.low, near.nearest->distance.high,
-           quoted_csv(of(*near.nearest).both() + of(*near.nearest).hulls(" (as hulls)")));
+           quoted_csv(of(*near.nearest).both() +
+                      (is_of_meshes(*near.nearest, bodies) ? "" : of(*near.nearest).hulls(" (as hulls)"))));
   } else if (near_.nearest) {
     csv += ",,,";
   }

@@ -54,11 +54,12 @@ class RowLines {
   void open_pair(const Pair& pair, JsonLine& json) const;
 
   void add_text(const scene::Answer& answer, std::string& text) const;
-  void add_text(const scene::Nearness& near, std::string& text) const;
+  void add_text(const scene::Nearness& near, std::span<const scene::Body> bodies, std::string& text) const;
   void add_json(const scene::PartPair& pair, std::span<const scene::Body> bodies, JsonLine& json) const;
-  void add_json(const scene::PartDistance& pair, std::optional<double> margin, JsonLine& json) const;
+  void add_json(const scene::PartDistance& pair, std::optional<double> margin, std::span<const scene::Body> bodies,
+                JsonLine& json) const;
   void add_json(const scene::SweptPair& pair, JsonLine& json) const;
-  void add_csv(const scene::Nearness& near, std::string& csv) const;
+  void add_csv(const scene::Nearness& near, std::span<const scene::Body> bodies, std::string& csv) const;
 
   const scene::Question& question_;
   const scene::NearnessQuestion near_;

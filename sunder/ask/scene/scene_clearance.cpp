@@ -51,6 +51,11 @@ scene::Margin margin_of(const std::string& text, const robot::Cell& cell) {
   return {std::min(a, b), std::max(a, b), distance_of(io::trimmed(all.substr(equals + 1)), margin_option, true)};
 }
 
+// Is something said of a hull in the place of a mesh?
+bool are_hulls(const SceneReport& report, const Placed& placed, const PartDistance& pair) {
+  return is_hull(report, pair) && !is_of_meshes(pair, placed.bodies);
+}
+
 // "about 0.25 apart, from (0, 0, 1) to (0, 0, 1.25)", or "they meet"
 std::string distance_text(const PartDistance& pair) {
   if (pair.meet()) return "they meet";
@@ -64,7 +69,7 @@ std::string closer_text(const SceneReport& report, const Placed& placed, const s
   for (std::size_t k = 0; k < answer.closer.size() && k < most_listed_closer; ++k) {
     const scene::CloserParts& pair = answer.closer[k];
     text += fmt::format("{}{} are closer than {}{}: {}\n", prefix, names_of(placed, pair), pair.least,
-                        is_hull(report, pair) ? ", as hulls" : "", distance_text(pair));
+                        are_hulls(report, placed, pair) ? ", as hulls" : "", distance_text(pair));
   }
   if (answer.closer.size() > most_listed_closer) {
     text += fmt::format("{}and {} more\n", prefix, count_of(answer.closer.size() - most_listed_closer, "pair"));
@@ -91,12 +96,13 @@ std::string nearest_text(const SceneReport& report, const Placed& placed, const 
   if (!placed.near.nearest) return prefix + "nearest: no pair is asked about" + left_out.clause() + "\n";
   const PartDistance& pair = *placed.near.nearest;
   return fmt::format("{}nearest: {}{}: {}{}\n", prefix, names_of(placed, pair),
-                     is_hull(report, pair) ? ", as hulls" : "", distance_text(pair), left_out.clause());
+                     are_hulls(report, placed, pair) ? ", as hulls" : "", distance_text(pair), left_out.clause());
 }
 
 Json pair_json(const SceneReport& report, std::size_t placement, const PartDistance& pair) {
   Json json = begun_json(report, placement, pair);
-  json["said_of"] = is_hull(report, pair) ? "hulls" : "bodies";
+  const Placed& placed = report.placements[placement];
+  json["said_of"] = is_of_meshes(pair, placed.bodies) ? "meshes" : are_hulls(report, placed, pair) ? "hulls" : "bodies";
   json["low"] = pair.distance.low;
   json["high"] = pair.distance.high;
   if (const auto points = rounded_nearest(pair.evidence)) {

@@ -166,9 +166,9 @@ void draw(const Talk& talk, const SceneCall& call, const SceneReport& report) {
                   picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
-// Distances and motion are those of hulls.
+// Motion is that of hulls.
 void note_meshes(Talk& talk, const SceneCall& call, const SceneReport& report) {
-  const bool are_hulls = call.hull || call.between || report.clearance || report.asks_for_nearest;
+  const bool are_hulls = call.hull || call.between;
   (are_hulls ? note_hulls : note_remarks)(talk, meshes_of(report.cell));
 }
 

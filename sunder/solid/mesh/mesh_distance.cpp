@@ -146,7 +146,7 @@ class NearWalk {
       for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
         ++cost_.probes;
         if (gaps_.along(way_, of_a_[t], of_b_[u]) > limit) continue;
-        const RoundedGap gap = gaps_(of_a_[t], of_b_[u], limit);
+        const TriangleGap gap = gaps_(of_a_[t], of_b_[u], limit);
         if (gap.distance.low <= limit && of_pair(t, u, gap)) return true;
       }
     }
@@ -219,14 +219,14 @@ class Search {
     std::array<Candidate, 64> candidates;
     std::size_t count = 0;
     bool are_all = true;  // in `candidates`
-    const auto lower = [&](std::uint32_t, std::uint32_t, const RoundedGap& gap) {
+    const auto lower = [&](std::uint32_t, std::uint32_t, const TriangleGap& gap) {
       if (gap.distance.high < limit) {
         limit = gap.distance.high;
         walk.look_along(gap.way);
       }
       return false;
     };
-    const auto keep = [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+    const auto keep = [&](std::uint32_t t, std::uint32_t u, const TriangleGap& gap) {
       lower(t, u, gap);
       if (count == candidates.size()) {
         count = static_cast<std::size_t>(std::remove_if(candidates.begin(), candidates.end(),
@@ -249,7 +249,7 @@ class Search {
         if (distance.low <= limit) look_at(t, u, features);
       }
     } else {
-      walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+      walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const TriangleGap& gap) {
         look_at(t, u, gap.features);
         return false;
       });
@@ -272,7 +272,7 @@ class Search {
   bool any_closer(double least) {
     NearWalk walk(a_, b_, cost_);
     double limit = least;
-    return walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const RoundedGap& gap) {
+    return walk.any(limit, [&](std::uint32_t t, std::uint32_t u, const TriangleGap& gap) {
       if (gap.distance.low >= least) return false;
       if (gap.distance.high < least) return true;
       const ClosestWay<Dyadic> closest = ExactTriangles(a_.triangle(t), b_.triangle(u)).nearest(gap.features, cost_);

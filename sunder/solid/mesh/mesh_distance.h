@@ -7,6 +7,7 @@
 // What one might assume and does not hold: several pairs of triangles may be as near; which one is named is not said.
 #pragma once
 
+#include <sunder/base/error.h>
 #include <sunder/certificate/pair_answer.h>
 #include <sunder/number/interval.h>
 #include <sunder/solid/mesh/mesh.h>

@@ -143,6 +143,15 @@ class Statement {
   }
 
   void operator()(const PointWithin& within) const {
+    begin(within.is_of_a ? "a_within" : "b_within");
+    point_within(within);
+  }
+  void broken(double least, const PointWithin& within) const {
+    begin_clearance(within.is_of_a ? "a_within" : "b_within", least);
+    point_within(within);
+  }
+
+  void point_within(const PointWithin& within) const {
     const StatedMesh &of = within.is_of_a ? a_ : b_, &other = within.is_of_a ? b_ : a_;
     const PlacedMesh placed(of.mesh, of.pose), around(other.mesh, other.pose);
     const Posed3 at = placed.at(within.point);
@@ -153,7 +162,6 @@ class Statement {
     };
     const std::span<const Mesh::Triangle> all = of.mesh.triangles();
     const auto triangle = static_cast<std::uint32_t>(std::find_if(all.begin(), all.end(), has_point) - all.begin());
-    begin(within.is_of_a ? "a_within" : "b_within");
     file_.numbers("point", std::array{point.x, point.y, point.z});
     file_.begin_claims();
     for (const bool is_a : {true, false}) {
@@ -371,7 +379,7 @@ void MeshClaims::add_distance(const StatedMesh& a, const StatedMesh& b, const Me
 void MeshClaims::add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least) {
   SUNDER_REQUIRE(least > 0);
   const Statement statement(file_, a, b);
-  if (const auto* within = std::get_if<PointWithin>(&distance.evidence)) return statement(*within);
+  if (const auto* within = std::get_if<PointWithin>(&distance.evidence)) return statement.broken(least, *within);
   if (const auto* meeting = std::get_if<MeetingTriangles>(&distance.evidence)) return statement.broken(least, *meeting);
   if (compare_distance(distance, least) == Sign::negative) return statement.broken(least, *nearest_of(distance));
   statement.kept(least);

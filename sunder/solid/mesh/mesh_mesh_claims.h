@@ -60,8 +60,7 @@ class MeshClaims {
   // How far apart they are, exactly; of meshes that meet nothing.
   void add_distance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance);
 
-  // That they are `least` apart, or two points that are nearer. Where all that is known is a point of one inside of the
-  // other, that they meet so.
+  // That they are `least` apart, or two points that are nearer, or a point of one that is inside of the other.
   void add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least);
 
  private:

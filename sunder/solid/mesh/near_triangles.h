@@ -17,7 +17,7 @@
 namespace sunder::solid {
 
 // Encloses the distance of two triangles; and corners (0, 1, 2) that seem to hold the nearest points.
-struct RoundedGap {
+struct TriangleGap {
   Interval distance{0, std::numeric_limits<double>::infinity()};
   FeatureVertices features{1, 1, {0, 0}};
   Point3 way;  // between these points, from A to B
@@ -30,8 +30,8 @@ class TriangleGaps {
       : is_known_(a.at(0u).tame && b.at(0u).tame), error_(0x1p-44 * (a.at(0u).reach + b.at(0u).reach)) {}
 
   // Where the distance is more than `limit`, perhaps no more than that.
-  RoundedGap operator()(const RoundedTriangle& t, const RoundedTriangle& u, double limit) const {
-    RoundedGap gap;
+  TriangleGap operator()(const RoundedTriangle& t, const RoundedTriangle& u, double limit) const {
+    TriangleGap gap;
     if (!is_known_) return gap;
     double square = 0;
     for (std::size_t c = 0; c < 3; ++c) {

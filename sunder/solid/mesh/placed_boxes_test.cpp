@@ -158,7 +158,7 @@ TEST(PlacedBoxes, BoundsOfDistancesHold) {
           for (std::uint32_t u = in_b.first; u < in_b.end; ++u) {
             const Interval exact =
                 distance_of(polyhedron_polyhedron_distance(hull_of(a, t), pose_a, hull_of(b, u), pose_b));
-            const RoundedGap gap = gaps(of_a[t], of_b[u], std::numeric_limits<double>::infinity());
+            const TriangleGap gap = gaps(of_a[t], of_b[u], std::numeric_limits<double>::infinity());
             EXPECT_LE(gap.distance.low, exact.high) << i;
             EXPECT_GE(gap.distance.high, exact.low) << i;
             EXPECT_LE(gap.distance.high - gap.distance.low, 1e-9 * gap.distance.high + 1e-6 * exact.high + 1e-4) << i;

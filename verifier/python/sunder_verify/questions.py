@@ -510,7 +510,9 @@ QUESTIONS = {
         "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),
     "mesh_clearance": ("meshes", "a b least", {
         "kept": "covered_clear a b least",
-        "broken": "on_triangle a from_a, on_triangle b to_b, nearer from_a to_b least"}),
+        "broken": "on_triangle a from_a, on_triangle b to_b, nearer from_a to_b least",
+        "a_within": "on_triangle a point, encloses b point",
+        "b_within": "encloses a point, on_triangle b point"}),
     "polytopes": ("polytopes", "a b", {
         "apart": "parted_by a b",
         "apart_by_hyperplanes": "parted_by_hyperplanes a b",

@@ -135,6 +135,7 @@ class MeshDistances(unittest.TestCase):
                     self.ask(tables, kept, False)
                 else:
                     self.ask(tables, kept, True)
+            self.ask_within(tables, i, j, a, b)
             for points, ends in ((p, q), (on_surface(a, p), on_surface(b, q))), ((r, s), (of_a, of_b)):
                 far = sum((x - y) ** 2 for x, y in zip(*points))
                 for least in low, 4 * low, below(far, a.step):
@@ -144,6 +145,21 @@ class MeshDistances(unittest.TestCase):
                                      from_a=told_point(points[0]), to_b=told_point(points[1]))
                     self.ask(tables, lambda said=said: said, far < least ** 2)
         self.twins.compare()
+
+    def ask_within(self, tables, i, j, a, b):
+        """Of two that are apart; and of two that may be in one another, where it is as of their cells."""
+        for k in range(2):
+            if k:
+                a, b = some_pair(self.dice)
+                tables, i, j = tables_of(a, b)
+            for verdict, of, other in ("a_within", a, b), ("b_within", b, a):
+                point, claim = inside(of, self.dice)
+                claims = [claim, {"claim": "encloses", "direction": direction(self.dice)}]
+                said = statement("mesh_clearance", verdict, i, j, *(claims if verdict[0] == "a" else claims[::-1]),
+                                 point=told_point(point), least="0x1p0")
+                found = self.twins.force(files.file_of(tables, said))
+                if found == "accepted":
+                    self.assertTrue(k and other.is_in(point), said)
 
     def test_mutants(self):
         dice = dice_of(4004)
@@ -157,7 +173,11 @@ class MeshDistances(unittest.TestCase):
             least = hexadecimal(a.step / 2 ** 20)
             for said in (statement("mesh_distance", "closest", i, j, *ends, covered("covered_apart", found, a, b, dice), **points),
                          statement("mesh_clearance", "kept", i, j, covered("covered_clear", found, a, b, dice), least=least),
-                         statement("mesh_clearance", "broken", i, j, *ends, {"claim": "nearer"}, least=least, **points)):
+                         statement("mesh_clearance", "broken", i, j, *ends, {"claim": "nearer"}, least=least, **points),
+                         statement("mesh_clearance", "a_within", i, j, ends[0], {"claim": "encloses", "direction": direction(dice)},
+                                   least=least, point=told_point(p)),
+                         statement("mesh_clearance", "b_within", i, j, {"claim": "encloses", "direction": direction(dice)}, ends[1],
+                                   least=least, point=told_point(q))):
                 self.twins.spoil(files.file_of(tables, said), dice)
         self.twins.compare()
 
