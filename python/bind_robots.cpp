@@ -122,8 +122,7 @@ class Robot {
         joints, values, threads, {cell_.place(), question_},
         [evidence](auto k, const scene::Moment& moment, Found& out) {
           constexpr double none = std::numeric_limits<double>::quiet_NaN();
-          const scene::Counts& counts = moment.meeting.counts;
-          out.verdicts.push_back({moment.meeting.some_meet(), counts.undecided + counts.surfaces_alone > 0});
+          out.verdicts.push_back({moment.meeting.some_meet(), moment.meeting.counts.leave_some_open()});
           for (const scene::PartPair& pair : moment.meeting.pairs) {
             if (!pair.counts && !pair.undecided()) continue;
             const auto& [a, b] =
@@ -140,7 +139,7 @@ class Robot {
     return found<scene::MomentFollower>(
         joints, values, threads, {cell_.place(), question_, near}, [](auto k, const scene::Moment& moment, Found& out) {
           const scene::ClearanceAnswer& answer = *moment.near.clearance;
-          out.verdicts.push_back({!answer.closer.empty(), answer.undecided.size() + answer.surfaces_alone > 0});
+          out.verdicts.push_back({!answer.closer.empty(), answer.leaves_some_open()});
           for (const auto* list : {&answer.closer, &answer.undecided}) {
             for (const scene::CloserParts& pair : *list) {
               out.add(k, pair, list == &answer.closer, {pair.distance.low, pair.distance.high});

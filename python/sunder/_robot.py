@@ -70,7 +70,7 @@ class Robot:
     and not stood for by their hulls. leave_out: shapes that are not read are left out.
 
     name: the robot's. links: all, also those without a shape. bodies: what is asked about. hulls: bodies of which a mesh
-    is not convex: its hull moves, and is what meets a radius. allowed: pairs of bodies that are not asked about. left_out:
+    is not convex: its hull moves, and meets a radius. allowed: pairs of bodies that are not asked about. left_out:
     what of the files is not asked about. joints: those that take values, with their limits, in the order of vectors:
     radians, or metres. states: names of the states of the srdf; state(name) has the values of one, by joint.
     """

@@ -226,6 +226,24 @@ def test_srdf_and_packages(tmp_path):
     assert refused("bad-call", "certificate", robot.certificate)
 
 
+def test_what_an_open_mesh_seems_to_enclose_is_not_said_to_be_free(tmp_path):
+    corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (4, 0), (4, 4), (0, 4))]
+    faces = ("4 3 2 1", "1 2 6 5", "2 3 7 6", "3 4 8 7", "4 1 5 8")  # a box without a lid
+    (tmp_path / "shell.obj").write_text("".join("v %d %d %d\n" % p for p in corners) + "".join("f %s\n" % f for f in faces))
+    (tmp_path / "press.urdf").write_text(
+        '<robot name="press"><link name="shell"><collision><geometry><mesh filename="shell.obj"/></geometry></collision></link>'
+        '<link name="block"><collision><geometry><box size="1 1 1"/></geometry></collision></link>'
+        '<joint name="slide" type="prismatic"><parent link="shell"/><child link="block"/><origin xyz="2 2 2"/>'
+        '<axis xyz="0 0 1"/><limit lower="-9" upper="9"/></joint></robot>')
+    press = sunder.Robot(tmp_path / "press.urdf")
+    values = numpy.array([[0.0], [6.0], [-2.0]])  # in it, above it, through its floor
+    found = press.collisions(values)
+    assert (found.meet.tolist(), found.undecided.tolist()) == ([False, False, True], [True, False, False])
+    near = press.clearance(values, least=1.25)
+    assert (near.some.tolist(), near.undecided.tolist()) == ([False, False, True], [True, False, False])
+    assert press.clearance(values, least=1.75).some.tolist() == [True, False, True]
+
+
 def test_groups_keep_neighbours(tmp_path):
     (tmp_path / "g.srdf").write_text("<robot><group name='ends'><link name='panda_link0'/><link name='panda_link2'/></group>"
                                      "<group name='start'><chain base_link='panda_link0' tip_link='panda_link1'/></group>"

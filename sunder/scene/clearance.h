@@ -64,6 +64,8 @@ struct [[nodiscard]] ClearanceAnswer {
   std::uint64_t by_method = 0;         // whose distance was looked at; pairs = allowed + by_boxes + by_method
   std::uint64_t surfaces_alone = 0;  // of these, far enough apart as meshes whose hulls meet, of which one has an open
                                      // piece: what it seems to enclose is not asked about
+
+  bool leaves_some_open() const { return !undecided.empty() || surfaces_alone > 0; }
 };
 
 // Requires indices of bodies in range, and margins as they say. Throws Error: bad_pose where a part with a radius is at

@@ -105,6 +105,7 @@ struct Counts {
 
   bool some_meet() const { return meeting > touching_only; }
   bool none_meet() const { return !some_meet() && undecided == 0; }  // all are known to be apart, or allowed
+  bool leave_some_open() const { return undecided > 0 || surfaces_alone > 0; }
 };
 
 // What is listed of all pairs, in the order of S3, and how many there are of each kind.
