@@ -261,6 +261,38 @@ void check_on_triangle(const std::size_t& triangle, const WeightList& weights, c
   holds(weights, {}, mesh, point);
 }
 
+// Requires what on_triangle does, by that rule. The corners whose weights are positive.
+std::vector<std::size_t> corners_around(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
+                                        const Numbers& point) {
+  const MeshTriangle& corners = mesh.pieces->triangles[triangle];
+  std::vector<std::size_t> around;
+  for (std::size_t k = 0; k < weights.named.size(); ++k) {
+    const std::size_t named = weights.named[k];
+    require(std::find(corners.begin(), corners.end(), named) != corners.end(), "triangles_cross",
+            "a weight is not of a corner of the triangle");
+    if (weights.values[k].n > 0) around.push_back(named);
+  }
+  holds(weights, {}, mesh, point);
+  return around;
+}
+
+void check_triangles_cross(const std::size_t& triangle, const WeightList& weights, const std::size_t& other,
+                           const WeightList& other_weights, const MeshBody& mesh, const Numbers& point) {
+  require(triangle != other, "triangles_cross", "the two triangles are one");
+  const std::vector<std::size_t> one = corners_around(triangle, weights, mesh, point),
+                                 two = corners_around(other, other_weights, mesh, point);
+  take_steps(16, mesh.size(), mesh.size());
+  const auto way = [&](std::size_t from, std::size_t to) { return minus(mesh.rows()[to], mesh.rows()[from]); };
+  const auto is_inside = [&](const std::vector<std::size_t>& corners) {
+    return corners.size() == 3 && !all_zero(cross(way(corners[0], corners[1]), way(corners[0], corners[2])));
+  };
+  const auto do_edges_cross = [&] {
+    return one.size() == 2 && two.size() == 2 && !all_zero(cross(way(one[0], one[1]), way(two[0], two[1])));
+  };
+  require(is_inside(one) || is_inside(two) || do_edges_cross(), "triangles_cross",
+          "the point is not inside of a triangle, or of edges of both that cross");
+}
+
 void check_encloses(const Numbers& along, const MeshBody& mesh, const Numbers& point) {
   require(winding("encloses", mesh, along, projective(point)) != 0, "encloses",
           "the point is not inside of " + mesh.quoted);
@@ -457,6 +489,10 @@ const ClaimRows claims_of_meshes{
     {"part_of", partition, rule<check_part_of>},
     {"equal_insides", partition, rule<check_equal_insides>},
     {"on_triangle", "triangle: triangle of subject; weights: weights of subject", rule<check_on_triangle>},
+    {"triangles_cross",
+     "triangle: triangle of subject; weights: weights of subject; other_triangle: triangle of subject; "
+     "other_weights: weights of subject",
+     rule<check_triangles_cross>},
     {"encloses", "direction: point", rule<check_encloses>},
 };
 

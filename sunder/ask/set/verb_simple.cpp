@@ -4,6 +4,7 @@
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/set/polygons_input.h>
 #include <sunder/ask/set/set_verb.h>
+#include <sunder/ask/simple_mesh.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -16,11 +17,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunder::ask {
@@ -421,7 +426,43 @@ class ValidQuestion {
 
 constexpr const char* simple_methods = "automatic, scan";
 
+bool has_ending_of_meshes(const std::string& file) {
+  constexpr std::array<std::string_view, 8> endings{".obj", ".stl", ".ply", ".off", ".dae", ".gltf", ".glb", ".wrl"};
+  return std::find(endings.begin(), endings.end(), io::ending_of(file)) != endings.end();
+}
+
+// Throws Error bad_call for an option that is for polygons of the plane alone.
+void require_for_meshes(const SimpleCall& call) {
+  const std::pair<bool, const char*> options[] = {{call.strict, "--strict"},
+                                                  {call.self_touch, "--self-touch"},
+                                                  {!call.geojson.empty(), "--geojson"},
+                                                  {!call.svg.empty(), "--svg"},
+                                                  {!call.name.empty(), "--name"},
+                                                  {!call.properties.empty(), "--property"},
+                                                  {call.skip_invalid, "--skip-invalid"},
+                                                  {call.mend, "--mend"},
+                                                  {call.drop_z, "--drop-z"},
+                                                  {call.mixed_crs, "--mixed-crs"}};
+  for (const auto& [is_given, option] : options) {
+    if (is_given) {
+      throw Error(ErrorCode::bad_call,
+                  fmt::format("is for polygons of the plane, and {} is a mesh; leave it out",
+                              io::quote(io::one_line(call.file))),
+                  option);
+    }
+  }
+}
+
 Report run(const SimpleCall& call, Talk& talk) {
+  if (has_ending_of_meshes(call.file)) {
+    require_for_meshes(call);
+    SimpleMeshCall of_mesh;
+    static_cast<QuestionCall&>(of_mesh) = call;
+    of_mesh.file = call.file;
+    of_mesh.all = call.all;
+    of_mesh.leave_out = call.leave_out;
+    return run_simple_mesh(of_mesh, talk);
+  }
   if (call.method != "automatic" && call.method != "scan") refuse_method(call.method, simple_methods);
   require_different(call.properties);
   return told(ValidQuestion(call, talk).answer());
@@ -433,10 +474,13 @@ Verb simple_verb() {
   const auto call = std::make_shared<SimpleCall>();
   return {
       "simple",
-      "Are the polygons in a file valid? If not, what is wrong, and where?",
+      "Are the polygons in a file valid? Does a mesh bound a body, and not cross itself? If not, what is wrong, and "
+      "where?",
       "0 all are valid; 1 some are not",
-      {{"FILE", &call->file, "polygons: WKT, GeoJSON, or a JSON list of rings", "", true},
-       {"--all", &call->all, "list all defects of each feature (default: one for each feature)"},
+      {{"FILE", &call->file, "polygons (WKT, GeoJSON, or a JSON list of rings), or a mesh (OBJ, STL, PLY, OFF, ...)",
+        "", true},
+       {"--all", &call->all,
+        "list all defects of each feature (default: one for each feature); all crossings of a mesh"},
        {"--strict", &call->strict,
         "also require that no vertex is repeated, and that no two rings have a common point"},
        {.name = "--self-touch",

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <sunder/number/sign.h>
+#include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 
 #include <array>
@@ -12,12 +13,14 @@
 
 namespace sunder {
 
+using Triangle3 = std::array<Point3, 3>;
 using PosedTriangle = std::array<Posed3, 3>;
 
 // Have the closed triangles a common point? Where they are not in one plane, their common part is a point or a segment
 // whose ends are on edges: so an edge of one has a point of the other. In one plane they meet as in a projection.
 // Cost: at most 6 + 18 orientations where they are not in one plane.
 bool triangles_meet(const PosedTriangle& t, const PosedTriangle& u, StageTally* tally = nullptr);
+bool triangles_meet(const Triangle3& t, const Triangle3& u, StageTally* tally = nullptr);
 
 // How the segment from p to q crosses a triangle.
 //   none                they have no common point

@@ -70,13 +70,49 @@ void add_rays(ClaimsWriter& file, const char* key, const std::vector<MeshCover::
   file.end_list();
 }
 
+void add_weights(ClaimsWriter& file, const char* key, const Combination& weights) {
+  file.begin_list(key);
+  for (const auto& [index, numerator] : weights.parts) file.add_weight(index, numerator, weights.denominator);
+  file.end_list();
+}
+
 void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
   file.begin_claim("on_triangle");
   file.index("triangle", triangle);
-  file.begin_list("weights");
-  for (const auto& [index, numerator] : weights.parts) file.add_weight(index, numerator, weights.denominator);
-  file.end_list();
+  add_weights(file, "weights", weights);
   file.end_claim();
+}
+
+// Of two triangles that cross, named 0, 1, 2 each: a point inside of one, or inside of an edge of each, as
+// triangle_contact.h says that there is. One in the middle of what they have in common is such a point.
+CommonPoint crossing_point_of(const PosedTriangle& t, const PosedTriangle& u) {
+  std::optional<CommonPoint> found;
+  CommonPoint sum;
+  double count = 0;
+  const auto add = [](Combination& to, const Combination& of, const Dyadic& times, const Dyadic& over) {
+    for (Weights::Part& part : to.parts) part.numerator = part.numerator * over;
+    for (const auto& [index, numerator] : of.parts) to.add(index, numerator * times);
+    to.denominator = to.denominator * over;
+  };
+  each_common_point(t, u, [&](CommonPoint&& point) {
+    const std::size_t a = point.of_a.parts.size(), b = point.of_b.parts.size();
+    if (a == 3 || b == 3) {
+      found = std::move(point);
+      return true;
+    }
+    const Dyadic over_a = point.of_a.denominator, over_b = point.of_b.denominator;
+    add(sum.of_a, point.of_a, sum.of_a.denominator, over_a);
+    add(sum.of_b, point.of_b, sum.of_b.denominator, over_b);
+    count += 1;
+    return false;
+  });
+  if (found) return *std::move(found);
+  SUNDER_REQUIRE(count > 0);
+  sum.of_a.denominator = sum.of_a.denominator * Dyadic(count);
+  sum.of_b.denominator = sum.of_b.denominator * Dyadic(count);
+  const Vector3<Dyadic> at = numerators_of(sum.of_a, [&](std::uint32_t k) { return coordinates<Dyadic>(t[k]); });
+  sum.at = exact_point(at, sum.of_a.denominator);
+  return sum;
 }
 
 class Statement {
@@ -294,6 +330,15 @@ class Statement {
 
 }  // namespace
 
+CommonPoint crossing_point(const Mesh& mesh, const CrossingTriangles& pair) {
+  const Pose here;
+  const PlacedMesh placed(mesh, here);
+  CommonPoint point = crossing_point_of(placed.triangle(pair.first), placed.triangle(pair.second));
+  name_points(mesh.triangles()[pair.first], point.of_a);
+  name_points(mesh.triangles()[pair.second], point.of_b);
+  return point;
+}
+
 CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                          const MeetingTriangles& evidence) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
@@ -383,6 +428,22 @@ void MeshClaims::add_clearance(const StatedMesh& a, const StatedMesh& b, const M
   if (const auto* meeting = std::get_if<MeetingTriangles>(&distance.evidence)) return statement.broken(least, *meeting);
   if (compare_distance(distance, least) == Sign::negative) return statement.broken(least, *nearest_of(distance));
   statement.kept(least);
+}
+
+void MeshClaims::add_crossing(std::uint32_t index, const Mesh& mesh, const CrossingTriangles& pair) {
+  const CommonPoint point = crossing_point(mesh, pair);
+  file_.begin_statement("mesh_crossing");
+  file_.index("a", index);
+  file_.text("verdict", "two");
+  file_.fractions("point", point.at);
+  file_.begin_claims();
+  file_.begin_claim("triangles_cross");
+  file_.index("triangle", pair.first);
+  add_weights(file_, "weights", point.of_a);
+  file_.index("other_triangle", pair.second);
+  add_weights(file_, "other_weights", point.of_b);
+  file_.end_claim();
+  file_.end_statement();
 }
 
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,

@@ -7,6 +7,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/said.h>
+#include <sunder/solid/mesh/mesh_crossings.h>
 #include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_relation.h>
@@ -26,6 +27,9 @@ struct NamedMesh {
 // A point that the triangles have in common, with weights of points of the meshes. Requires that they do.
 CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                          const MeetingTriangles& evidence);
+
+// A point of two triangles that cross (mesh_crossings.h): inside of one, or inside of an edge of each.
+CommonPoint crossing_point(const Mesh& mesh, const CrossingTriangles& pair);
 
 // About the middle of what the triangles have in common: a point, a segment or a polygon. Requires that they meet.
 Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
@@ -62,6 +66,9 @@ class MeshClaims {
 
   // That they are `least` apart, or two points that are nearer, or a point of one that is inside of the other.
   void add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least);
+
+  // That two triangles of a mesh of the table cross. Requires that they do.
+  void add_crossing(std::uint32_t index, const Mesh& mesh, const CrossingTriangles& pair);
 
  private:
   void begin_entry(const std::string& name, const Said& said);

@@ -337,6 +337,32 @@ def on_triangle(steps, triangle, weights, mesh, point):
     holds(steps, weights, None, mesh, point)
 
 
+def corners_around(steps, triangle, weights, mesh, point):
+    """As on_triangle; the corners whose weights are positive."""
+    for k, _ in weights:
+        require(k in mesh.triangles[triangle], "triangles_cross", "a weight is not of a corner of the triangle")
+    holds(steps, weights, None, mesh, point)
+    return [k for k, (n, _, _) in weights if n > 0]
+
+
+def triangles_cross(steps, triangle, weights, other, other_weights, mesh, point):
+    """Two triangles have a point that is inside of one, or inside of edges of both that are not parallel."""
+    require(triangle != other, "triangles_cross", "the two triangles are one")
+    one = corners_around(steps, triangle, weights, mesh, point)
+    two = corners_around(steps, other, other_weights, mesh, point)
+    steps.take(16, mesh.size, mesh.size)
+    p = mesh.rows
+
+    def is_inside(those):
+        return len(those) == 3 and has_area(*(p[k] for k in those))
+
+    def edges_cross():
+        ways = [[y - x for x, y in zip(p[i], p[j])] for i, j in (one, two)]
+        return any(cross(*ways))
+    require(is_inside(one) or is_inside(two) or len(one) == len(two) == 2 and edges_cross(), "triangles_cross",
+            "the point is not inside of a triangle, or of edges of both that cross")
+
+
 def encloses(steps, direction, mesh, point):
     """A point is inside of what the closed pieces of a mesh bound."""
     require(mesh.winding(steps, "encloses", common(direction)[0], projective(point)), "encloses",

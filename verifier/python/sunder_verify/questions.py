@@ -376,7 +376,7 @@ SAID = {  # what verdicts and claims say
     "of_a": some_weights("a", False, MOST_MULTIPLIERS), "of_b": some_weights("b", False, MOST_MULTIPLIERS),
     "planes_a": planes_around("a"), "planes_b": planes_around("b"), "by_a": some_multipliers("a"),
     "by_b": some_multipliers("b"),
-    "triangle": lambda value, where, read: index(value, len(subject(read).triangles), where),
+    **dict.fromkeys(("triangle", "other_triangle"), lambda value, where, read: index(value, len(subject(read).triangles), where)),
     "cuts": list_of(whole(-MOST_NUMBER)), "directions": list_of(vector), "rays_a": rays_from("a"), "rays_b": rays_from("b"),
     **dict.fromkeys(("rays_inner", "rays_outer", "rays_first", "rays_second"), list_of(row_of(whole(0), vector))),
     "planes": list_of(row_of(*4 * [number])), "cells": list_of(vector),
@@ -389,7 +389,7 @@ SAID = {  # what verdicts and claims say
     "differences": list_of(row_of(surface_end("a"), surface_end("b"))),
     "triangles": lambda value, where, read: list_of(row_of(*read["a"].dimension * [index_of("differences")]))(
         value, where, read),
-    "time": part_of_time, "direction": vector, "before": vector, "after": vector, "first": vector, "last": vector, "from": vector, "weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
+    "time": part_of_time, "direction": vector, "before": vector, "after": vector, "first": vector, "last": vector, "from": vector, "weights": weights, "other_weights": weights, "events": events, "cones": for_each(corner), "parts": list_of(ARCS),
     "ends": list_of(end, lambda those, read: len(those) == 2, " is not a list of 2"),
     "order": list_of(subject_index, lambda those, read: len(set(those)) == len(those) == len(subject(read)),
                      " does not name each once"),
@@ -421,6 +421,7 @@ CLAIMS = {
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
         meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
     "on_triangle": (meshes.on_triangle, "triangle", "weights"),
+    "triangles_cross": (meshes.triangles_cross, "triangle", "weights", "other_triangle", "other_weights"),
     "encloses": (meshes.encloses, "direction"),
     "normal_fan": (vertices.normal_fan, "fans"),
     "recedes": (polytopes.recedes, "direction"), "rises": (polytopes.rises, "direction"),
@@ -506,6 +507,7 @@ QUESTIONS = {
         "a_inside_b": "covered_within a b", "b_inside_a": "covered_within b a",
         "a_within": "on_triangle a point, encloses b point",
         "b_within": "encloses a point, on_triangle b point"}),
+    "mesh_crossing": ("meshes", "a", {"two": "triangles_cross a point"}),
     "mesh_distance": ("meshes", "a b", {
         "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),
     "mesh_clearance": ("meshes", "a b least", {

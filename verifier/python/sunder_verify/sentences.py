@@ -31,6 +31,7 @@ SENTENCES = {  # of the members that a statement has
                "a_inside_b": "{a} is inside of {b}, away from its surface",
                "b_inside_a": "{b} is inside of {a}, away from its surface",
                "a_within": "{point} of {a} is inside of {b}", "b_within": "{point} of {b} is inside of {a}"},
+    "mesh_crossing": {"two": "two triangles of {a} cross at {point}"},
     "mesh_distance": {"closest": "{a} and {b} are closest at {from_a} and {to_b}"},
     "mesh_clearance": {"kept": "{a} and {b} are {least} apart, or more",
                        "broken": "{a} and {b} are nearer than {least}, at {from_a} and {to_b}",

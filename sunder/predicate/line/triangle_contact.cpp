@@ -1,0 +1,134 @@
+#include <sunder/predicate/line/triangle_contact.h>
+
+#include <sunder/predicate/point/orient.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace sunder {
+
+namespace {
+
+constexpr std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+
+// Which corners they share: corner t[of_t[k]] is u[of_u[k]] for k < shared; the others follow.
+struct Paired {
+  std::array<std::uint8_t, 3> of_t{0, 1, 2}, of_u{0, 1, 2};
+  std::size_t shared = 0;
+
+  Paired(const Triangle3& t, const Triangle3& u) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = shared; j < 3; ++j) {
+        if (t[of_t[i]] != u[of_u[j]]) continue;
+        std::swap(of_t[shared], of_t[i]);
+        std::swap(of_u[shared], of_u[j]);
+        ++shared;
+        break;
+      }
+    }
+  }
+};
+
+// A segment whose ends are on these sides of the plane of the triangle.
+bool meets(const Point3& p, Sign of_p, const Point3& q, Sign of_q, const Triangle3& t, StageTally* tally) {
+  if (of_p == Sign::zero && of_q == Sign::zero) return triangles_meet(Triangle3{p, q, q}, t, tally);
+  if (of_p == of_q) return false;
+  bool some_left = false, some_right = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Sign sign = orient_3d(p, q, t[k], t[next(k)], tally);
+    some_left = some_left || sign == Sign::positive;
+    some_right = some_right || sign == Sign::negative;
+  }
+  return !some_left || !some_right;
+}
+bool meets(const Point3& p, const Point3& q, const PlaneTriangle& t, StageTally* tally) {
+  return meets(p, t.side(p), q, t.side(q), t.corners, tally);
+}
+
+// Two that share an edge, a b, and are in one plane, with their third corners: are they on one side of it?
+bool are_on_one_side(const Point3& a, const Point3& b, const Point3& of_t, const Point3& of_u, StageTally* tally) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Sign side = orient_2d_along(axis, a, b, of_t, tally);
+    if (side != Sign::zero) return side == orient_2d_along(axis, a, b, of_u, tally);
+  }
+  return false;  // without area
+}
+
+// They share one. What they have in common besides goes on from there to where it leaves one of the two, which is across
+// from that corner.
+bool have_more_than_a_corner(const PlaneTriangle& t, const PlaneTriangle& u, const Paired& pair, StageTally* tally) {
+  const Point3 &u1 = u.corners[pair.of_u[1]], &u2 = u.corners[pair.of_u[2]];
+  const Sign of_u1 = t.side(u1), of_u2 = t.side(u2);
+  if (of_u1 == of_u2 && of_u1 != Sign::zero) return false;
+  const Point3 &t1 = t.corners[pair.of_t[1]], &t2 = t.corners[pair.of_t[2]];
+  const Sign of_t1 = u.side(t1), of_t2 = u.side(t2);
+  if (of_t1 == of_t2 && of_t1 != Sign::zero) return false;
+  return meets(u1, of_u1, u2, of_u2, t.corners, tally) || meets(t1, of_t1, t2, of_t2, u.corners, tally);
+}
+
+// Are all corners of u on one side of the plane of t?
+bool are_beyond(const PlaneTriangle& t, const PlaneTriangle& u) {
+  const Sign side = t.side(u.corners[0]);
+  return side != Sign::zero && t.side(u.corners[1]) == side && t.side(u.corners[2]) == side;
+}
+
+// On one line with both, and between them, in the box of them.
+bool is_inside_edge(const Point3& a, const Point3& b, const Point3& p, StageTally* tally) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    if ((p[c] < a[c] && p[c] < b[c]) || (p[c] > a[c] && p[c] > b[c])) return false;
+  }
+  return p != a && p != b && are_collinear(a, b, p, tally);
+}
+
+// Is the corner u[k] inside the edge of t across from t[i], and what they have in common no more than an end of an edge,
+// or a part of one?
+bool ends_inside(const PlaneTriangle& of_t, std::size_t i, const PlaneTriangle& of_u, std::size_t k,
+                 StageTally* tally) {
+  const Triangle3 &t = of_t.corners, &u = of_u.corners;
+  const Point3 &a = t[next(i)], &b = t[next(next(i))], &across = t[i];
+  for (const std::size_t j : {next(k), next(next(k))}) {
+    if (!are_collinear(a, b, u[j], tally)) continue;
+    // An edge of each on one line: they have more in common only in one plane, on one side of it.
+    const Point3& other = u[3 - k - j];
+    return of_t.side(other) != Sign::zero || !are_on_one_side(a, b, across, other, tally);
+  }
+  // From p on they would leave u across from it, or t through another edge.
+  return !meets(u[next(k)], u[next(next(k))], of_t, tally) && !meets(a, across, of_u, tally) &&
+         !meets(b, across, of_u, tally);
+}
+
+// Of two that have more in common than what they share.
+bool is_t_junction(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally) {
+  for (const auto& [edges_of, corners_of] : {std::pair(&t, &u), std::pair(&u, &t)}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point3 &a = edges_of->corners[next(i)], &b = edges_of->corners[next(next(i))];
+        if (is_inside_edge(a, b, corners_of->corners[k], tally))
+          return ends_inside(*edges_of, i, *corners_of, k, tally);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally) {
+  const Paired pair(t.corners, u.corners);
+  const auto of_t = [&](std::size_t k) -> const Point3& { return t.corners[pair.of_t[k]]; };
+  bool is_more = true;  // of equal ones
+  if (pair.shared == 0) {
+    is_more = !are_beyond(t, u) && !are_beyond(u, t) && triangles_meet(t.corners, u.corners, tally);
+  } else if (pair.shared == 1) {
+    is_more = have_more_than_a_corner(t, u, pair, tally);
+  } else if (pair.shared == 2) {
+    const Point3& other = u.corners[pair.of_u[2]];
+    is_more = t.side(other) == Sign::zero && are_on_one_side(of_t(0), of_t(1), of_t(2), other, tally);
+  }
+  if (!is_more) return TriangleContact::proper;
+  return pair.shared < 2 && is_t_junction(t, u, tally) ? TriangleContact::t_junction : TriangleContact::crossing;
+}
+
+}  // namespace sunder
