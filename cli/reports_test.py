@@ -82,6 +82,7 @@ METHODS = {
     "polygons cases/planar-pair/panes.wkt": "convex",
     "segments cases/segments/wires.csv --all": "automatic grid bentley-ottmann balaban scan",
     "simple cases/valid-polygons/several.wkt": "automatic scan",
+    "simple cases/mesh/crossed.obj": "automatic scan",
     "circles cases/outcomes/circles.csv": "automatic grid sweep scan",
     "boxes cases/outcomes/boxes.csv": "automatic scan",
     "polygons cases/outcomes/polygons.wkt": "automatic boxes grid sweep scan",
@@ -210,6 +211,7 @@ simple mendable.geojson --mend
 simple mendable.geojson --skip-invalid --name title
 simple parcels.geojson --property owner --property public --all --geojson OUT
 simple cases/outcomes/mixed.wkt --leave-out --all
+simple cases/mesh/unused-outside.obj --leave-out --all
 simple cases/valid-polygons/pocket.wkt --self-touch --certificate OUT
 polygons flat.wkt --mend
 region --of circles sited.csv

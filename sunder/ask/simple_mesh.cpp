@@ -116,8 +116,8 @@ class MeshValid {
                                          : count_of(count, "pair") + " of triangles";
     for (std::size_t k = 0; k < count && k < most_listed; ++k) {
       const CrossingTriangles& pair = found_.pairs[k];
-      text += fmt::format("\npolygons {} and {} at about {}", mesh_.face_of(pair.first), mesh_.face_of(pair.second),
-                          about(point_of(pair)));
+      const auto [first, second] = std::minmax({mesh_.face_of(pair.first), mesh_.face_of(pair.second)});
+      text += fmt::format("\npolygons {} and {} at about {}", first, second, about(point_of(pair)));
     }
     if (count > most_listed) text += fmt::format("\nand {} more; --json has all", count - most_listed);
     if (found_.are_all && found_.t_junctions > 0) {

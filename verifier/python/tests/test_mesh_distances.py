@@ -161,6 +161,55 @@ class MeshDistances(unittest.TestCase):
                 if found == "accepted":
                     self.assertTrue(k and other.is_in(point), said)
 
+    def test_crossings(self):
+        """Two triangles through a point, which is inside of one, on its edge, or at a corner."""
+        dice = self.dice
+        while lacking(FORCED, "mesh_crossing"):
+            def corner():
+                return [Fraction(dice.randint(-8, 8)) for _ in range(3)]
+
+            def share(count):
+                weights = [Fraction(dice.randint(1, 3)) for _ in range(count)] + [Fraction(0)] * (3 - count)
+                return [w / sum(weights) for w in weights]
+
+            of_t, of_u = share(dice.choice((1, 2, 2, 3))), share(dice.choice((1, 2, 2, 3)))
+            t, u = [corner() for _ in range(3)], [corner() for _ in range(2)]
+            point = [sum(w * p[c] for w, p in zip(of_t, t)) for c in range(3)]
+            # The first corner of the other one, which has weight, so that it has the point.
+            first = [(point[c] - of_u[1] * u[0][c] - of_u[2] * u[1][c]) / of_u[0] for c in range(3)]
+            scale = 1
+            for x in first:
+                scale *= x.denominator
+            points = [[x * scale for x in p] for p in t + [first] + u]
+            if len({tuple(p) for p in points}) < 6:
+                continue
+            mesh = {"name": "m", "points": [[hexadecimal(x) for x in p] for p in points], "triangles": [[0, 1, 2], [3, 4, 5]]}
+            at = [x * scale for x in point]
+            claim = {"claim": "triangles_cross", "triangle": 0, "weights": [[k, fraction(w)] for k, w in enumerate(of_t)],
+                     "other_triangle": 1, "other_weights": [[k + 3, fraction(w)] for k, w in enumerate(of_u)]}
+
+            def way(p, q):
+                return [y - x for x, y in zip(p, q)]
+
+            def across(a, b):
+                return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+            sizes = sum(map(bool, of_t)), sum(map(bool, of_u))
+            areas = [any(across(way(a, b), way(a, c))) for a, b, c in (points[:3], points[3:])]
+            is_true = any(n == 3 and area for n, area in zip(sizes, areas)) or sizes == (2, 2) and any(
+                across(way(points[0], points[1]), way(points[3], points[4])))
+            tables = {"meshes": [mesh]}
+            for said, truth in ((claim, is_true), ({**claim, "other_triangle": 0}, False), (
+                    {**claim, "weights": claim["weights"][::-1]}, None)):
+                top = files.file_of(tables, {"question": "mesh_crossing", "a": 0, "verdict": "two", "point": told_point(at),
+                                             "claims": [said]})
+                found = self.twins.force(top)
+                if truth is not None:
+                    self.assertEqual(found == "accepted", truth, (found, top))
+            if is_true and lacking(MUTANT, "mesh_crossing"):
+                self.twins.spoil(files.file_of(tables, {"question": "mesh_crossing", "a": 0, "verdict": "two",
+                                                        "point": told_point(at), "claims": [claim]}), dice)
+        self.twins.compare()
+
     def test_mutants(self):
         dice = dice_of(4004)
         while lacking(MUTANT, "mesh_distance") or lacking(MUTANT, "mesh_clearance"):
