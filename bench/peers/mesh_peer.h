@@ -28,5 +28,6 @@ struct MeshWay {
 };
 
 std::vector<MeshWay> fcl_mesh_ways();
+std::vector<MeshWay> fcl_mesh_distances();  // is it 0?
 
 }  // namespace bench
