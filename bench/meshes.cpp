@@ -201,7 +201,10 @@ void add_plans(std::vector<Plan>& list, const std::string& input, const std::vec
        {Question::near, Question::deep, Question::far, Question::how_near, Question::how_far}) {
     Demand demand;
     demand.peers = {{0, at_least(question)}};
-    list.push_back({input, kQuestions[static_cast<std::size_t>(question)], demand, sizes,
+    std::vector<std::size_t> asked = sizes;
+    if (is_of_distance(question)) std::erase_if(asked, [](std::size_t n) { return n > 20000; });  // FCL takes minutes
+    if (asked.empty()) continue;
+    list.push_back({input, kQuestions[static_cast<std::size_t>(question)], demand, asked,
                     [=](std::size_t n, std::uint64_t seed) { return contest(pool(n, seed), question, seed); }});
   }
 }

@@ -54,6 +54,7 @@ class MeshValid {
     const auto pieces = mesh_.pieces();
     is_closed_ = std::all_of(pieces.begin(), pieces.end(),
                              [](const auto& piece) { return piece.kind == solid::PieceKind::oriented; });
+    has_area_ = found_.without_area < mesh_.triangles().size();
   }
 
   std::string certificate() const {
@@ -70,7 +71,7 @@ class MeshValid {
   }
 
   Report report() const {
-    const bool is_valid = is_closed_ && found_.pairs.empty() && mesh_.crossing_faces().empty();
+    const bool is_valid = is_closed_ && has_area_ && found_.pairs.empty() && mesh_.crossing_faces().empty();
     Report report{.answer = is_valid ? "valid" : "not valid", .code = is_valid ? exit_code::no : exit_code::yes};
     report.function = method_.function;
     report.cost = found_.cost;
@@ -132,7 +133,8 @@ class MeshValid {
 
   std::vector<std::string> not_proved() const {
     std::vector<std::string> list;
-    if (!is_closed_) list.emplace_back("that the mesh is not closed, or not turned the same way everywhere");
+    if (!mesh_.is_closed()) list.emplace_back("that the mesh is not closed");
+    if (mesh_.is_closed() && !is_closed_) list.emplace_back("that the mesh is not turned the same way everywhere");
     if (call.all) list.emplace_back("that there are no other crossings");
     return list;
   }
@@ -145,6 +147,7 @@ class MeshValid {
   solid::Mesh mesh_;
   MeshCrossings found_;
   bool is_closed_ = false;  // each piece, and turned the same way everywhere
+  bool has_area_ = false;   // some triangle
 };
 
 }  // namespace

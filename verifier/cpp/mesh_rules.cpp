@@ -261,6 +261,10 @@ void check_on_triangle(const std::size_t& triangle, const WeightList& weights, c
   holds(weights, {}, mesh, point);
 }
 
+bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) {
+  return !all_zero(cross(minus(rows[triangle[1]], rows[triangle[0]]), minus(rows[triangle[2]], rows[triangle[0]])));
+}
+
 // Requires what on_triangle does, by that rule. The corners whose weights are positive.
 std::vector<std::size_t> corners_around(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
                                         const Numbers& point) {
@@ -279,17 +283,18 @@ std::vector<std::size_t> corners_around(const std::size_t& triangle, const Weigh
 void check_triangles_cross(const std::size_t& triangle, const WeightList& weights, const std::size_t& other,
                            const WeightList& other_weights, const MeshBody& mesh, const Numbers& point) {
   require(triangle != other, "triangles_cross", "the two triangles are one");
+  require(!mesh.is_image(), "triangles_cross", mesh.quoted + " is mapped");
   const std::vector<std::size_t> one = corners_around(triangle, weights, mesh, point),
                                  two = corners_around(other, other_weights, mesh, point);
   take_steps(16, mesh.size(), mesh.size());
-  const auto way = [&](std::size_t from, std::size_t to) { return minus(mesh.rows()[to], mesh.rows()[from]); };
-  const auto is_inside = [&](const std::vector<std::size_t>& corners) {
-    return corners.size() == 3 && !all_zero(cross(way(corners[0], corners[1]), way(corners[0], corners[2])));
+  for (const std::size_t of : {triangle, other}) {
+    require(have_area(mesh.pieces->triangles[of], mesh.rows()), "triangles_cross", "a triangle has no area");
+  }
+  const auto way = [&](const std::vector<std::size_t>& ends) {
+    return minus(mesh.rows()[ends[1]], mesh.rows()[ends[0]]);
   };
-  const auto do_edges_cross = [&] {
-    return one.size() == 2 && two.size() == 2 && !all_zero(cross(way(one[0], one[1]), way(two[0], two[1])));
-  };
-  require(is_inside(one) || is_inside(two) || do_edges_cross(), "triangles_cross",
+  const bool do_edges_cross = one.size() == 2 && two.size() == 2 && !all_zero(cross(way(one), way(two)));
+  require(one.size() == 3 || two.size() == 3 || do_edges_cross, "triangles_cross",
           "the point is not inside of a triangle, or of edges of both that cross");
 }
 
@@ -334,10 +339,6 @@ std::array<Corners, 2> halves(const Corners& polygon, const Integers& plane) {
     for (Corners& half : result) half.push_back(crossing);
   }
   return result;
-}
-
-bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) {
-  return !all_zero(cross(minus(rows[triangle[1]], rows[triangle[0]]), minus(rows[triangle[2]], rows[triangle[0]])));
 }
 
 std::vector<Corners> polygons_of(const MeshBody& mesh) {

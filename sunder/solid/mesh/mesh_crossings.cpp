@@ -18,7 +18,7 @@ constexpr Box3 of_nothing{{beyond, beyond, beyond}, {-beyond, -beyond, -beyond}}
 
 class SelfWalk {
  public:
-  SelfWalk(const Mesh& mesh, std::size_t most) : mesh_(mesh), tree_(mesh.tree()), most_(most) {
+  SelfWalk(const Mesh& mesh, std::size_t most) : tree_(mesh.tree()), most_(most) {
     const auto& [low, high] = mesh.box();
     const Point3 extent{high.x - low.x, high.y - low.y, high.z - low.z};
     triangles_.reserve(mesh.triangles().size());
@@ -104,9 +104,10 @@ class SelfWalk {
     return box;
   }
   static bool do_meet(const Box3& a, const Box3& b) {
-    bool is_apart = false;
-    for (std::size_t c = 0; c < 3; ++c) is_apart |= (a.high[c] < b.low[c]) | (b.high[c] < a.low[c]);
-    return !is_apart;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (a.high[c] < b.low[c] || b.high[c] < a.low[c]) return false;
+    }
+    return true;
   }
 
   void look_at(std::uint32_t t, std::uint32_t u) {
@@ -130,7 +131,6 @@ class SelfWalk {
     return std::move(found_);
   }
 
-  const Mesh& mesh_;
   const MeshTree& tree_;
   std::size_t most_;
   std::vector<Bounded> triangles_;

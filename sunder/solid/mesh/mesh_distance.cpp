@@ -22,6 +22,12 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
+struct NodePair {
+  std::size_t a = 1, b = 1;
+  double at_least = 0;        // as boxes tell
+  double along = -unbounded;  // the same along the way
+};
+
 // Walks down both trees.
 class NearWalk {
  public:
@@ -88,12 +94,6 @@ class NearWalk {
       }
     }
   }
-
-  struct NodePair {
-    std::size_t a = 1, b = 1;
-    double at_least = 0;        // as boxes tell
-    double along = -unbounded;  // the same along the way
-  };
 
   // The same below two nodes, in a space that does not grow, until of_pair returns true. Returns whether it did.
   template <class OfPair>

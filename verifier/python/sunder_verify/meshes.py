@@ -348,18 +348,17 @@ def corners_around(steps, triangle, weights, mesh, point):
 def triangles_cross(steps, triangle, weights, other, other_weights, mesh, point):
     """Two triangles have a point that is inside of one, or inside of edges of both that are not parallel."""
     require(triangle != other, "triangles_cross", "the two triangles are one")
+    require(not mesh.linear, "triangles_cross", "%s is mapped" % mesh.name)
     one = corners_around(steps, triangle, weights, mesh, point)
     two = corners_around(steps, other, other_weights, mesh, point)
     steps.take(16, mesh.size, mesh.size)
-    p = mesh.rows
-
-    def is_inside(those):
-        return len(those) == 3 and has_area(*(p[k] for k in those))
+    for of in triangle, other:
+        require(has_area(*(mesh.rows[k] for k in mesh.triangles[of])), "triangles_cross", "a triangle has no area")
 
     def edges_cross():
-        ways = [[y - x for x, y in zip(p[i], p[j])] for i, j in (one, two)]
+        ways = [[y - x for x, y in zip(mesh.rows[i], mesh.rows[j])] for i, j in (one, two)]
         return any(cross(*ways))
-    require(is_inside(one) or is_inside(two) or len(one) == len(two) == 2 and edges_cross(), "triangles_cross",
+    require(3 in (len(one), len(two)) or len(one) == len(two) == 2 and edges_cross(), "triangles_cross",
             "the point is not inside of a triangle, or of edges of both that cross")
 
 

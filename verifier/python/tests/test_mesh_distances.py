@@ -195,8 +195,8 @@ class MeshDistances(unittest.TestCase):
                 return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
             sizes = sum(map(bool, of_t)), sum(map(bool, of_u))
             areas = [any(across(way(a, b), way(a, c))) for a, b, c in (points[:3], points[3:])]
-            is_true = any(n == 3 and area for n, area in zip(sizes, areas)) or sizes == (2, 2) and any(
-                across(way(points[0], points[1]), way(points[3], points[4])))
+            is_true = all(areas) and (3 in sizes or sizes == (2, 2) and any(
+                across(way(points[0], points[1]), way(points[3], points[4]))))
             tables = {"meshes": [mesh]}
             for said, truth in ((claim, is_true), ({**claim, "other_triangle": 0}, False), (
                     {**claim, "weights": claim["weights"][::-1]}, None)):
@@ -205,6 +205,9 @@ class MeshDistances(unittest.TestCase):
                 found = self.twins.force(top)
                 if truth is not None:
                     self.assertEqual(found == "accepted", truth, (found, top))
+            image = {"name": "n", "of": 0, "linear": ["0x0p0"] * 9, "translation": told_point(at)}  # is not asked about
+            self.twins.force(files.file_of({"meshes": [mesh, image]}, {
+                "question": "mesh_crossing", "a": 1, "verdict": "two", "point": told_point(at), "claims": [claim]}))
             if is_true and lacking(MUTANT, "mesh_crossing"):
                 self.twins.spoil(files.file_of(tables, {"question": "mesh_crossing", "a": 0, "verdict": "two",
                                                         "point": told_point(at), "claims": [claim]}), dice)
