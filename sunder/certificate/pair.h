@@ -29,7 +29,7 @@ enum class Relation : std::uint8_t {
   a_inside_b,   // A is in the interior of B
   b_inside_a,
   equal,
-  meeting,      // they meet, and no more is told: one of them has no inside, say
+  meeting,      // they meet, and it is not known how: one of the two may have no inside
   a_part_of_b,  // what is inside of A is inside of B or on its boundary, and the boundaries meet (of meshes)
   b_part_of_a,
 };

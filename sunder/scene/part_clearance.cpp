@@ -19,13 +19,13 @@ namespace {
 
 constexpr double outermost = std::numeric_limits<double>::infinity();
 
-// Of meshes as they are, of whose hulls that is the evidence.
+// The distance of two meshes as they are. of_hulls: the same of their hulls, which is kept where the meshes meet.
 solid::RoundDistanceEvidence evidence_of(const MeshesOfPair& meshes, const Part& a, const Part& b,
                                          solid::RoundDistanceEvidence of_hulls) {
   const solid::MeshDistance found = mesh_distance(meshes.a, a.pose, meshes.b, b.pose);
   const solid::NearTriangles* const nearest = nearest_of(found);
   if (nearest != nullptr) return nearest->closest;
-  return of_hulls;  // these meet, too
+  return of_hulls;
 }
 
 [[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }

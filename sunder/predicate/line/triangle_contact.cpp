@@ -74,7 +74,7 @@ bool are_beyond(const PlaneTriangle& t, const PlaneTriangle& u) {
   return side != Sign::zero && t.side(u.corners[1]) == side && t.side(u.corners[2]) == side;
 }
 
-// On one line with both, and between them, in the box of them.
+// Is p between a and b, on one line with them?
 bool is_inside_edge(const Point3& a, const Point3& b, const Point3& p, StageTally* tally) {
   for (std::size_t c = 0; c < 3; ++c) {
     if ((p[c] < a[c] && p[c] < b[c]) || (p[c] > a[c] && p[c] > b[c])) return false;
@@ -82,8 +82,8 @@ bool is_inside_edge(const Point3& a, const Point3& b, const Point3& p, StageTall
   return p != a && p != b && are_collinear(a, b, p, tally);
 }
 
-// Is the corner u[k] inside the edge of t across from t[i], and what they have in common no more than an end of an edge,
-// or a part of one?
+// Requires that the corner u[k] is inside the edge of t across from t[i]. Is what t and u have in common no more than that
+// corner, or a part of an edge of each?
 bool ends_inside(const PlaneTriangle& of_t, std::size_t i, const PlaneTriangle& of_u, std::size_t k,
                  StageTally* tally) {
   const Triangle3 &t = of_t.corners, &u = of_u.corners;
@@ -94,12 +94,12 @@ bool ends_inside(const PlaneTriangle& of_t, std::size_t i, const PlaneTriangle& 
     const Point3& other = u[3 - k - j];
     return of_t.side(other) != Sign::zero || !are_on_one_side(a, b, across, other, tally);
   }
-  // From p on they would leave u across from it, or t through another edge.
+  // A common part that goes on from the corner leaves u across from it, or t through another edge.
   return !meets(u[next(k)], u[next(next(k))], of_t, tally) && !meets(a, across, of_u, tally) &&
          !meets(b, across, of_u, tally);
 }
 
-// Of two that have more in common than what they share.
+// Is what they have in common, besides corners and edges of both, a T-junction? Requires that there is something.
 bool is_t_junction(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally) {
   for (const auto& [edges_of, corners_of] : {std::pair(&t, &u), std::pair(&u, &t)}) {
     for (std::size_t i = 0; i < 3; ++i) {

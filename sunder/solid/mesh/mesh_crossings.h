@@ -33,8 +33,8 @@ struct [[nodiscard]] MeshCrossings {
 
 constexpr std::size_t all_crossings = std::numeric_limits<std::size_t>::max();
 
-// Of `most` pairs, some: it ends when there are more. Exact. Cost for n triangles: n log n, and the pairs whose boxes meet.
-// Memory: the pairs.
+// Exact. Lists all pairs if there are no more than `most`; else it ends early, with `most` of them. Cost for n triangles: n,
+// and the pairs of triangles whose boxes meet. Memory: some 200 bytes a triangle, and the pairs.
 MeshCrossings mesh_crossings(const Mesh& mesh, std::size_t most = all_crossings);
 
 // Each triangle with each.

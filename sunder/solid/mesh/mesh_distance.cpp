@@ -47,8 +47,8 @@ class NearWalk {
     look_along({q.x - p.x, q.y - p.y, q.z - p.z});
   }
 
-  // The way between the nearest points that are known, or about that: boxes are compared along it, too. What is nearest on
-  // curved bodies is told from what is beside it so, by boxes of any size; by their own axes, only once they are small.
+  // Compares boxes along this way, too: that between the nearest points so far. Along it, even large boxes of two curved
+  // surfaces are further apart than the nearest points; along their own axes only small ones are.
   void look_along(const Point3& way) {
     const double length = std::sqrt(dot(way, way));
     if (!(length > 0x1p-400 && length < 0x1p400)) return;

@@ -20,8 +20,8 @@
 
 namespace sunder::solid {
 
-// Of meshes that are apart: two triangles, and which of their corners hold the nearest points. The features are named by
-// the points of the meshes.
+// Two meshes are apart. These two triangles have the nearest points; the features are the corners that hold these points,
+// named by their numbers in the meshes.
 struct NearTriangles {
   static constexpr Verdict verdict = Verdict::apart;
   std::uint32_t of_a = 0, of_b = 0;
@@ -45,7 +45,7 @@ inline Interval distance_of(const MeshDistance& answer) {
 // floating point does not tell from the nearest one.
 MeshDistance mesh_distance(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
-// Of each triangle and each, in exact numbers: the oracle.
+// The same by comparing each triangle of A with each one of B, in exact numbers: the oracle.
 MeshDistance mesh_distance_by_scan(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b);
 
 // positive: further apart than the radius; zero: exactly so far; negative: closer. Requires a finite radius >= 0.

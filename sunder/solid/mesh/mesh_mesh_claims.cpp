@@ -83,8 +83,8 @@ void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combinati
   file.end_claim();
 }
 
-// Of two triangles that cross, named 0, 1, 2 each: a point inside of one, or inside of an edge of each, as
-// triangle_contact.h says that there is. One in the middle of what they have in common is such a point.
+// A point that is inside of one triangle, or inside of an edge of each. Requires that they cross: then there is such a
+// point (triangle_contact.h), and the mean of the corners of their common part is one. Weights name corners 0, 1, 2.
 CommonPoint crossing_point_of(const PosedTriangle& t, const PosedTriangle& u) {
   std::optional<CommonPoint> found;
   CommonPoint sum;

@@ -117,7 +117,7 @@ TEST(MeshRelation, SurfacesMeetAndNoMoreIsTold) {
   const Mesh flat = Boxes().triangle({1, 0, 0}, {1, 1, 0}, {1, 0, 1}).triangle({1, 0, 0}, {1, 0, 1}, {1, 1, 0}).mesh();
   EXPECT_TRUE(flat.is_closed());
   EXPECT_EQ(relation_between(unit, flat).relation, Relation::meeting);
-  // One mesh has an open piece besides: that a point is inside of both is told all the same.
+  // One mesh has an open piece, too. A point that is inside of both is found nevertheless.
   const Mesh mixed = Boxes().box({0.5, 0.5, 0.5}, {2, 2, 2}).triangle({9, 9, 9}, {9, 9, 8}, {9, 8, 9}).mesh();
   const MeshRelation found = relation_between(unit, mixed);
   EXPECT_EQ(found.relation, Relation::overlapping);

@@ -29,7 +29,7 @@ class TriangleGaps {
   TriangleGaps(const PlacedMesh& a, const PlacedMesh& b)
       : is_known_(a.at(0u).tame && b.at(0u).tame), error_(0x1p-44 * (a.at(0u).reach + b.at(0u).reach)) {}
 
-  // Where the distance is more than `limit`, perhaps no more than that.
+  // If the distance is more than `limit`, the answer may tell no more than that.
   TriangleGap operator()(const RoundedTriangle& t, const RoundedTriangle& u, double limit) const {
     TriangleGap gap;
     if (!is_known_) return gap;

@@ -196,12 +196,12 @@ class PlacedBoxes {
     };
     return {to(0, a.x[3]), to(1, a.y[3]), to(2, a.z[3])};
   }
-  // Of all that is looked at.
+  // The sum of the sizes of all numbers that a comparison of the two boxes uses.
   float sizes_of(float to_x, float to_y, float to_z, const OrientedBox& a, const OrientedBox& b) const {
     return std::fabs(std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
                      (b.half[0] + b.half[1] + b.half[2]) * longest_);
   }
-  // Of the first three that are positive.
+  // The sum of the squares of those of the first three numbers that are positive.
   static double sum_of_squares(FloatLanes gaps) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
