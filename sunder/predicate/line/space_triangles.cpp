@@ -111,18 +111,23 @@ bool meets_in_plane(const Spanned<Point>& t, const Point& p, const Point& q, Sta
   return false;
 }
 
-// A segment whose ends are on these sides of the plane of the triangle, which has area.
+// Of the line through p and q, which is not in the plane of the triangle.
 template <class Point>
-bool meets(const Spanned<Point>& t, const Point& p, Sign of_p, const Point& q, Sign of_q, StageTally* tally) {
-  if (of_p == Sign::zero && of_q == Sign::zero) return meets_in_plane(t, p, q, tally);
-  if (of_p == of_q) return false;
+bool line_goes_through(const Point& p, const Point& q, const std::array<Point, 3>& t, StageTally* tally) {
   bool some_left = false, some_right = false;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Sign sign = orient_3d(p, q, t.corners[k], t.corners[k == 2 ? 0 : k + 1], tally);
+    const Sign sign = orient_3d(p, q, t[k], t[k == 2 ? 0 : k + 1], tally);
     some_left = some_left || sign == Sign::positive;
     some_right = some_right || sign == Sign::negative;
   }
   return !some_left || !some_right;
+}
+
+// A segment whose ends are on these sides of the plane of the triangle, which has area.
+template <class Point>
+bool meets(const Spanned<Point>& t, const Point& p, Sign of_p, const Point& q, Sign of_q, StageTally* tally) {
+  if (of_p == Sign::zero && of_q == Sign::zero) return meets_in_plane(t, p, q, tally);
+  return of_p != of_q && line_goes_through(p, q, t.corners, tally);
 }
 
 template <class Point>
@@ -181,6 +186,11 @@ bool do_meet(const std::array<Point, 3>& first, const std::array<Point, 3>& seco
 
 bool triangles_meet(const PosedTriangle& t, const PosedTriangle& u, StageTally* tally) { return do_meet(t, u, tally); }
 bool triangles_meet(const Triangle3& t, const Triangle3& u, StageTally* tally) { return do_meet(t, u, tally); }
+
+bool segment_meets(const Point3& p, Sign of_p, const Point3& q, Sign of_q, const Triangle3& t, StageTally* tally) {
+  if (of_p == Sign::zero && of_q == Sign::zero) return triangles_meet(Triangle3{p, q, q}, t, tally);
+  return of_p != of_q && line_goes_through(p, q, t, tally);
+}
 
 TriangleCrossing crossing_of(const Posed3& p, const Posed3& q, const PosedTriangle& t, StageTally* tally) {
   const Sign of_p = orient_3d(t[0], t[1], t[2], p, tally), of_q = orient_3d(t[0], t[1], t[2], q, tally);

@@ -22,6 +22,11 @@ using PosedTriangle = std::array<Posed3, 3>;
 bool triangles_meet(const PosedTriangle& t, const PosedTriangle& u, StageTally* tally = nullptr);
 bool triangles_meet(const Triangle3& t, const Triangle3& u, StageTally* tally = nullptr);
 
+// Has the segment from p to q a point of the triangle? Its ends are on these sides of the plane of that, as orient_3d says
+// of its corners. Requires a triangle with an area.
+bool segment_meets(const Point3& p, Sign of_p, const Point3& q, Sign of_q, const Triangle3& t,
+                   StageTally* tally = nullptr);
+
 // How the segment from p to q crosses a triangle.
 //   none                they have no common point
 //   positive, negative  in one point, which is inside both: it comes to the side from which the corners appear

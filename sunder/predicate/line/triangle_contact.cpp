@@ -31,20 +31,8 @@ struct Paired {
   }
 };
 
-// A segment whose ends are on these sides of the plane of the triangle.
-bool meets(const Point3& p, Sign of_p, const Point3& q, Sign of_q, const Triangle3& t, StageTally* tally) {
-  if (of_p == Sign::zero && of_q == Sign::zero) return triangles_meet(Triangle3{p, q, q}, t, tally);
-  if (of_p == of_q) return false;
-  bool some_left = false, some_right = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Sign sign = orient_3d(p, q, t[k], t[next(k)], tally);
-    some_left = some_left || sign == Sign::positive;
-    some_right = some_right || sign == Sign::negative;
-  }
-  return !some_left || !some_right;
-}
-bool meets(const Point3& p, const Point3& q, const PlaneTriangle& t, StageTally* tally) {
-  return meets(p, t.side(p), q, t.side(q), t.corners, tally);
+bool segment_meets(const Point3& p, const Point3& q, const PlaneTriangle& t, StageTally* tally) {
+  return sunder::segment_meets(p, t.side(p), q, t.side(q), t.corners, tally);
 }
 
 // Two that share an edge, a b, and are in one plane, with their third corners: are they on one side of it?
@@ -65,7 +53,8 @@ bool have_more_than_a_corner(const PlaneTriangle& t, const PlaneTriangle& u, con
   const Point3 &t1 = t.corners[pair.of_t[1]], &t2 = t.corners[pair.of_t[2]];
   const Sign of_t1 = u.side(t1), of_t2 = u.side(t2);
   if (of_t1 == of_t2 && of_t1 != Sign::zero) return false;
-  return meets(u1, of_u1, u2, of_u2, t.corners, tally) || meets(t1, of_t1, t2, of_t2, u.corners, tally);
+  return sunder::segment_meets(u1, of_u1, u2, of_u2, t.corners, tally) ||
+         sunder::segment_meets(t1, of_t1, t2, of_t2, u.corners, tally);
 }
 
 // Are all corners of u on one side of the plane of t?
@@ -95,8 +84,8 @@ bool ends_inside(const PlaneTriangle& of_t, std::size_t i, const PlaneTriangle& 
     return of_t.side(other) != Sign::zero || !are_on_one_side(a, b, across, other, tally);
   }
   // A common part that goes on from the corner leaves u across from it, or t through another edge.
-  return !meets(u[next(k)], u[next(next(k))], of_t, tally) && !meets(a, across, of_u, tally) &&
-         !meets(b, across, of_u, tally);
+  return !segment_meets(u[next(k)], u[next(next(k))], of_t, tally) && !segment_meets(a, across, of_u, tally) &&
+         !segment_meets(b, across, of_u, tally);
 }
 
 // Is what they have in common, besides corners and edges of both, a T-junction? Requires that there is something.

@@ -2,6 +2,7 @@
 #include <sunder/base/interruption.h>
 #include <sunder/number/root.h>
 #include <sunder/predicate/point/along.h>
+#include <sunder/predicate/point/further_by.h>
 #include <sunder/solid/exact/exact_gjk.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_point.h>
@@ -201,10 +202,7 @@ class Covering {
                         first_b = extreme(b_, corners_b_, direction, Sign::negative, corners_b_.front());
     const Posed3 last = a_.placed.at(last_a), first = b_.placed.at(first_b);
     if (!is_wide_) return compare_along(direction, last, first) == Sign::positive;
-    const Vector3<Dyadic> d = direction.exact();
-    const Dyadic gap = dot(d, coordinates<Dyadic>(first) - coordinates<Dyadic>(last));
-    return gap.sign() == Sign::positive &&
-           (gap * gap * width_.squared.denominator - dot(d, d) * width_.squared.numerator).sign() != Sign::negative;
+    return is_further_by(direction, last, first, width_.squared);
   }
 
   // From `from` on, the corner that is furthest along the direction, or least far: `from`, where none is beyond it.

@@ -32,9 +32,7 @@ struct NodePair {
 class NearWalk {
  public:
   NearWalk(const PlacedMesh& a, const PlacedMesh& b, Cost& cost)
-      : a_(a),
-        b_(b),
-        tree_a_(a.mesh().tree()),
+      : tree_a_(a.mesh().tree()),
         tree_b_(b.mesh().tree()),
         frame_a_(BoxFrame::of(a)),
         frame_b_(BoxFrame::of(b)),
@@ -153,7 +151,6 @@ class NearWalk {
     return false;
   }
 
-  const PlacedMesh &a_, &b_;
   const MeshTree &tree_a_, &tree_b_;
   BoxFrame frame_a_, frame_b_;
   PlacedBoxes boxes_;
@@ -167,7 +164,7 @@ class NearWalk {
 // Two triangles that are apart, in exact numbers: by the search of exact_gjk.h, whose support this is.
 class ExactTriangles {
  public:
-  ExactTriangles(const PosedTriangle& t, const PosedTriangle& u) {
+  ExactTriangles(const PosedTriangle& t, const PosedTriangle& u) : t_(t), u_(u) {
     for (std::size_t k = 0; k < 3; ++k) {
       a_[k] = coordinates<Dyadic>(t[k]);
       b_[k] = coordinates<Dyadic>(u[k]);
@@ -187,8 +184,8 @@ class ExactTriangles {
   }
 
   std::array<std::uint32_t, 2> extreme(const ExactNearest& search) const {
-    return {furthest(a_, search.closest.way.way, search.of_a(), Sign::positive),
-            furthest(b_, search.closest.way.way, search.of_b(), Sign::negative)};
+    const WorldDirection along(search.closest.way.way);
+    return {furthest(t_, along, search.of_a(), Sign::positive), furthest(u_, along, search.of_b(), Sign::negative)};
   }
   void join(ExactNearest& search, const std::array<std::uint32_t, 2>& next) const {
     if (!search.a.has(next[0])) search.a.add(next[0], a_[next[0]]);
@@ -196,15 +193,16 @@ class ExactTriangles {
   }
 
  private:
-  static std::uint32_t furthest(const std::array<Vector3<Dyadic>, 3>& corners, const Vector3<Dyadic>& along,
-                                std::uint32_t from, Sign beyond) {
+  static std::uint32_t furthest(const PosedTriangle& corners, const WorldDirection& along, std::uint32_t from,
+                                Sign beyond) {
     for (std::uint32_t k = 0; k < 3; ++k) {
-      if (dot(along, corners[k] - corners[from]).sign() == beyond) from = k;
+      if (compare_along(along, corners[from], corners[k]) == beyond) from = k;
     }
     return from;
   }
 
-  std::array<Vector3<Dyadic>, 3> a_, b_;
+  PosedTriangle t_, u_;
+  std::array<Vector3<Dyadic>, 3> a_, b_;  // their corners
 };
 
 class Search {
