@@ -134,11 +134,7 @@ TEST(MeshDistanceDifferential, LooksAreFew) {
       const Point3 d = on_sphere(random);
       const double w = random.uniform(-1, 1), x = random.uniform(-1, 1), y = random.uniform(-1, 1);
       const auto at = [&](double t) { return Pose::from_quaternion(w, x, y, 1, {t * d.x, t * d.y, t * d.z}); };
-      double meeting = 1.5, apart = 2.5;
-      while (apart - meeting > 1e-6) {
-        const double middle = (meeting + apart) / 2;
-        (mesh_mesh(a, Pose(), b, at(middle)).meet() ? meeting : apart) = middle;
-      }
+      const double apart = just_apart(a, b, at);
       near += static_cast<double>(mesh_distance(a, Pose(), b, at(apart + 0.001)).cost.probes) / times;
       far += static_cast<double>(mesh_distance(a, Pose(), b, at(apart + 1)).cost.probes) / times;
       Cost cost;

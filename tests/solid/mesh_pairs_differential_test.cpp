@@ -62,11 +62,7 @@ TEST(MeshPairsDifferential, LooksGrowAsALogarithm) {
         for (double& entry : linear) entry *= size;
         return Pose::from_matrix(linear, {distance * d.x, distance * d.y, distance * d.z});
       };
-      double meeting = 1.5, apart = 2.5;
-      while (apart - meeting > 1e-6) {
-        const double middle = (meeting + apart) / 2;
-        (mesh_mesh(a, Pose(), b, at(middle, 1)).meet() ? meeting : apart) = middle;
-      }
+      const double apart = just_apart(a, b, [&](double t) { return at(t, 1); });
       const MeshAnswer beside = mesh_mesh(a, Pose(), b, at(apart + 0.001, 1)),
                        overlap = mesh_mesh(a, Pose(), b, at(1.5, 1)), inner = mesh_mesh(a, Pose(), b, at(0.01, 0.5));
       EXPECT_FALSE(beside.meet());

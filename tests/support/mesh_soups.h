@@ -5,6 +5,7 @@
 
 #include <sunder/base/random.h>
 #include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 
@@ -89,6 +90,18 @@ inline solid::Mesh bumpy(std::size_t n, Random& random) {
     soup.add_face({sphere.facet(f).begin(), sphere.facet(f).end()});
   }
   return soup.mesh();
+}
+
+// How far b has to be moved from a, to a millionth, until they are apart: at(t) is where it is. They meet at 1.5, and do not
+// at 2.5.
+template <class At>
+double just_apart(const solid::Mesh& a, const solid::Mesh& b, const At& at) {
+  double meeting = 1.5, apart = 2.5;
+  while (apart - meeting > 1e-6) {
+    const double middle = (meeting + apart) / 2;
+    (mesh_mesh(a, solid::Pose(), b, at(middle)).meet() ? meeting : apart) = middle;
+  }
+  return apart;
 }
 
 }  // namespace sunder::tests
