@@ -124,13 +124,8 @@ class PlacedBoxes {
   // Surely apart: nothing is in both. False also means: not sure.
   bool are_apart(const OrientedBox& a, const OrientedBox& b) const {
     if (!is_known_) return false;
-    const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
-    const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
-    const auto [to_x, to_y, to_z] = way_between(a, b);
-    const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
-                     y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
-                     z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
-    float error = error_ + sizes_of(to_x, to_y, to_z, a, b) * 0x1p-19F;  // with that of single precision
+    const auto& [ax, ay, az, half_a, half_b, x, y, z, to_x, to_y, to_z, sizes] = seen_by_first(a, b);
+    float error = error_ + sizes * 0x1p-19F;  // with that of single precision
     const FloatLanes way = ax * to_x + ay * to_y + az * to_z;
     std::array<FloatLanes, 3> seen;  // each axis of the second along those of the first
     FloatLanes reach = half_a + error;
@@ -161,13 +156,8 @@ class PlacedBoxes {
   // meet or nothing is known.
   double at_least(const OrientedBox& a, const OrientedBox& b) const {
     if (!is_known_) return 0;
-    const FloatLanes ax = lanes(a.x), ay = lanes(a.y), az = lanes(a.z), half_a = lanes(a.half);
-    const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z), half_b = lanes(b.half);
-    const auto [to_x, to_y, to_z] = way_between(a, b);
-    const FloatLanes x = bx * linear_[0] + by * linear_[1] + bz * linear_[2],
-                     y = bx * linear_[3] + by * linear_[4] + bz * linear_[5],
-                     z = bx * linear_[6] + by * linear_[7] + bz * linear_[8];
-    const float error = error_ + sizes_of(to_x, to_y, to_z, a, b) * 0x1p-19F;
+    const auto& [ax, ay, az, half_a, half_b, x, y, z, to_x, to_y, to_z, sizes] = seen_by_first(a, b);
+    const float error = error_ + sizes * 0x1p-19F;
     FloatLanes reach = half_a + error;
     for (int k = 0; k < 3; ++k) reach += absolute(ax * x[k] + ay * y[k] + az * z[k]) * half_b[k];
     double square = sum_of_squares(absolute(ax * to_x + ay * to_y + az * to_z) - reach);
@@ -187,19 +177,34 @@ class PlacedBoxes {
   }
 
  private:
-  // From one middle to the other.
-  std::array<float, 3> way_between(const OrientedBox& a, const OrientedBox& b) const {
+  // Two boxes in the frame of the first: its axes, those of the second one, the way from one middle to the other, and the sum
+  // of the sizes of all these numbers.
+  struct Seen {
+    FloatLanes ax, ay, az, half_a, half_b, x, y, z;
+    float to_x, to_y, to_z, sizes;
+  };
+  Seen seen_by_first(const OrientedBox& a, const OrientedBox& b) const {
+    const FloatLanes bx = lanes(b.x), by = lanes(b.y), bz = lanes(b.z);
     const auto mx = static_cast<double>(b.x[3]), my = static_cast<double>(b.y[3]), mz = static_cast<double>(b.z[3]);
     const auto to = [&](std::size_t row, float from) {
       const double* const m = to_frame_.data() + 3 * row;
       return static_cast<float>(m[0] * mx + m[1] * my + m[2] * mz + shift_[row] - static_cast<double>(from));
     };
-    return {to(0, a.x[3]), to(1, a.y[3]), to(2, a.z[3])};
-  }
-  // The sum of the sizes of all numbers that a comparison of the two boxes uses.
-  float sizes_of(float to_x, float to_y, float to_z, const OrientedBox& a, const OrientedBox& b) const {
-    return std::fabs(std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
-                     (b.half[0] + b.half[1] + b.half[2]) * longest_);
+    const float to_x = to(0, a.x[3]), to_y = to(1, a.y[3]), to_z = to(2, a.z[3]);
+    const float sizes = std::fabs(to_x) + std::fabs(to_y) + std::fabs(to_z) + a.half[0] + a.half[1] + a.half[2] +
+                        (b.half[0] + b.half[1] + b.half[2]) * longest_;
+    return {lanes(a.x),
+            lanes(a.y),
+            lanes(a.z),
+            lanes(a.half),
+            lanes(b.half),
+            bx * linear_[0] + by * linear_[1] + bz * linear_[2],
+            bx * linear_[3] + by * linear_[4] + bz * linear_[5],
+            bx * linear_[6] + by * linear_[7] + bz * linear_[8],
+            to_x,
+            to_y,
+            to_z,
+            std::fabs(sizes)};
   }
   // The sum of the squares of those of the first three numbers that are positive.
   static double sum_of_squares(FloatLanes gaps) {
