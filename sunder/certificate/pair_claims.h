@@ -41,6 +41,8 @@ class PairClaims {
 
   ClaimsWriter& file() const { return file_; }  // for statements that are written elsewhere
   void go_to_statements();                      // ends the table, before such a statement
+  void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
+  void add_combination(const char* claim, const Combination& combination);  // a claim of these weights
 
   // Adds a body to the table; returns its index. Keeps the span of its vertices, which must stay as they are.
   std::uint32_t add_body(const std::string& name, std::span<const Point3> vertices, std::span<const Way3> ways = {});
@@ -130,14 +132,12 @@ class PairClaims {
   std::size_t dimension() const { return space_ == Space::planar ? 2 : 3; }
   void begin_entry(const std::string& name);
   void add_points_of_entry(std::span<const Point3> points);
-  void begin_statement(const char* question, std::uint32_t a, std::uint32_t b, const char* verdict);
   void begin_motion(std::uint32_t a, std::uint32_t b, std::uint32_t to_a, std::uint32_t to_b, const char* verdict);
   void add_parting(const char* claim, const std::array<Dyadic, 3>& direction);
   void add_points(const char* claim, const PointOf& from_a, const PointOf& to_b);
   void begin_members(const char* question, const AllPairs& pairs);
   void add_pairs(const char* name, const std::vector<std::array<std::uint32_t, 2>>& pairs);
   void add_point_claims(const char* claim, const CommonPoint& point);
-  void add_combination(const char* claim, const Combination& combination);
 
   ClaimsWriter& file_;
   Space space_;

@@ -163,6 +163,22 @@ bool holds(const WeightList& list, const Numbers& from, const HullBody& body, co
   return false;
 }
 
+void require_beyond(const char* rule, const EndOfPart& part, const Integers& direction, const HullBody& body,
+                    const Number& least) {
+  require(!all_zero(direction), rule, "a direction is zero");
+  const Reach of_body = end_of(rule, body, opposite(direction));
+  const std::size_t size = bits(direction) + body.size() + part.size + length({least});
+  if (body.is_round() || least.n != 0) take_steps(16, size, size);
+  const Number square{least.n * least.n * dot(direction, direction), 1, 2 * least.e};
+  for (const Furthest& first : of_body.furthest) {
+    const std::int64_t e = std::min(part.e, first.e);
+    const Integer gap = -shifted(first.n, first.e - e) - shifted(part.last, part.e - e);
+    const int order = sign_with_roots(gap, e, {{-1, first.spread}, {-1, square}});
+    require(least.n == 0 ? order > 0 : order >= 0, rule,
+            body.quoted + " does not begin far enough beyond a part, along its direction");
+  }
+}
+
 namespace {
 
 void check_parted(const Numbers& direction, const HullBody& a, const HullBody& b) {

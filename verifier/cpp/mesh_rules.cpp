@@ -251,6 +251,43 @@ void check_covered_within(const Groups& cuts, const Points& directions, const St
   require_outside("covered_within", b, a, outer, outside[1]);
 }
 
+// Requires that the parts of a mesh, one after the other, are parted from a body, and that far; and that the body's first
+// point is outside of the mesh, where that is not seen from the parts.
+void require_beside(const char* rule, const Groups& until, const Points& directions, const Points& away,
+                    const MeshBody& a, const HullBody& b, const Number& least = {}) {
+  require(until.size() == directions.size(), rule, "there are not as many directions as parts");
+  Part part{0, 0};
+  for (std::size_t k = 0; k < until.size(); ++k) {
+    part.first = part.end;
+    part.end = static_cast<std::size_t>(std::max<std::int64_t>(until[k], 0));
+    require(part.first < part.end && part.end <= a.pieces->triangles.size(), rule,
+            "the parts do not follow each other in " + a.quoted);
+    const Integers direction = common(directions[k]).integers;
+    const Extent of_part = extent(a, direction, part);
+    require_beyond(rule, {of_part.greatest, of_part.e, a.size()}, direction, b, least);
+  }
+  require(part.end == a.pieces->triangles.size(), rule, "a triangle of " + a.quoted + " is in no part");
+  require(away.size() <= 1, rule, "there is more than one ray");
+  for (const Numbers& along : away) {
+    auto [place, e] = image(b, 0);
+    for (Integer& n : place) n = shifted(n, std::max<std::int64_t>(e, 0));
+    place.push_back(shifted(1, std::max<std::int64_t>(-e, 0)));
+    require(winding(rule, a, along, place) == 0, rule, "the first point of " + b.quoted + " is inside of " + a.quoted);
+  }
+  require(!away.empty() || until.size() == 1 || a.pieces->closed == 0, rule,
+          b.quoted + " is not shown to be outside of " + a.quoted);
+}
+
+void check_beside(const Groups& until, const Points& directions, const Points& away, const MeshBody& a,
+                  const HullBody& b) {
+  require_beside("beside", until, directions, away, a, b);
+}
+
+void check_clear_beside(const Groups& until, const Points& directions, const Points& away, const MeshBody& a,
+                        const HullBody& b, const Number& least) {
+  require_beside("clear_beside", until, directions, away, a, b, least);
+}
+
 void check_on_triangle(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
                        const Numbers& point) {
   const MeshTriangle& corners = mesh.pieces->triangles[triangle];
@@ -475,6 +512,7 @@ void check_equal_insides(const Groups& cuts, const Points& planes, const Points&
 }
 
 constexpr const char* cover = "cuts: cuts; directions: points; rays_a: rays of a; rays_b: rays of b";
+constexpr const char* parts = "until: cuts; directions: points; away: points";
 constexpr const char* partition =
     "cuts: cuts; planes: planes; cells: points; rays_first: told rays; rays_second: told rays";
 
@@ -486,6 +524,8 @@ const ClaimRows claims_of_meshes{
     {"covered_clear", cover, rule<check_covered_clear>},
     {"covered_within", "cuts: cuts; directions: points; rays_inner: told rays; rays_outer: told rays",
      rule<check_covered_within>},
+    {"beside", parts, rule<check_beside>},
+    {"clear_beside", parts, rule<check_clear_beside>},
     {"insides_apart", partition, rule<check_insides_apart>},
     {"part_of", partition, rule<check_part_of>},
     {"equal_insides", partition, rule<check_equal_insides>},

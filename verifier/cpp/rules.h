@@ -4,6 +4,8 @@
 
 #include <verifier/cpp/values.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,16 @@ extern const ClaimRows claims_of_bodies, claims_of_polytopes, claims_of_hulls, c
 // Requires that the body holds the point; `from`: of an ellipsoid only. Is it, if the body has a radius, nearer to the
 // core than that?
 bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point);
+
+// Requires by that rule that along the direction, which is not zero, all of the body is further than last * 2^e, and by
+// `least`, if that is not 0, in units of the direction's length; `size`: the bits of what that is made of.
+struct EndOfPart {
+  Integer last;
+  std::int64_t e;
+  std::size_t size;
+};
+void require_beyond(const char* rule, const EndOfPart& part, const Integers& direction, const HullBody& body,
+                    const Number& least = {});
 
 // Is the point on the segment between the other two, or, where these are one, there?
 bool is_between(const Integers& first, const Integers& last, const Integers& point);

@@ -1,6 +1,7 @@
 // sunder pair where A or B is a mesh that is not convex: both are asked about as they are.
 #include <sunder/ask/evidence.h>
 #include <sunder/ask/pair/pair_bounded.h>
+#include <sunder/ask/pair/pair_meshes.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
@@ -31,7 +32,8 @@ bool is_flat_polygon(const PlacedBody& placed) {
   return placed.object && placed.object->kind == io::SpaceObject::Kind::polygon;
 }
 
-// A flat polygon has two sides, so that its edges bound nothing.
+}  // namespace
+
 solid::Mesh mesh_of_placed(const PlacedBody& placed) {
   if (!is_flat_polygon(placed) || placed.mesh.mesh == nullptr) return io::mesh_as_it_is(placed.mesh);
   io::Mesh both = *placed.mesh.mesh;
@@ -41,7 +43,6 @@ solid::Mesh mesh_of_placed(const PlacedBody& placed) {
   return solid::Mesh({both.vertices, both.polygon_begin, both.polygon_vertices});
 }
 
-// Throws Error for numbers that no product of double precision holds.
 void require_range(const solid::Mesh& mesh, const solid::Pose& pose, const PairSide& side) {
   if (can_be_placed(mesh, pose)) return;
   throw Error(ErrorCode::bad_pose,
@@ -71,11 +72,30 @@ PairObject object_of_mesh(const PlacedBody& placed, const solid::Mesh& mesh) {
   return result;
 }
 
-class MeshPair : public PairQuestion {
+std::size_t open_pieces(const solid::Mesh& mesh) {
+  const auto pieces = mesh.pieces();
+  return static_cast<std::size_t>(std::count_if(
+      pieces.begin(), pieces.end(), [](const auto& piece) { return piece.kind == solid::PieceKind::open; }));
+}
+
+void MeshQuestion::tell_what_is_not_enclosed(std::size_t open) {
+  if (open == 0) return;
+  is_yes_ = is_yes_ || !call.surface;
+  verdict_ = "apart (surfaces alone)";
+  facts_.push_back(
+      {"enclosed", "not asked",
+       fmt::format("not asked: {} open, and what an open piece seems to enclose is not inside;\n{}",
+                   open == 1 ? "1 piece is" : fmt::format("{} pieces are", open),
+                   call.surface ? "surfaces alone are asked about" : "--surface asks about surfaces alone")});
+}
+
+namespace {
+
+class MeshPair : public MeshQuestion {
  public:
   MeshPair(const PairCall& asked, MeshMethod method, const PlacedBody& a, const PlacedBody& b,
            const solid::Mesh& mesh_a, const solid::Mesh& mesh_b, const PairFiles& files)
-      : PairQuestion(asked, object_of_mesh(a, mesh_a), object_of_mesh(b, mesh_b), files),
+      : MeshQuestion(asked, object_of_mesh(a, mesh_a), object_of_mesh(b, mesh_b), files),
         method_(method),
         pose_a_(a.pose),
         pose_b_(b.pose),
@@ -99,16 +119,7 @@ class MeshPair : public PairQuestion {
       add_what_is_unknown();
     }
     measure();
-    if (meet_ || is_parted_) return;
-    const std::size_t open = open_pieces(mesh_a_) + open_pieces(mesh_b_);
-    if (open == 0) return;
-    is_yes_ = is_yes_ || !call.surface;
-    verdict_ = "apart (surfaces alone)";
-    facts_.push_back(
-        {"enclosed", "not asked",
-         fmt::format("not asked: {} open, and what an open piece seems to enclose is not inside;\n{}",
-                     open == 1 ? "1 piece is" : fmt::format("{} pieces are", open),
-                     call.surface ? "surfaces alone are asked about" : "--surface asks about surfaces alone")});
+    if (!meet_ && !is_parted_) tell_what_is_not_enclosed(open_pieces(mesh_a_) + open_pieces(mesh_b_));
   }
 
   std::string certificate() const {
@@ -140,12 +151,6 @@ class MeshPair : public PairQuestion {
     const Point3 point = nearest.closest.nearest_points()[is_a ? 0 : 1];
     return {{{"face", polygon}, {"point", to_json(point)}},
             fmt::format("{} of polygon {} of {}", about(point), polygon, is_a ? "A" : "B")};
-  }
-
-  static std::size_t open_pieces(const solid::Mesh& mesh) {
-    const auto pieces = mesh.pieces();
-    return static_cast<std::size_t>(std::count_if(
-        pieces.begin(), pieces.end(), [](const auto& piece) { return piece.kind == solid::PieceKind::open; }));
   }
 
   void add_what_is_unknown() {
@@ -208,6 +213,8 @@ class MeshPair : public PairQuestion {
   solid::MeshDistance distance_;  // where that or --distance asks for it
 };
 
+bool is_hull_with_radius(const SpaceInput& input) { return input.round && input.round->is_hull(); }
+
 // Throws Error for what is asked of convex objects alone.
 void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const MeshBody& mesh) {
   const auto refuse = [&](const std::string& what, const std::string& place) {
@@ -219,17 +226,14 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
   const std::pair<bool, const char*> options[] = {{call.depth, "--depth"},
                                                   {!call.a.to.empty(), "--to-a"},
                                                   {!call.b.to.empty(), "--to-b"},
-                                                  {!call.a.radius.empty(), "--radius-a"},
-                                                  {!call.b.radius.empty(), "--radius-b"},
+                                                  {is_hull_with_radius(a), "--radius-a"},
+                                                  {is_hull_with_radius(b), "--radius-b"},
                                                   {call.support, "--support"}};
   for (const auto& [is_given, option] : options) {
     if (is_given) refuse("this option is for convex objects", option);
   }
   for (const SpaceInput* input : {&a, &b}) {
-    if (input->flat || input->round) {
-      refuse("is asked about with meshes, points, segments and polygons",
-             input->flat ? input->flat->file : input->round->file);
-    }
+    if (input->flat) refuse("is asked about with what is bounded", input->flat->file);
   }
 }
 
@@ -247,6 +251,7 @@ const MeshBody* mesh_that_is_not_convex(const SpaceInput& a, const SpaceInput& b
 
 Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_meshes_are_asked(call, a, b, *mesh_that_is_not_convex(a, b));
+  if (a.round || b.round) return run_mesh_round_pair(call, a, b, files);
   const MeshMethod method = method_by(call.method, mesh_methods, ", for meshes that are not convex");
   const solid::Mesh mesh_a = mesh_of_placed(*a.bounded), mesh_b = mesh_of_placed(*b.bounded);
   require_range(mesh_a, a.bounded->pose, call.a);

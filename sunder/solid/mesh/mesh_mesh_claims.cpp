@@ -76,13 +76,6 @@ void add_weights(ClaimsWriter& file, const char* key, const Combination& weights
   file.end_list();
 }
 
-void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
-  file.begin_claim("on_triangle");
-  file.index("triangle", triangle);
-  add_weights(file, "weights", weights);
-  file.end_claim();
-}
-
 // A point that is inside of one triangle, or inside of an edge of each. Requires that they cross: then there is such a
 // point (triangle_contact.h), and the mean of the corners of their common part is one. Weights name corners 0, 1, 2.
 CommonPoint crossing_point_of(const PosedTriangle& t, const PosedTriangle& u) {
@@ -329,6 +322,13 @@ class Statement {
 };
 
 }  // namespace
+
+void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
+  file.begin_claim("on_triangle");
+  file.index("triangle", triangle);
+  add_weights(file, "weights", weights);
+  file.end_claim();
+}
 
 CommonPoint crossing_point(const Mesh& mesh, const CrossingTriangles& pair) {
   const Pose here;

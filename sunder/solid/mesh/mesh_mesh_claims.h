@@ -39,6 +39,9 @@ Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const
 Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                         const MeshEvidence& evidence);
 
+// The claim that the weights of corners of the triangle make the point of the statement.
+void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights);
+
 // A placed mesh, and its index in the table.
 struct StatedMesh {
   std::uint32_t index;

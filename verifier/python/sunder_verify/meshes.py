@@ -6,7 +6,7 @@ import math
 
 from .linear import aligned, way_between
 from .reader import LIST, bits, common, form, length, projective, require
-from .rules import holds
+from .rules import beyond, holds
 from .sentences import counted
 from .tables import Body, cross, dot
 
@@ -328,6 +328,29 @@ def equal_insides(steps, cuts, planes, cells, rays_first, rays_second, a, b):
     """What is inside of one is inside of the other, or on a triangle of it."""
     for k, (in_a, in_b) in enumerate(partition("equal_insides", steps, cuts, planes, cells, (rays_first, rays_second), (a, b))):
         require(in_a is not None and in_a is in_b, "equal_insides", "cell %d is not shown to be inside of both or outside" % k)
+
+
+def beside(steps, until, directions, away, a, b, rule="beside", least=(0, 1, 0)):
+    """Parts of a mesh, one after the other, are parted from a body, and that far; the body's first point is outside."""
+    require(len(until) == len(directions), rule, "there are not as many directions as parts")
+    first = 0
+    for end, direction in zip(until, directions):
+        require(first < end <= len(a.triangles), rule, "the parts do not follow each other in %s" % a.name)
+        d = common(direction)[0]
+        _, last, e = a.ends(steps, d, first, end)
+        beyond(steps, rule, (last, e, a.size), d, b, least)
+        first = end
+    require(first == len(a.triangles), rule, "a triangle of %s is in no part" % a.name)
+    require(len(away) <= 1, rule, "there is more than one ray")
+    for direction in away:
+        require(not a.winding(steps, rule, common(direction)[0], b.image(0)[:4]), rule,
+                "the first point of %s is inside of %s" % (b.name, a.name))
+    require(away or len(until) == 1 or not a.closed, rule, "%s is not shown to be outside of %s" % (b.name, a.name))
+
+
+def clear_beside(steps, until, directions, away, a, b, least):
+    """Likewise, and that far apart."""
+    beside(steps, until, directions, away, a, b, "clear_beside", least)
 
 
 def on_triangle(steps, triangle, weights, mesh, point):

@@ -44,7 +44,8 @@ def entry(table):
 
 
 def body_asked(value, where, read):
-    body = entry(read["about"])(value, where, read)
+    is_beside_mesh = read["question"] in ("mesh_body", "mesh_body_clearance") and "a" in read
+    body = entry("bodies" if is_beside_mesh else read["about"])(value, where, read)
     form(read["question"] != "support" or "a" in read or is_of_points(body), where + " is not of points in space")
     form(read["question"] not in ("distance", "common_part", "nearest", "support") or not body.kind, where + " has a radius")
     form(read["question"] != "nearest" or "a" in read or body.count == len(body), where + " is not bounded")
@@ -379,6 +380,7 @@ SAID = {  # what verdicts and claims say
     **dict.fromkeys(("triangle", "other_triangle"), lambda value, where, read: index(value, len(subject(read).triangles), where)),
     "cuts": list_of(whole(-MOST_NUMBER)), "directions": list_of(vector), "rays_a": rays_from("a"), "rays_b": rays_from("b"),
     **dict.fromkeys(("rays_inner", "rays_outer", "rays_first", "rays_second"), list_of(row_of(whole(0), vector))),
+    "until": list_of(whole(-MOST_NUMBER)), "away": list_of(vector),
     "planes": list_of(row_of(*4 * [number])), "cells": list_of(vector),
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
     "vertices": some_places, "fans": cones_of_vertices,
@@ -418,6 +420,7 @@ CLAIMS = {
     **{rule.__name__: (rule, "cuts", "directions", "rays_a", "rays_b") for rule in (
         meshes.covered, meshes.covered_apart, meshes.covered_clear)},
     "covered_within": (meshes.covered_within, "cuts", "directions", "rays_inner", "rays_outer"),
+    **{rule.__name__: (rule, "until", "directions", "away") for rule in (meshes.beside, meshes.clear_beside)},
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
         meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
     "on_triangle": (meshes.on_triangle, "triangle", "weights"),
@@ -507,6 +510,13 @@ QUESTIONS = {
         "a_inside_b": "covered_within a b", "b_inside_a": "covered_within b a",
         "a_within": "on_triangle a point, encloses b point",
         "b_within": "encloses a point, on_triangle b point"}),
+    "mesh_body": ("meshes", "a b", {
+        "apart": "beside a b", "meet": "on_triangle a point, holds b point",
+        "b_within": "encloses a point, holds b point"}),
+    "mesh_body_clearance": ("meshes", "a b least", {
+        "kept": "clear_beside a b least",
+        "broken": "on_triangle a from_a, holds b to_b, nearer from_a to_b least",
+        "b_within": "encloses a point, holds b point"}),
     "mesh_crossing": ("meshes", "a", {"two": "triangles_cross a point"}),
     "mesh_distance": ("meshes", "a b", {
         "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),

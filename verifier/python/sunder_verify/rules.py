@@ -42,6 +42,24 @@ def is_behind(steps, body, d, place):
     return True
 
 
+def beyond(steps, rule, end, d, body, least):
+    """Along a direction, which is not zero, all of a body is further than n * 2^e, and by a length, if that is not 0, in units of
+    that of the direction. end: n, e, and the bits of what that is made of."""
+    require(any(d), rule, "a direction is zero")
+    found, (last, e, bits_of_end) = reach(steps, body, [-n for n in d]), end
+    require(found, rule, "a way of %s goes on along the direction" % body.name)
+    size = bits(d) + body.size + bits_of_end + length([least])
+    if body.kind or least[0]:
+        steps.take(16, size, size)
+    for n, f, u in found[0]:
+        begin, ends = aligned(-n, f, last, e)
+        (between, *roots), _, _ = common([((begin - ends) ** 2, 1, 2 * min(e, f)), u, (least[0] ** 2 * dot(d, d), 1, 2 * least[2])])
+        order = sign(begin - ends)
+        if any(roots):  # sqrt(between) - sqrt(u) - the length
+            order = sign_of((((0, order), (-1, 0)), ((-1, 0), (0, 0))), between, *roots)
+        require(order > 0 or least[0] and order == 0, rule, "%s does not begin far enough beyond a part, along its direction" % body.name)
+
+
 def gap(steps, rule, d, a, b, length_of=(0, 1, 0), way=-1):
     """The sign of how much further B begins along a direction than A ends, less a length (way 1: and the length), which
     is in units of that of the direction; and is all of both just as far along it?"""
