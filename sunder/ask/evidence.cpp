@@ -3,6 +3,7 @@
 #include <sunder/certificate/rounded_evidence.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_round_claims.h>
 
 #include <cstdint>
 #include <string>
@@ -56,6 +57,25 @@ Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, co
     return {{"point", point}, {"face_a", a.face_of(meeting->of_a)}, {"face_b", b.face_of(meeting->of_b)}};
   }
   return {{"corner", point}, {"within", std::get<solid::PointWithin>(evidence).is_of_a ? "B" : "A"}};
+}
+
+Json evidence_json(const solid::MeshRoundEvidence& evidence, const solid::Mesh& mesh, const solid::Pose& pose,
+                   const solid::PlacedRound& round, bool is_mesh_a) {
+  const auto of_face = [&](std::uint32_t triangle) {
+    return Json{{is_mesh_a ? "face_a" : "face_b", mesh.face_of(triangle)}};
+  };
+  if (const auto* near = std::get_if<solid::RoundNearTriangle>(&evidence)) return of_face(near->triangle);
+  if (verdict_of(evidence) == Verdict::apart) {
+    const solid::PartsBeside parts = parts_beside(mesh, pose, round);
+    return {{"planes", parts.ends.size()}, {"rays", parts.away.size()}};
+  }
+  const Json point = to_json(rounded_point_of(mesh, pose, round, evidence));
+  if (const auto* meeting = std::get_if<solid::RoundOnTriangle>(&evidence)) {
+    Json json = of_face(meeting->triangle);
+    json["point"] = point;
+    return json;
+  }
+  return {{"point", point}, {"within", is_mesh_a ? "A" : "B"}};
 }
 
 void add_numbers(const solid::RoundWords& words, Json& json) {

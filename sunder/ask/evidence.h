@@ -5,6 +5,7 @@
 
 #include <sunder/certificate/direction.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_round.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/round/round_round.h>
@@ -22,6 +23,11 @@ Json evidence_json(const solid::RoundEvidence& evidence, const solid::PlacedRoun
 // {"corner", "within"}.
 Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, const solid::Pose& pose_a,
                    const solid::Mesh& b, const solid::Pose& pose_b);
+
+// The same of a mesh as it is, which is A or B, and a body with a radius. apart: {"planes", "rays"}, of the parts of the
+// mesh; meet: {"point", "face_a"} (or "face_b"), or {"point", "within"}; undecided: {"face_a"} (or "face_b").
+Json evidence_json(const solid::MeshRoundEvidence& evidence, const solid::Mesh& mesh, const solid::Pose& pose,
+                   const solid::PlacedRound& round, bool is_mesh_a);
 
 // Adds what the body is made of: {"points", "radius"}, {"points", "semi_axes"}.
 void add_numbers(const solid::RoundWords& words, Json& json);

@@ -3,6 +3,7 @@
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
+#include <sunder/scene/parts_as_meshes.h>
 #include <sunder/solid/round/round_clearance.h>
 #include <sunder/solid/round/round_distance.h>
 
@@ -51,7 +52,7 @@ class AskedParts {
 
   // Are their hulls closer than that, and meshes to be asked about?
   bool are_of_meshes(std::uint32_t i, std::uint32_t j, double least) const {
-    if (axis_between(i, j, least) || !meshes_of(part(i), part(j))) return false;
+    if (axis_between(i, j, least) || !PartsAsMeshes::of(part(i), part(j))) return false;
     const solid::PlacedRound a(part(i).shape, part(i).pose), b(part(j).shape, part(j).pose);
     return !solid::is_kept(round_clearance(a, b, least));
   }
@@ -94,6 +95,7 @@ class ClearanceClaims {
       return Stated::of_bodies;
     }
     if (parts_.are_of_meshes(i, j, least)) {
+      if (PartsAsMeshes::of(parts_.part(i), parts_.part(j))->clearance(least) == Verdict::undecided) return Stated::no;
       of_meshes_(parts_.parts(i, j), least);
       return Stated::of_meshes;
     }

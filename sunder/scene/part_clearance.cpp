@@ -1,7 +1,7 @@
 #include <sunder/base/contract.h>
 #include <sunder/scene/part_clearance.h>
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/mesh/mesh_distance.h>
+#include <sunder/scene/parts_as_meshes.h>
 #include <sunder/solid/round/round_closer.h>
 #include <sunder/solid/round/round_distance.h>
 
@@ -18,15 +18,6 @@ namespace sunder::scene {
 namespace {
 
 constexpr double outermost = std::numeric_limits<double>::infinity();
-
-// The distance of two meshes as they are. of_hulls: the same of their hulls, which is kept where the meshes meet.
-solid::RoundDistanceEvidence evidence_of(const MeshesOfPair& meshes, const Part& a, const Part& b,
-                                         solid::RoundDistanceEvidence of_hulls) {
-  const solid::MeshDistance found = mesh_distance(meshes.a, a.pose, meshes.b, b.pose);
-  const solid::NearTriangles* const nearest = nearest_of(found);
-  if (nearest != nullptr) return nearest->closest;
-  return of_hulls;
-}
 
 [[maybe_unused]] bool is_margin(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
@@ -47,7 +38,7 @@ double Margins::of(std::uint32_t body_a, std::uint32_t body_b) const {
 }
 
 bool is_of_meshes(const PartDistance& pair, std::span<const Body> bodies) {
-  return meshes_of(bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]).has_value();
+  return PartsAsMeshes::of(bodies[pair.body_a].parts[pair.part_a], bodies[pair.body_b].parts[pair.part_b]).has_value();
 }
 
 Box3 widened(const Box3& box, double least) {
@@ -69,17 +60,20 @@ void look_whether_closer(const Members& members, std::span<const Body> bodies, s
     const Interval distance = solid::distance_of(evidence);
     list.push_back({{of.body_a, of.body_b, of.part_a, of.part_b, distance, std::move(evidence)}, least});
   };
-  if (auto* nearer = std::get_if<solid::Nearer>(&found.evidence)) {
-    const auto meshes = meshes_of(a, b);
-    if (meshes && !are_meshes_closer(meshes->a, a.pose, meshes->b, b.pose, least)) {
-      const bool do_hulls_meet = solid::distance_of(nearer->distance).high == 0;
-      answer.surfaces_alone += do_hulls_meet && !(meshes->a.is_closed() && meshes->b.is_closed());
-      return;
+  auto* const nearer = std::get_if<solid::Nearer>(&found.evidence);
+  auto* const perhaps = std::get_if<solid::PerhapsNearer>(&found.evidence);
+  if (nearer != nullptr || perhaps != nullptr) {
+    solid::RoundDistanceEvidence& evidence = nearer != nullptr ? nearer->distance : perhaps->distance;
+    Verdict verdict = nearer != nullptr ? Verdict::meet : Verdict::undecided;
+    if (const auto parts = PartsAsMeshes::of(a, b)) {
+      verdict = parts->clearance(least);
+      if (verdict == Verdict::apart) {
+        answer.surfaces_alone += solid::distance_of(evidence).low == 0 && !parts->are_closed();
+        return;
+      }
+      if (auto as_they_are = parts->distance()) evidence = *std::move(as_they_are);
     }
-    if (meshes) nearer->distance = evidence_of(*meshes, a, b, std::move(nearer->distance));
-    listed_in(answer.closer, nearer->distance);
-  } else if (auto* perhaps = std::get_if<solid::PerhapsNearer>(&found.evidence)) {
-    listed_in(answer.undecided, perhaps->distance);
+    listed_in(verdict == Verdict::meet ? answer.closer : answer.undecided, evidence);
   } else if (apart_along != nullptr) {
     *apart_along = rounded_way(found);
   }
@@ -91,9 +85,9 @@ PartDistance part_distance(const Members& members, std::span<const Body> bodies,
   const PartPair of = members.pair(i, j);
   solid::RoundDistanceEvidence evidence = round_distance(a.shape, a.pose, b.shape, b.pose).evidence;
   Interval distance = solid::distance_of(evidence);
-  const auto meshes = distance.low <= most ? meshes_of(a, b) : std::nullopt;
-  if (meshes) {
-    evidence = evidence_of(*meshes, a, b, std::move(evidence));
+  const auto parts = distance.low <= most ? PartsAsMeshes::of(a, b) : std::nullopt;
+  if (parts) {
+    if (auto as_they_are = parts->distance()) evidence = *std::move(as_they_are);
     distance = solid::distance_of(evidence);
   }
   return {of.body_a, of.body_b, of.part_a, of.part_b, distance, std::move(evidence)};

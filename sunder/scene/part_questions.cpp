@@ -1,6 +1,8 @@
 #include <sunder/scene/part_questions.h>
-#include <sunder/solid/mesh/mesh_relation.h>
+#include <sunder/scene/parts_as_meshes.h>
 
+#include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -30,32 +32,23 @@ solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& quest
   return round_round_warm(a.shape, a.pose, b.shape, b.pose, last);
 }
 
-std::optional<MeshesOfPair> meshes_of(const Part& a, const Part& b) {
-  if (a.mesh == nullptr && b.mesh == nullptr) return std::nullopt;
-  const solid::Mesh *mesh_a = mesh_of(a), *mesh_b = mesh_of(b);
-  if (mesh_a == nullptr || mesh_b == nullptr) return std::nullopt;
-  if (!can_be_placed(*mesh_a, a.pose) || !can_be_placed(*mesh_b, b.pose)) return std::nullopt;
-  return MeshesOfPair{*mesh_a, *mesh_b};
-}
-
 void look_closer(PartPair& pair, const Part& a, const Part& b) {
-  if (!pair.answer.meet()) return;
-  if (const auto meshes = meshes_of(a, b)) {
-    pair.meshes = std::make_shared<const PairAsMeshes>(PairAsMeshes{mesh_mesh(meshes->a, a.pose, meshes->b, b.pose)});
-  }
+  if (pair.answer.verdict() == Verdict::apart) return;
+  if (const auto parts = PartsAsMeshes::of(a, b)) pair.meshes = std::make_shared<const PairAsMeshes>(parts->ask());
 }
 
 void count_answer(PartPair& pair, const Part& a, const Part& b, const Question& question, Counts& counts) {
   ++counts.by_method;
-  if (pair.meshes && !pair.meet() && !(mesh_of(a)->is_closed() && mesh_of(b)->is_closed())) ++counts.surfaces_alone;
+  const auto as_meshes = pair.meshes ? PartsAsMeshes::of(a, b) : std::nullopt;
+  if (as_meshes && pair.verdict() == Verdict::apart && !as_meshes->are_closed()) ++counts.surfaces_alone;
   if (pair.undecided()) ++counts.undecided;
   if (!pair.meet()) return;
   ++counts.meeting;
   pair.counts = true;
   if (!question.contacts && !question.touching_allowed) return;
-  if (pair.meshes) {
+  if (as_meshes) {
     PairAsMeshes known = *pair.meshes;
-    known.relation = mesh_relation(*mesh_of(a), a.pose, *mesh_of(b), b.pose, known.answer);
+    known.relation = as_meshes->relation(known);
     // of surfaces no more is known than that they meet
     if (known.relation.relation != Relation::meeting) pair.relation = known.relation.relation;
     pair.meshes = std::make_shared<const PairAsMeshes>(known);

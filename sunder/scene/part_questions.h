@@ -5,8 +5,6 @@
 #include <sunder/solid/pair/polyhedron_polyhedron_warm.h>
 #include <sunder/solid/round/world_box.h>
 
-#include <optional>
-
 namespace sunder::scene {
 
 // What the last answer about two parts leaves to the next one.
@@ -21,15 +19,8 @@ Box3 rough_box_of(const Part& part);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question);
 solid::RoundAnswer answer_of(const Part& a, const Part& b, const Question& question, PairWarmStart& last);
 
-// The meshes of two parts that are asked about as they are: one of the two is the hull of a mesh, neither has a radius, and
-// both can be placed (mesh_mesh.h). Else nothing.
-struct MeshesOfPair {
-  const solid::Mesh &a, &b;
-};
-std::optional<MeshesOfPair> meshes_of(const Part& a, const Part& b);
-
-// Asks about meshes as they are, where the shapes of `pair` meet, one of them is the hull of a mesh, and neither has a
-// radius. The answer is kept in pair.meshes, which stays empty for poses beyond can_be_placed().
+// Asks about parts as they are, where their shapes are not apart, and one of them is the hull of a mesh. The answer is
+// kept in pair.meshes, which stays empty for poses beyond can_be_placed().
 void look_closer(PartPair& pair, const Part& a, const Part& b);
 
 // Counts the answer of `pair`, which the method gave, and says whether it counts, and whether they touch or overlap,

@@ -2,6 +2,7 @@
 #include <sunder/near/box_sweep.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
+#include <sunder/scene/parts_as_meshes.h>
 #include <sunder/scene/scene.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/represent/of.h>
@@ -62,10 +63,11 @@ class Scene {
 Cost PartPair::cost() const {
   Cost sum = answer.cost;
   if (!meshes) return sum;
-  sum.probes += meshes->answer.cost.probes;
-  sum.iterations += meshes->answer.cost.iterations;
-  sum.exact += meshes->answer.cost.exact;
-  sum.proposals += meshes->answer.cost.proposals;
+  const Cost& of_meshes = meshes->cost();
+  sum.probes += of_meshes.probes;
+  sum.iterations += of_meshes.iterations;
+  sum.exact += of_meshes.exact;
+  sum.proposals += of_meshes.proposals;
   return sum;
 }
 
@@ -81,9 +83,7 @@ std::string part_name(const Body& body, std::uint32_t part) {
 
 Point3 rounded_common_point(const PartPair& pair, const Part& a, const Part& b) {
   SUNDER_REQUIRE(pair.meet());
-  if (pair.meshes) {
-    return solid::rounded_point_of(*mesh_of(a), a.pose, *mesh_of(b), b.pose, pair.meshes->answer.evidence);
-  }
+  if (pair.meshes) return PartsAsMeshes::of(a, b)->rounded_common_point(*pair.meshes);
   return solid::rounded_point_of(solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose),
                                  pair.answer.evidence);
 }

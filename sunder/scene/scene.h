@@ -6,9 +6,9 @@
 // apart cost next to nothing.
 //   S1. A pair of parts is reported as meeting iff polyhedron_polyhedron says so, or, where one has a radius,
 //       round_round: boxes never hide a pair that meets, not even one that only touches. What is undecided there
-//       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart. Of two parts that meet so, and
-//       of which one is the hull of a mesh, mesh_mesh tells whether they meet as they are; a part with a radius meets
-//       hulls.
+//       (round_round.h, R4) is so here: listed, counted, and neither meeting nor apart. Of two parts that are
+//       not apart so, and of which one is the hull of a mesh, mesh_mesh tells whether they meet as they are, or
+//       mesh_round, where the other one has a radius.
 //   S2. Every pair that is listed has its certificate, also where boxes decided (its direction is then an axis); but
 //       for the undecided.
 //   S3. The list is the same for every compiler and machine, and is ordered by body_a, body_b, part_a, part_b.
@@ -17,6 +17,7 @@
 #include <sunder/base/error.h>
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/mesh/mesh_relation.h>
+#include <sunder/solid/mesh/mesh_round.h>
 #include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -32,6 +33,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sunder::scene {
@@ -60,27 +62,37 @@ struct Question {
   bool every_pair = false;        // list the pairs that boxes parted too
 };
 
-// Two parts as meshes, whose hulls meet.
+// Two parts whose hulls meet or may meet, as they are: two meshes, or a mesh and a part with a radius.
 struct PairAsMeshes {
-  solid::MeshAnswer answer;
-  solid::MeshRelation relation{};  // if it was asked how they meet: as far as that was found
+  std::variant<solid::MeshAnswer, solid::MeshRoundAnswer> answer;
+  solid::MeshRelation relation{};  // of two meshes, if it was asked how they meet: as far as that was found
+
+  Verdict verdict() const {
+    return std::visit([](const auto& of) { return of.verdict(); }, answer);
+  }
+  DecidedBy decided_by() const {
+    return std::visit([](const auto& of) { return of.decided_by; }, answer);
+  }
+  const Cost& cost() const {
+    return std::visit([](const auto& of) -> const Cost& { return of.cost; }, answer);
+  }
 };
 
 struct PartPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
   solid::RoundAnswer answer;                     // of the shapes
-  std::shared_ptr<const PairAsMeshes> meshes{};  // where these meet, and one stands for a mesh: what holds instead
+  std::shared_ptr<const PairAsMeshes> meshes{};  // where these are not apart, and one stands for a mesh: what holds
   bool by_boxes = false;                         // the boxes are apart: no method was called, and answer.cost is zero
   bool counts = false;                           // they meet, and it is not known to be in a way that is allowed
   Relation relation = Relation::none;  // of a pair that meets: touching or overlapping, where that is asked for; of
                                        // meshes also one inside of the other or a part of it, or equal
 
-  Verdict verdict() const { return meshes ? meshes->answer.verdict() : answer.verdict(); }
+  Verdict verdict() const { return meshes ? meshes->verdict() : answer.verdict(); }
   bool meet() const { return verdict() == Verdict::meet; }
   bool undecided() const { return verdict() == Verdict::undecided; }
   DecidedBy decided_by() const {
-    return meshes ? std::max(answer.decided_by, meshes->answer.decided_by) : answer.decided_by;
+    return meshes ? std::max(answer.decided_by, meshes->decided_by()) : answer.decided_by;
   }
   Cost cost() const;  // of both
 };

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -90,7 +91,8 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
     if (pair.meshes || is_open(pair, question)) {
-      others.add(pair.meshes ? "meshes as they are, in a statement of their own" : "undecided", 1);
+      const bool is_stated = pair.meshes && !pair.undecided();
+      others.add(is_stated ? "meshes as they are, in a statement of their own" : "undecided", 1);
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -154,12 +156,30 @@ struct MeshesOfPlacement {
   }
   void add(const TwoParts& pair) const { meshes.add(placement, prefix, placed, pair); }
 
-  StateOfMeshes states(PairClaims& claims, const SaidOfScene& said) const {
-    return [*this, &claims, &said](const TwoParts& pair, std::optional<double> least) {
-      claims.go_to_statements();
-      if (const auto joints = said.joints_of(placement)) claims.file().note(*joints);
-      least ? meshes.add_clearance(placement, placed, pair, *least) : meshes.add_distance(placement, placed, pair);
+  StateOfMeshes states(const BodiesOfFile& bodies, const SaidOfScene& said) const {
+    return [*this, bodies, &said](const TwoParts& pair, std::optional<double> least) {
+      note_joints(bodies, said);
+      if (least) {
+        meshes.add_clearance(bodies, placement, placed, pair, *least);
+      } else {
+        meshes.add_distance(bodies, placement, placed, pair);
+      }
     };
+  }
+
+  // Statements about the pairs that were decided as meshes.
+  void state(const BodiesOfFile& bodies, std::span<const PartPair> pairs, const SaidOfScene& said) const {
+    for (const PartPair& pair : pairs) {
+      if (!pair.meshes || pair.undecided()) continue;
+      note_joints(bodies, said);
+      meshes.add_pair(bodies, placement, placed, pair);
+    }
+  }
+
+ private:
+  void note_joints(const BodiesOfFile& bodies, const SaidOfScene& said) const {
+    bodies.claims.go_to_statements();
+    if (const auto joints = said.joints_of(placement)) bodies.claims.file().note(*joints);
   }
 };
 
@@ -173,15 +193,8 @@ void add_pair_claims(PairClaims& pairs, std::span<const Body> placed, const Part
   add_claims(pairs, of_a, in_a, of_b, in_b, pair.answer.evidence, contact);
 }
 
-// Statements about the pairs that were decided as meshes.
-void add_mesh_pairs(PairClaims& pairs_of_bodies, SceneMeshes& meshes, std::size_t placement,
-                    std::span<const Body> placed, std::span<const PartPair> pairs, const SaidOfScene& said) {
-  for (const PartPair& pair : pairs) {
-    if (!pair.meshes) continue;
-    pairs_of_bodies.go_to_statements();
-    if (const auto joints = said.joints_of(placement)) pairs_of_bodies.file().note(*joints);
-    meshes.add_pair(placement, placed, pair);
-  }
+BodiesOfFile bodies_of(PairClaims& claims, const Numbers& numbers) {
+  return {claims, [&numbers](std::uint32_t body, std::uint32_t part) { return numbers[body][part]; }};
 }
 
 // What the statements of all placements leave open.
@@ -251,10 +264,12 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       if (pair.undecided() || pair.meshes) continue;
       add_pair_claims(pairs, placed, pair, numbers[k][pair.body_a][pair.part_a], numbers[k][pair.body_b][pair.part_b]);
     }
-    add_mesh_pairs(pairs, meshes, k, placed, answer.pairs, said);
+    const MeshesOfPlacement here{meshes, k, placed, {}};
+    const BodiesOfFile in_file = bodies_of(pairs, numbers[k]);
+    here.state(in_file, answer.pairs, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
-    const StateOfMeshes of_meshes = MeshesOfPlacement{meshes, k, placed, {}}.states(pairs, said);
+    const StateOfMeshes of_meshes = here.states(in_file, said);
     if (placements[k].clearance) {
       add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, of_meshes, note);
     }
@@ -284,45 +299,47 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   meshes.end_table();
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(file, pairs, bodies, said);
-  std::vector<std::array<std::uint32_t, 2>> numbers;  // of each pair that is stated its bodies in the file
+  // Of each part that a statement needs as a body, by placement, its number in the file.
+  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
-    std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;  // by body and part
-    const auto number_of = [&](std::uint32_t body, std::uint32_t part) {
-      const auto [at, is_new] = known.try_emplace({body, part}, 0);
+    const auto add_part = [&](std::uint32_t body, std::uint32_t part, bool is_as_mesh) {
+      if (is_as_mesh && mesh_of(placed.bodies[body].parts[part]) != nullptr) return;
+      const auto [at, is_new] = numbers.try_emplace({k, body, part}, 0);
       if (is_new) at->second = add_placed(pairs, placed.title + ": ", shapes[body][part], placed.bodies[body], part);
-      return at->second;
     };
-    const auto add = [&](const auto& pair) {
-      const std::uint32_t of_a = number_of(pair.body_a, pair.part_a);
-      numbers.push_back({of_a, number_of(pair.body_b, pair.part_b)});
+    const auto add = [&](const auto& pair, bool is_of_meshes) {
+      add_part(pair.body_a, pair.part_a, is_of_meshes);
+      add_part(pair.body_b, pair.part_b, is_of_meshes);
     };
     for (const PartPair& pair : placed.pairs) {
-      if (pair.meet() && !pair.meshes) add(pair);
+      if (pair.meet()) add(pair, pair.meshes != nullptr);
     }
     for (const CloserPair& pair : placed.closer) {
-      if (!pair.is_undecided && !pair.is_of_meshes) add(pair);
+      if (!pair.is_undecided) add(pair, pair.is_of_meshes);
     }
   }
-  auto next = numbers.begin();
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
+    const BodiesOfFile in_file{
+        pairs, [&numbers, k](std::uint32_t body, std::uint32_t part) { return numbers.at({k, body, part}); }};
+    const MeshesOfPlacement here{meshes, k, placed.bodies, {}};
     for (const PartPair& pair : placed.pairs) {
       if (!pair.meet() || pair.meshes) continue;
-      const auto& [of_a, of_b] = *next++;
       if (const auto joints = said.joints_of(k)) file.note(*joints);
-      add_pair_claims(pairs, placed.bodies, pair, of_a, of_b);
+      add_pair_claims(pairs, placed.bodies, pair, in_file.number_of(pair.body_a, pair.part_a),
+                      in_file.number_of(pair.body_b, pair.part_b));
     }
-    add_mesh_pairs(pairs, meshes, k, placed.bodies, placed.pairs, said);
+    here.state(in_file, placed.pairs, said);
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
       if (pair.is_of_meshes) {
-        MeshesOfPlacement{meshes, k, placed.bodies, {}}.states(pairs, said)(TwoParts::of(pair), pair.least);
+        here.states(in_file, said)(TwoParts::of(pair), pair.least);
         continue;
       }
-      const auto& [of_a, of_b] = *next++;
       if (const auto joints = said.joints_of(k)) file.note(*joints);
-      add_claims(pairs, of_a, placed.bodies[pair.body_a].parts[pair.part_a], of_b,
+      add_claims(pairs, in_file.number_of(pair.body_a, pair.part_a),
+                 placed.bodies[pair.body_a].parts[pair.part_a], in_file.number_of(pair.body_b, pair.part_b),
                  placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
     }
   }
@@ -366,12 +383,14 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       add_pair_claims(pairs, placed.bodies, pair, numbers[k][pair.body_a][pair.part_a],
                       numbers[k][pair.body_b][pair.part_b]);
     }
-    add_mesh_pairs(pairs, meshes, k, placed.bodies, answer.pairs, said);
+    const MeshesOfPlacement here{meshes, k, placed.bodies, {}};
+    const BodiesOfFile in_file = bodies_of(pairs, numbers[k]);
+    here.state(in_file, answer.pairs, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
     add_all_pairs(pairs, answer, question, numbers[k], note);
     if (clearance != nullptr) {
       add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance),
-                 MeshesOfPlacement{meshes, k, placed.bodies, {}}.states(pairs, said), note);
+                 here.states(in_file, said), note);
     }
   }
   pairs.end();

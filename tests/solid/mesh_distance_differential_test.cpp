@@ -113,11 +113,13 @@ TEST(MeshDistanceDifferential, OfAnySizeAndUnderAnyMap) {
     if (found.meet()) continue;
     const ExactFraction square = nearest_of(found)->closest.squared();
     ASSERT_EQ(square, least_square(a, Pose(), b, scaled(0, linear, shift))) << i;
-    for (const int k : {-1000, -300, 300, 900}) {
+    for (const int k : {-1000, -300, -150, 300, 900}) {
       const MeshDistance other = mesh_distance(a, scaled(k, as_it_is, {}), b, scaled(k, linear, shift));
       ASSERT_EQ((ExactFraction{square.numerator.scaled(2 * k), square.denominator}),
                 nearest_of(other)->closest.squared())
           << i << " " << k;
+      const double beyond = std::nextafter(distance_of(other).high, std::numeric_limits<double>::infinity());
+      EXPECT_TRUE(are_meshes_closer(a, scaled(k, as_it_is, {}), b, scaled(k, linear, shift), beyond)) << i << " " << k;
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_round_claims.h>
+#include <sunder/solid/round/round_claims.h>
 
 #include <verifier/cpp/verify.h>
 
@@ -46,6 +48,32 @@ inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose
   meshes.add_distance(stated_a, stated_b, distance);
   meshes.add_clearance(stated_a, stated_b, distance, least);
   file.end();
+  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
+  for (const auto& statement : result.statements) {
+    EXPECT_EQ(statement.reason, "");
+    verdicts += (verdicts.empty() ? "" : " ") + statement.verdict;
+  }
+  return verdicts;
+}
+
+// The same of a mesh and a body with a radius: whether they meet, and, where `least` is above 0, whether they are so far
+// apart. Requires that both are decided.
+inline std::string proved_beside(const solid::Mesh& mesh, const solid::Pose& pose, const solid::PlacedRound& body,
+                                 const solid::MeshRoundAnswer& met, double least = 0,
+                                 const solid::MeshRoundAnswer& clearance = {}) {
+  std::string text, verdicts;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin({});
+  solid::MeshClaims meshes(file);
+  const std::uint32_t given = meshes.add_mesh("A", mesh);
+  const solid::StatedMesh stated{meshes.add_placed("placed A", given, pose), mesh, pose};
+  meshes.end_table();
+  PairClaims pairs(file);
+  const std::uint32_t index = add_round(pairs, "B", body);
+  add_claims(pairs, stated, index, body, met.evidence);
+  if (least > 0) add_clearance(pairs, stated, index, body, clearance.evidence, least);
+  pairs.end();
   const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
   EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
   for (const auto& statement : result.statements) {

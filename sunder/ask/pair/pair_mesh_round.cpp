@@ -1,4 +1,5 @@
 // sunder pair where one is a mesh that is not convex, asked about as it is, and the other one has a radius.
+#include <sunder/ask/evidence.h>
 #include <sunder/ask/pair/pair_bounded.h>
 #include <sunder/ask/pair/pair_meshes.h>
 
@@ -80,32 +81,28 @@ class MeshRoundPair : public MeshQuestion {
   const char* letter_of_round() const { return is_mesh_a_ ? "B" : "A"; }
 
   Fact evidence() {
+    return {"evidence", evidence_json(answer_.evidence, mesh_, pose_, round_, is_mesh_a_), evidence_text()};
+  }
+
+  std::string evidence_text() {
     const char *const mesh = letter_of_mesh(), *const round = letter_of_round();
     if (const auto* near = std::get_if<solid::RoundNearTriangle>(&answer_.evidence)) {
-      const std::uint32_t face = mesh_.face_of(near->triangle);
-      return {"evidence", face_json(face), fmt::format("they touch, or nearly, at polygon {} of {}", face, mesh)};
+      return fmt::format("they touch, or nearly, at polygon {} of {}", mesh_.face_of(near->triangle), mesh);
     }
     if (!meet_) {
       const solid::PartsBeside parts = parts_beside(mesh_, pose_, round_);
       parts_ = parts.ends.size();
-      return {"evidence",
-              {{"planes", parts_}, {"rays", parts.away.size()}},
-              fmt::format("{}{}",
-                          parts_ == 1 ? fmt::format("a plane with {} on one side and {} on the other", mesh, round)
-                                      : fmt::format("{} planes, between parts of {} and {}", parts_, mesh, round),
-                          parts.away.empty() ? "" : fmt::format(";\n1 ray shows that {} is not inside of {}", round, mesh))};
+      std::string text = parts_ == 1 ? fmt::format("a plane with {} on one side and {} on the other", mesh, round)
+                                     : fmt::format("{} planes, between parts of {} and {}", parts_, mesh, round);
+      if (!parts.away.empty()) text += fmt::format(";\n1 ray shows that {} is not inside of {}", round, mesh);
+      return text;
     }
-    const Point3 point = rounded_point_of(mesh_, pose_, round_, answer_.evidence);
+    const std::string point = about(rounded_point_of(mesh_, pose_, round_, answer_.evidence));
     if (const auto* meeting = std::get_if<solid::RoundOnTriangle>(&answer_.evidence)) {
-      const std::uint32_t face = mesh_.face_of(meeting->triangle);
-      Json json = face_json(face);
-      json["point"] = to_json(point);
-      return {"evidence", std::move(json),
-              fmt::format("a common point at about {}, of polygon {} of {}", about(point), face, mesh)};
+      return fmt::format("a common point at about {}, of polygon {} of {}", point, mesh_.face_of(meeting->triangle),
+                         mesh);
     }
-    return {"evidence",
-            {{"point", to_json(point)}, {"within", mesh}},
-            fmt::format("all of {}, which has the point {}, is inside of {}", round, about(point), mesh)};
+    return fmt::format("all of {}, which has the point {}, is inside of {}", round, point, mesh);
   }
 
   Json face_json(std::uint32_t face) const { return {{is_mesh_a_ ? "face_a" : "face_b", face}}; }

@@ -1,6 +1,8 @@
 #include <sunder/ask/evidence.h>
 #include <sunder/ask/scene/scene_report.h>
 
+#include <sunder/scene/parts_as_meshes.h>
+
 #include <sunder/certificate/rounded_evidence.h>
 
 #include <fmt/format.h>
@@ -385,7 +387,15 @@ std::string surfaces_alone_text(std::uint64_t pairs, bool is_consented) {
 }
 
 Json pair_evidence_json(const PartPair& pair, const scene::Part& a, const scene::Part& b) {
-  if (pair.meshes) return evidence_json(pair.meshes->answer.evidence, *mesh_of(a), a.pose, *mesh_of(b), b.pose);
+  if (pair.meshes) {
+    if (const auto* of_two = std::get_if<solid::MeshAnswer>(&pair.meshes->answer)) {
+      return evidence_json(of_two->evidence, *mesh_of(a), a.pose, *mesh_of(b), b.pose);
+    }
+    const auto& answer = std::get<solid::MeshRoundAnswer>(pair.meshes->answer);
+    const auto parts = scene::PartsAsMeshes::of(a, b);
+    const auto [mesh, pose, round] = parts->beside();
+    return evidence_json(answer.evidence, mesh, pose, round, parts->mesh_a() != nullptr);
+  }
   return evidence_json(pair.answer.evidence, solid::PlacedRound(a.shape, a.pose), solid::PlacedRound(b.shape, b.pose));
 }
 

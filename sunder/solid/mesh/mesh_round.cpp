@@ -128,10 +128,12 @@ class NearestTriangle {
     const RoundBody triangle = body_of_triangle(mesh_, t);
     const RoundDistance found = round_distance(PlacedRound(triangle, pose_), body_);
     const Interval distance = distance_of(found);
+    const std::optional<bool> is_nearer = best_ ? solid::is_nearer(found.evidence, *best_) : std::nullopt;
     ++answer_.cost.iterations;
     answer_.cost.exact += found.cost.exact;
     answer_.distance.low = std::min(answer_.distance.low, distance.low);
-    if (!(distance.high < answer_.distance.high)) return false;
+    if (!is_nearer.value_or(distance.high < answer_.distance.high)) return false;
+    best_ = found.evidence;
     answer_.distance.high = distance.high;
     answer_.nearest = t;
     return true;
@@ -167,6 +169,7 @@ class NearestTriangle {
   const Mesh& mesh_;
   const Pose& pose_;
   const PlacedRound& body_;
+  std::optional<RoundDistanceEvidence> best_;
   MeshRoundDistance answer_;
 };
 

@@ -69,8 +69,8 @@ MeshRoundAnswer mesh_round_by_scan(const Mesh& mesh, const Pose& pose, const Pla
 MeshRoundAnswer mesh_round_clearance(const Mesh& mesh, const Pose& pose, const PlacedRound& body, double least);
 MeshRoundAnswer mesh_round_clearance_by_scan(const Mesh& mesh, const Pose& pose, const PlacedRound& body, double least);
 
-// How far apart they are: low <= the distance <= high, {0, 0} only where they meet. `nearest`: a triangle that is no
-// further than `high`; of a body that is inside any.
+// How far apart they are: low <= the distance <= high, {0, 0} only where they meet. `nearest`: the nearest triangle (where
+// the body is curved, one that is no further than `high`); where they meet and none is known to, any.
 struct MeshRoundDistance {
   Interval distance{0, 0};
   std::uint32_t nearest = 0;

@@ -266,13 +266,13 @@ class BoxesAlong {
   // The direction as a mesh's boxes see it.
   struct Seen {
     Point3 along;
-    std::array<float, 3> rounded;
     double size;
+    std::array<float, 3> rounded;  // in units of size: beyond the range of single precision are those of the world
 
     Seen(const BoxFrame& of, const Point3& d)
         : along{dot(of.edges[0], d), dot(of.edges[1], d), dot(of.edges[2], d)},
-          rounded{static_cast<float>(along.x), static_cast<float>(along.y), static_cast<float>(along.z)},
-          size(std::fabs(along.x) + std::fabs(along.y) + std::fabs(along.z)) {}
+          size(std::fabs(along.x) + std::fabs(along.y) + std::fabs(along.z)),
+          rounded{part(along.x), part(along.y), part(along.z)} {}
 
     double middle_of(const OrientedBox& box) const {
       return along.x * static_cast<double>(box.x[3]) + along.y * static_cast<double>(box.y[3]) +
@@ -285,8 +285,11 @@ class BoxesAlong {
                               float_lanes_of(box.z) * rounded[2],
                        reaches = absolute(ways) * half;
       const float reach = reaches[0] + reaches[1] + reaches[2], sizes = std::fabs(half[0] + half[1] + half[2]);
-      return static_cast<double>(reach) + static_cast<double>(sizes) * size * 0x1p-17 + size * 0x1p-40;
+      return (static_cast<double>(reach) + static_cast<double>(sizes) * 0x1p-17 + 0x1p-40) * size;
     }
+
+   private:
+    float part(double of_along) const { return size > 0 ? static_cast<float>(of_along / size) : 0.0F; }
   };
 
   Seen a_, b_;

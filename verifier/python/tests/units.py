@@ -76,6 +76,7 @@ class Units:
     def claim(self, claim, about, one, subject):
         """Of what that key of the statement names."""
         result, index = dict(claim), one.get(subject)
+        about = "bodies" if one["question"].startswith("mesh_body") and subject == "b" else about
         frame = self.frames.get((about, index), 0) if isinstance(index, int) else 0
         if "from" in claim or "at" in claim:
             result.update({key: times(claim[key], self.all + frame) for key in ("from", "at") if key in claim})
