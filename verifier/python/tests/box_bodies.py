@@ -13,6 +13,16 @@ def square(v):
     return sum(x * x for x in v)
 
 
+def boxes_of(given):
+    """Around each triangle of a mesh."""
+    places = given.places()
+    return [[[f(places[k][c] for k in t) for f in (min, max)] for c in range(3)] for t in given.triangles]
+
+
+def around(boxes):
+    return [[min(low for low, _ in side), max(high for _, high in side)] for side in zip(*boxes)]
+
+
 class Around:
     """What is within a radius of a box, which may be flat, or go on for ever; of a cylinder, across its axis."""
 

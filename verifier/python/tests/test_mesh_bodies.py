@@ -5,22 +5,13 @@ from fractions import Fraction
 from math import inf
 
 import files
-from box_bodies import Around, square
+from box_bodies import Around, around, boxes_of, square
 from files import FORCED, MUTANT, Twins, dice_of, hexadecimal, lacking
 from mesh_cells import Given, box_gap, direction, inside, some_cells, told_point
 from test_mesh_distances import below, on_surface, sizes_of, statement
-from test_rounds import root
+from test_rounds import KINDS, TURNS, WAYS, cross, double, furthest, is_double, placed, put, root, some_body as some_kind, times
 
 ALONE, FAR = "mesh_body", "mesh_body_clearance"
-
-
-def boxes_of(given):
-    places = given.places()
-    return [[[f(places[k][c] for k in t) for f in (min, max)] for c in range(3)] for t in given.triangles]
-
-
-def around(boxes):
-    return [[min(low for low, _ in side), max(high for _, high in side)] for side in zip(*boxes)]
 
 
 def parts_of(boxes, body, least, dice):
@@ -137,6 +128,31 @@ class MeshBodies(unittest.TestCase):
                 self.assertEqual(self.twins.look(files.file_of(tables, one)), found, (bodies, b))
             self.assertEqual(self.twins.look(files.file_of({"bodies": far}, one)), "F")
         self.twins.compare()
+
+    def test_turned(self):
+        """A triangle across a direction, so far before the first point of a body along it, which is of any kind, and turned."""
+        dice, accepted = self.dice, set()
+        for _ in range(files.some(400)):
+            kind, gap, bodies = dice.choice(KINDS), dice.choice((0, 1, Fraction(3, 2))), []
+            item, linear = some_kind(dice, kind)
+            body, d = placed(item, linear, [0, 1, 2]), times(dice.choice((TURNS[0], linear)), dice.choice(WAYS))
+            far = root(Fraction(square(d)))
+            if not far or root(Fraction(body.square(d))) is None:
+                continue
+            at = [x - gap * y / far for x, y in zip(furthest(body, [-x for x in d], dice)[0], d)]
+            corners = [[x + y for x, y in zip(at, cross(d, v))] for v in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+            if not is_double(at) or len({*map(tuple, corners)}) < 3:
+                continue
+            mesh = {"name": "a", "points": [[double(x) for x in p] for p in corners], "triangles": [[0, 1, 2]]}
+            claim, b = {"until": [1], "directions": [told_point(map(Fraction, d))], "away": []}, put(bodies, item, linear, [0, 1, 2])
+            for least in (0, gap or 1, gap + Fraction(1, 2 ** 40)):
+                one = statement(FAR, "kept", 0, b, {"claim": "clear_beside", **claim}, least=double(least)) if least else statement(
+                    ALONE, "apart", 0, b, {"claim": "beside", **claim})
+                found = self.twins.force(files.file_of({"meshes": [mesh], "bodies": bodies}, one))
+                self.assertEqual(found == "accepted", 0 < gap >= least, self.twins.last)
+                accepted.add(found == "accepted" and kind)
+        self.twins.compare()
+        self.assertEqual(accepted, {False, *KINDS})
 
     def test_mutants(self):
         while lacking(MUTANT, ALONE) or lacking(MUTANT, FAR):
