@@ -158,9 +158,9 @@ class Model {
 
   // Returns its number.
   std::size_t add_mesh(const scene::Part& part, const std::string& body, Material material) {
-    const auto [shape, is_all] = drawn_as(part.shape);
+    const auto [shape, is_all] = part.mesh != nullptr ? solid::DrawnBody{part.shape.core()} : drawn_as(part.shape);
     some_round_ = some_round_ || !is_all;
-    const std::span<const Point3> corners = shape.vertices();
+    const std::span<const Point3> corners = part.mesh != nullptr ? part.mesh->points() : shape.vertices();
     const PlacedVertices placed{corners, part.pose.affine(), false};
     std::array<float, 3> low, high;
     low.fill(std::numeric_limits<float>::max());
@@ -175,7 +175,7 @@ class Model {
         add_word(std::bit_cast<std::uint32_t>(at[k]), positions_);
       }
     }
-    const int mode = add_indices(shape, part.pose);
+    const int mode = part.mesh != nullptr ? add_triangles(*part.mesh, part.pose) : add_indices(shape, part.pose);
     Json& accessors = json_["accessors"];
     Json attributes{{"POSITION", accessors.size()}};
     Json primitive{{"attributes", attributes},
@@ -204,19 +204,31 @@ class Model {
       for (std::uint32_t v = 0; v < shape.vertices().size(); ++v) indices_.push_back(v);
       return shape.dimension() == 1 ? as_lines : as_points;
     }
-    const auto& m = pose.affine().linear;
-    const double determinant =
-        m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]);
+    const bool is_mirrored = is_mirror(pose);
     const std::uint32_t facets = shape.dimension() == 2 ? 1 : shape.facet_count();  // both sides are shown
     for (std::uint32_t f = 0; f < facets; ++f) {
       const auto facet = shape.facet(f);
       for (std::size_t i = 2; i < facet.size(); ++i) {
         const std::uint32_t b = facet[i - 1], c = facet[i];
-        for (const std::uint32_t v : {facet[0], determinant < 0 ? c : b, determinant < 0 ? b : c})
-          indices_.push_back(v);
+        for (const std::uint32_t v : {facet[0], is_mirrored ? c : b, is_mirrored ? b : c}) indices_.push_back(v);
       }
     }
     return as_triangles;
+  }
+
+  // As they are.
+  int add_triangles(const solid::Mesh& mesh, const solid::Pose& pose) {
+    const bool is_mirrored = is_mirror(pose);
+    for (const auto& [a, b, c] : mesh.triangles()) {
+      for (const std::uint32_t v : {a, is_mirrored ? c : b, is_mirrored ? b : c}) indices_.push_back(v);
+    }
+    return as_triangles;
+  }
+
+  static bool is_mirror(const solid::Pose& pose) {
+    const auto& m = pose.affine().linear;
+    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]) <
+           0;
   }
 
   Json json_;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,17 @@ Scene some_scene() {
        {"c", {{"0", RoundBody::ball({0, 0, 0}, 1), at(0, 0, 20)}}}});
 }
 
+// The sum of the tetrahedra that the triangles make with the origin: above zero where they run outwards.
+double volume_of(const io::Mesh& mesh) {
+  double volume = 0;
+  for (std::size_t f = 0; f < mesh.polygon_count(); ++f) {
+    const auto corner = [&](std::size_t i) { return mesh.vertices[mesh.polygon_vertices[3 * f + i]]; };
+    const Point3 a = corner(0), b = corner(1), c = corner(2);
+    volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6;
+  }
+  return volume;
+}
+
 TEST(Gltf, ReadsBackAsTheSameBodies) {
   const Scene scene = some_scene();
   for (const GltfForm form : {GltfForm::json, GltfForm::binary}) {
@@ -67,14 +79,7 @@ TEST(Gltf, ReadsBackAsTheSameBodies) {
       std::sort(found.begin(), found.end());
       std::sort(expected.begin(), expected.end());
       EXPECT_EQ(found, expected) << k;
-      // Outwards: the sum of the tetrahedra that the triangles make with the origin is the volume, and not below zero.
-      double volume = 0;
-      for (std::size_t f = 0; f < parts[k].polygon_count(); ++f) {
-        const auto corner = [&](std::size_t i) { return parts[k].vertices[parts[k].polygon_vertices[3 * f + i]]; };
-        const Point3 a = corner(0), b = corner(1), c = corner(2);
-        volume += (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6;
-      }
-      EXPECT_NEAR(volume, 8.0 / 6, 1e-12) << k;
+      EXPECT_NEAR(volume_of(parts[k]), 8.0 / 6, 1e-12) << k;
     }
     for (const Point3& p : parts[3].vertices) EXPECT_NEAR(std::hypot(p.x, p.y - 20, p.z), 1, 1e-5);
   }
@@ -124,6 +129,23 @@ TEST(Gltf, ThinBodiesAndNone) {
   EXPECT_EQ(static_cast<unsigned char>(binary[8]) + 256u * static_cast<unsigned char>(binary[9]), binary.size());
   const Scene far({{"far", {{"0", ConvexPolyhedron(std::vector<Point3>{{1e300, 0, 0}}), at(0, 0, 0)}}}});
   EXPECT_THROW((void)far.text(GltfForm::json), Error);
+}
+
+// A mesh is in the file as it is: its triangles, which run outwards also where the pose reflects.
+TEST(Gltf, HasMeshesAsTheyAre) {
+  const std::vector<Point3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0.5, 0.5, 0.5}};
+  const std::vector<std::uint32_t> begin{0, 3, 6, 9, 12, 15, 18},
+      corners{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4};
+  const auto mesh = std::make_shared<const solid::Mesh>(solid::MeshView{points, begin, corners});
+  for (const double way : {1.0, -1.0}) {
+    const Pose pose = Pose::from_matrix({way, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0});
+    const Scene scene({{"dented", {{"0", ConvexPolyhedron(points), pose, mesh}}}});
+    const std::vector<io::Mesh> parts = io::split_parts(io::parse_gltf(scene.text(GltfForm::binary), "x.glb"));
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].vertices.size(), 5u);
+    EXPECT_EQ(parts[0].polygon_count(), 6u);
+    EXPECT_NEAR(volume_of(parts[0]), 3 * 16 / 12.0, 1e-12);
+  }
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ constexpr double panel_width = 560, panel_height = 540, margin = 44, caption_hei
 constexpr std::size_t most_in_column = 6, most_named = 40, longest_in_two = 38;
 constexpr std::size_t longest_note = 66;  // in the widest of usual fonts
 constexpr double small_row_height = 15;
+constexpr std::size_t most_drawn_triangles = 10000;  // of meshes
 constexpr std::array<RingKind, 1> meeting{{{Ink::dark, "meeting"}}};
 
 // Of bodies in turns.
@@ -48,20 +49,56 @@ std::vector<std::string> wrapped(std::string_view text) {
   return lines;
 }
 
+// About.
+double volume_of(const solid::Mesh& mesh) {
+  const auto at = [&](std::uint32_t point) {
+    const Point3 &p = mesh.points()[point], &low = mesh.box().low;
+    return Seen{p.x - low.x, p.y - low.y, p.z - low.z};
+  };
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles()) sum += dot(at(a), cross(at(b), at(c))) / 6;
+  return sum;
+}
+
 // A part as it is drawn, with its corners in the world, rounded.
 struct Placed {
   std::uint32_t body;
   const scene::Part* part;
-  solid::DrawnBody drawn;
+  const solid::Mesh* mesh;  // null: not drawn as a mesh
+  solid::DrawnBody drawn;   // else it is not
   std::vector<Point3> points;
+
+  // Faces run counter-clockwise seen from outside, clockwise where the pose reflects.
+  std::uint32_t face_count() const {
+    return mesh != nullptr ? static_cast<std::uint32_t>(mesh->triangles().size()) : drawn.polyhedron.facet_count();
+  }
+  std::span<const std::uint32_t> face(std::uint32_t f) const {
+    return mesh != nullptr ? std::span<const std::uint32_t>(mesh->triangles()[f]) : drawn.polyhedron.facet(f);
+  }
+  // Is only what is turned to the viewer seen? Else one may see into it, or all is turned inwards.
+  bool has_an_outside() const {
+    return mesh == nullptr || (mesh->is_closed() && mesh->is_by_winding() && volume_of(*mesh) > 0);
+  }
 };
 
+// Are meshes drawn as they are? The painter compares every two triangles, and a picture has a path for each.
+bool draws_meshes(const ScenePanel& panel) {
+  std::size_t triangles = 0;
+  for (const scene::Body& body : panel.bodies) {
+    for (const scene::Part& part : body.parts) triangles += part.mesh != nullptr ? part.mesh->triangles().size() : 0;
+  }
+  return triangles <= most_drawn_triangles;
+}
+
 std::vector<Placed> placed_parts(const ScenePanel& panel) {
+  const bool as_meshes = draws_meshes(panel);
   std::vector<Placed> parts;
   for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
     for (const scene::Part& part : panel.bodies[b].parts) {
-      parts.push_back({b, &part, drawn_as(part.shape), {}});
-      const std::span<const Point3> corners = parts.back().drawn.polyhedron.vertices();
+      const solid::Mesh* const mesh = as_meshes ? part.mesh.get() : nullptr;
+      parts.push_back({b, &part, mesh, mesh != nullptr ? solid::DrawnBody{part.shape.core()} : drawn_as(part.shape), {}});
+      const std::span<const Point3> corners =
+          mesh != nullptr ? mesh->points() : parts.back().drawn.polyhedron.vertices();
       const PlacedVertices vertices{corners, part.pose.affine(), false};
       for (std::uint32_t v = 0; v < corners.size(); ++v) {
         const Vector3<double> p = rounded_image(vertices[v]);
@@ -72,31 +109,34 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
   return parts;
 }
 
-// What of a part is turned towards the viewer. Its facets run counter-clockwise seen from outside, clockwise where the
-// pose reflects.
-void add_pieces(const Placed& placed, std::uint32_t number, const View& view, std::vector<Piece>& out) {
-  const solid::ConvexPolyhedron& shape = placed.drawn.polyhedron;
+// What of a part is seen. `number`: of its first piece; those of a mesh, which may hide each other, have each their own.
+// Returns the next number.
+std::uint32_t add_pieces(const Placed& placed, std::uint32_t number, const View& view, std::vector<Piece>& out) {
   std::vector<Seen> points;
   for (const Point3& p : placed.points) points.push_back(view(p));
-  if (shape.dimension() < 2) {
+  if (placed.mesh == nullptr && placed.drawn.polyhedron.dimension() < 2) {
     const std::vector<bool> outline(points.size(), true);
     out.push_back({placed.body, number, 1, std::move(points), outline});
-    return;
+    return number + 1;
   }
   const auto& m = placed.part->pose.affine().linear;
   const double determinant = dot(Seen{m[0], m[1], m[2]}, cross(Seen{m[3], m[4], m[5]}, Seen{m[6], m[7], m[8]}));
   const double outwards = determinant < 0 ? 1 : -1;         // y runs down
+  const bool has_an_outside = placed.has_an_outside();
   std::vector<std::uint32_t> facets;                        // those that are seen
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // of these, as they run
   const auto each_edge = [&](std::uint32_t f, const auto& visit) {
-    const auto facet = shape.facet(f);
+    const auto facet = placed.face(f);
     for (std::size_t i = 0; i < facet.size(); ++i) visit(facet[i], facet[(i + 1) % facet.size()]);
   };
-  for (std::uint32_t f = 0; f < shape.facet_count(); ++f) {
+  for (std::uint32_t f = 0; f < placed.face_count(); ++f) {
     Piece piece{placed.body, number, 0, {}, {}};
-    for (const std::uint32_t v : shape.facet(f)) piece.corners.push_back(points[v]);
-    const Seen n = normal_of(piece.corners), normal{outwards * n.x, outwards * n.y, outwards * n.z};
+    for (const std::uint32_t v : placed.face(f)) piece.corners.push_back(points[v]);
+    const Seen n = normal_of(piece.corners);
+    const double sign = has_an_outside || outwards * n.z > 0 ? outwards : -outwards;
+    const Seen normal{sign * n.x, sign * n.y, sign * n.z};
     if (!(normal.z > 0)) continue;
+    if (placed.mesh != nullptr) ++number;
     piece.light = light_on(normal);
     each_edge(f, [&](std::uint32_t from, std::uint32_t to) { edges.insert({from, to}); });
     facets.push_back(f);
@@ -107,6 +147,7 @@ void add_pieces(const Placed& placed, std::uint32_t number, const View& view, st
     each_edge(f, [&](std::uint32_t from, std::uint32_t to) { piece->outline.push_back(!edges.contains({to, from})); });
     ++piece;
   }
+  return number + 1;
 }
 
 std::string outline_edges(const Piece& piece) {
@@ -168,9 +209,12 @@ class SceneDrawing {
     };
     canvas_.legend(swatches(calm), "apart, or allowed to meet");
     canvas_.legend(swatches(alarming), "meets another");
-    if (some_hull())
-      canvas_.legend("", some_mesh() ? "meshes that are not convex are drawn as their hulls"
-                                     : "meshes that are not convex are asked about, and drawn, as their hulls");
+    if (some_hull() && !some_mesh()) {
+      canvas_.legend("", "meshes that are not convex are asked about, and drawn, as their hulls");
+    } else if (some_hull() && !std::all_of(panels_.begin(), panels_.end(), draws_meshes)) {
+      canvas_.legend("", fmt::format("meshes that are not convex, of more than {} triangles together, are drawn as their hulls",
+                                     most_drawn_triangles));
+    }
     if (some_round()) canvas_.legend("", "balls, cylinders and the like are drawn by polyhedra inside of them");
     canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");
   }
@@ -218,7 +262,8 @@ class SceneDrawing {
     canvas_.add("<g transform='scale(.1)' stroke-linejoin='round' stroke-linecap='round'>\n");
     shadows(parts, view);
     std::vector<Piece> pieces;
-    for (std::uint32_t k = 0; k < parts.size(); ++k) add_pieces(parts[k], k, view, pieces);
+    std::uint32_t number = 0;
+    for (const Placed& part : parts) number = add_pieces(part, number, view, pieces);
     canvas_.add("<g stroke-width='5'>\n");
     for (const Piece& piece : in_painters_order(std::move(pieces))) {
       const bool red = alarmed.contains(piece.body);

@@ -29,7 +29,8 @@ struct ScenePanel {
 // The placements side by side, at least one, all in the same orthographic view and scale: facets shaded flat, nearer
 // ones over farther ones (painter.h); bodies that meet, and may not, in red, with a numbered ring at the common point
 // of each such pair (rings.h), and the first 40 of them in words, by number. Bodies with a radius are drawn by
-// polyhedra inside of them, which is said (drawn_as). Where hulls stand for meshes, it says so, too. Positions are
+// polyhedra inside of them, which is said (drawn_as). Meshes are drawn as they are, up to 10,000 triangles of a
+// placement; else, and where hulls were asked about in their place, hulls are drawn, and it says so. Positions are
 // rounded: the picture decides nothing. title: empty: a question.
 std::string scene_svg(std::span<const ScenePanel> panels, const std::string& title);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+#include <memory>
 #include <regex>
 #include <set>
 #include <string>
@@ -71,6 +73,37 @@ TEST(ScenePicture, SaysWhatHullsAndNotesSay) {
   EXPECT_NE(svg.find(">3. box2 and box3 meet as hulls<"), std::string::npos);
   EXPECT_NE(svg.find("meshes that are not convex are asked about, and drawn, as their hulls"), std::string::npos);
   EXPECT_NE(svg.find(">" + panel.notes[0] + "<"), std::string::npos);
+}
+
+// A wedge with a dent: its faces that are turned to the viewer are drawn, not those of its hull.
+scene::Part dented(bool is_open) {
+  const std::vector<Point3> points{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0.5, 0.5, 0.5}};
+  std::vector<std::uint32_t> begin{0, 3, 6, 9}, corners{0, 2, 1, 0, 1, 3, 0, 3, 2};
+  for (const auto& [i, j] : {std::pair(1u, 2u), std::pair(2u, 3u), std::pair(3u, 1u)}) {
+    if (is_open && i == 3) break;
+    corners.insert(corners.end(), {i, j, 4});
+    begin.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  return {"0", solid::ConvexPolyhedron(points), solid::Pose(),
+          std::make_shared<const solid::Mesh>(solid::MeshView{points, begin, corners})};
+}
+
+TEST(ScenePicture, DrawsMeshesAsTheyAre) {
+  const auto faces = [](const scene::Part& part) {
+    const std::vector<scene::Body> bodies{{"dented", {part}}};
+    const scene::Answer answer = scene::meeting_pairs(bodies);
+    ScenePanel panel{"", bodies, answer, [](std::uint32_t, std::uint32_t) { return true; }};
+    const std::string svg = scene_svg(std::span(&panel, 1), "");
+    EXPECT_EQ(svg.find("and drawn, as their hulls") == std::string::npos, part.mesh != nullptr);
+    static const std::regex path("<path d='[^']*' fill='[^']*' stroke='");
+    return std::distance(std::sregex_iterator(svg.begin(), svg.end(), path), std::sregex_iterator());
+  };
+  scene::Part hull = dented(false);
+  hull.mesh = nullptr;
+  const auto of_hull = faces(hull), closed = faces(dented(false)), open = faces(dented(true));
+  EXPECT_LE(of_hull, 3);
+  EXPECT_GE(closed, 3);
+  EXPECT_EQ(open, 5);  // one sees into it
 }
 
 }  // namespace
