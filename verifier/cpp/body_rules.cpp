@@ -82,7 +82,8 @@ struct Parting {
 Parting parting(const char* rule, const Integers& direction, const HullBody& a, const HullBody& b, int sign = 0,
                 const Number& added = {}) {
   const Reach of_a = end_of(rule, a, direction), of_b = end_of(rule, b, opposite(direction));
-  const Number square{added.n * added.n * dot(direction, direction), 1, 2 * added.e};
+  Number square;
+  if (added.n != 0) square = {added.n * added.n * dot(direction, direction), 1, 2 * added.e};
   Parting result{1, of_a.is_flat && of_b.is_flat};
   for (const Furthest& last : of_a.furthest) {
     for (const Furthest& first : of_b.furthest) {
@@ -169,7 +170,8 @@ void require_beyond(const char* rule, const EndOfPart& part, const Integers& dir
   const Reach of_body = end_of(rule, body, opposite(direction));
   const std::size_t size = bits(direction) + body.size() + part.size + length({least});
   if (body.is_round() || least.n != 0) take_steps(16, size, size);
-  const Number square{least.n * least.n * dot(direction, direction), 1, 2 * least.e};
+  Number square;
+  if (least.n != 0) square = {least.n * least.n * dot(direction, direction), 1, 2 * least.e};
   for (const Furthest& first : of_body.furthest) {
     const std::int64_t e = std::min(part.e, first.e);
     const Integer gap = -shifted(first.n, first.e - e) - shifted(part.last, part.e - e);

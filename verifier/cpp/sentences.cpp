@@ -192,8 +192,8 @@ std::string filled(const std::string& text, const Words& words) {
 }
 
 std::string counted(std::size_t n, std::string_view one) {
-  constexpr std::array<std::array<std::string_view, 2>, 5> endings{
-      {{"ex", "ices"}, {"x", "xes"}, {"sh", "shes"}, {"y", "ies"}, {"", "s"}}};
+  constexpr std::array<std::array<std::string_view, 2>, 6> endings{
+      {{"ex", "ices"}, {"x", "xes"}, {"sh", "shes"}, {"ay", "ays"}, {"y", "ies"}, {"", "s"}}};
   const auto ending = std::find_if(endings.begin(), endings.end(), [&](const auto& e) { return one.ends_with(e[0]); });
   std::string text = std::to_string(n) + " ";
   if (n == 1) return text.append(one);

@@ -22,13 +22,13 @@ namespace {
 
 using solid::PlacedRound;
 
-using Method = Named<solid::MeshRoundAnswer(const solid::Mesh&, const solid::Pose&, const PlacedRound&)>;
-constexpr std::array<Method, 2> methods{
+using MeshRoundMethod = Named<solid::MeshRoundAnswer(const solid::Mesh&, const solid::Pose&, const PlacedRound&)>;
+constexpr std::array<MeshRoundMethod, 2> mesh_round_methods{
     {SUNDER_METHOD("automatic", solid::mesh_round), SUNDER_METHOD("scan", solid::mesh_round_by_scan)}};
 
 class MeshRoundPair : public MeshQuestion {
  public:
-  MeshRoundPair(const PairCall& asked, Method method, const PlacedBody& of_mesh, const solid::Mesh& mesh,
+  MeshRoundPair(const PairCall& asked, MeshRoundMethod method, const PlacedBody& of_mesh, const solid::Mesh& mesh,
                 const PlacedRoundBody& round, bool is_mesh_a, const PairFiles& files)
       : MeshQuestion(asked, is_mesh_a ? object_of_mesh(of_mesh, mesh) : round.object_of(),
                      is_mesh_a ? round.object_of() : object_of_mesh(of_mesh, mesh), files),
@@ -141,7 +141,7 @@ class MeshRoundPair : public MeshQuestion {
     }
   }
 
-  Method method_;
+  MeshRoundMethod method_;
   const solid::Mesh& mesh_;
   const solid::Pose& pose_;
   PlacedRound round_;
@@ -157,7 +157,7 @@ class MeshRoundPair : public MeshQuestion {
 Report run_mesh_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   const bool is_mesh_a = a.bounded.has_value();
   const PlacedBody& of_mesh = *(is_mesh_a ? a : b).bounded;
-  const Method method = method_by(call.method, methods, ", for a mesh that is not convex and a body with a radius");
+  const MeshRoundMethod method = method_by(call.method, mesh_round_methods, ", for a mesh that is not convex and a body with a radius");
   const solid::Mesh mesh = mesh_of_placed(of_mesh);
   require_range(mesh, of_mesh.pose, is_mesh_a ? call.a : call.b);
   return answer(MeshRoundPair(call, method, of_mesh, mesh, *(is_mesh_a ? b : a).round, is_mesh_a, files), files.talk);

@@ -232,9 +232,6 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
   for (const auto& [is_given, option] : options) {
     if (is_given) refuse("this option is for convex objects", option);
   }
-  for (const SpaceInput* input : {&a, &b}) {
-    if (input->flat) refuse("is asked about with what is bounded", input->flat->file);
-  }
 }
 
 }  // namespace
@@ -251,7 +248,12 @@ const MeshBody* mesh_that_is_not_convex(const SpaceInput& a, const SpaceInput& b
 
 Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_meshes_are_asked(call, a, b, *mesh_that_is_not_convex(a, b));
-  if (a.round || b.round) return run_mesh_round_pair(call, a, b, files);
+  if (a.round || b.round) {
+    if (!a.flat && !b.flat) return run_mesh_round_pair(call, a, b, files);
+    throw Error(ErrorCode::bad_call,
+                "a body with a radius is asked about with what is bounded; give no line, ray or plane");
+  }
+  if (a.flat || b.flat) return run_mesh_flat_pair(call, a, b, files);
   const MeshMethod method = method_by(call.method, mesh_methods, ", for meshes that are not convex");
   const solid::Mesh mesh_a = mesh_of_placed(*a.bounded), mesh_b = mesh_of_placed(*b.bounded);
   require_range(mesh_a, a.bounded->pose, call.a);

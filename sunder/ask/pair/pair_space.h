@@ -91,12 +91,13 @@ Report run_body_pair(const PairCall& call, const SpaceInput& a, const SpaceInput
 // The first of the meshes of A and B that is not convex; null: there is none.
 const MeshBody* mesh_that_is_not_convex(const SpaceInput& a, const SpaceInput& b);
 
-// Answers a pair of bounded objects, of which one is such a mesh, as they are. Throws Error for the options of convex
-// objects, and where one is not bounded; where a certificate is asked for and the pair is undecided.
+// Answers a pair of which one is such a mesh, as they are. Throws Error for the options of convex objects; where a
+// certificate is asked for and the pair is undecided.
 Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
-// The same where the other one has a radius.
+// The same where the other one has a radius; where it is a line, a ray or a plane.
 Report run_mesh_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
+Report run_mesh_flat_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files);
 
 // Answers a pair of bounded bodies, with a radius or without, of which one moves, or both (--to-a, --to-b). Throws
 // Error where a body turns, where a polygon in a frame moves, for options of bodies at rest, and where a certificate is

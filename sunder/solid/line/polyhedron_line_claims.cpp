@@ -358,6 +358,16 @@ class Claims {
 
 }  // namespace
 
+std::array<Dyadic, 3> parting_direction(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other,
+                                        const PolyhedronCut& cut) {
+  return Claims(body, pose, other, cut).parting();
+}
+
+CommonPoint common_point_of(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other,
+                            const PolyhedronCut& cut) {
+  return Claims(body, pose, other, cut).some_point();
+}
+
 PolyhedronCut polyhedron_line_like(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other) {
   if (const auto* line = std::get_if<Line>(&other)) return polyhedron_line(body, pose, *line);
   if (const auto* ray = std::get_if<Ray>(&other)) return polyhedron_ray(body, pose, *ray);

@@ -10,6 +10,7 @@
 #include <sunder/solid/line/polyhedron_line_support.h>
 #include <sunder/solid/object/line.h>
 
+#include <array>
 #include <cstdint>
 #include <variant>
 #include <vector>
@@ -33,6 +34,13 @@ struct LineBody {
   std::vector<Way3> ways;
 };
 LineBody body_of(const LineLike& other);
+
+// A direction along which the polyhedron ends before the other begins; a point that both have, and how each makes it, the
+// other as body_of lists it. Require the answer of polyhedron_line_like, that they are apart, and that they meet.
+std::array<Dyadic, 3> parting_direction(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other,
+                                        const PolyhedronCut& cut);
+CommonPoint common_point_of(const ConvexPolyhedron& body, const Pose& pose, const LineLike& other,
+                            const PolyhedronCut& cut);
 
 // States whether body a, the polyhedron, and body b, the other, meet; if tells_contact, also whether they touch, or
 // overlap; and of those that meet the common part. Requires the answer of polyhedron_line_like. Cost: exact arithmetic

@@ -1,7 +1,6 @@
 #include <sunder/solid/mesh/mesh_round_claims.h>
 
 #include <sunder/base/contract.h>
-#include <sunder/base/interruption.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/solid/mesh/mesh_point.h>
@@ -19,54 +18,40 @@
 
 namespace sunder::solid {
 
+void name_points_of_mesh(const Mesh& mesh, std::uint32_t triangle, const ConvexPolyhedron& of, Combination& made) {
+  for (Weights::Part& part : made.parts) {
+    const Point3& at = of.vertices()[part.index];
+    const Mesh::Triangle& corners = mesh.triangles()[triangle];
+    part.index =
+        *std::find_if(corners.begin(), corners.end(), [&](std::uint32_t k) { return mesh.points()[k] == at; });
+  }
+}
+
+void add_parts(ClaimsWriter& file, const char* rule, const PartsBeside& parts) {
+  file.begin_claim(rule);
+  file.indices("until", parts.ends);
+  for (const bool is_away : {false, true}) {
+    file.begin_list(is_away ? "away" : "directions");
+    for (const auto& direction : is_away ? parts.away : parts.directions) file.add_numbers(direction);
+    file.end_list();
+  }
+  file.end_claim();
+}
+
 namespace {
 
-constexpr std::uint32_t few = 64;  // triangles: of so many the hull is asked about, of more their box
+Posed3 first_point_of(const PlacedRound& body) { return {body.body.points()[0], &body.pose.affine(), false}; }
 
-Posed3 first_point(const PlacedRound& body) { return {body.body.points()[0], &body.pose.affine(), false}; }
-
-class PartsParting {
+// For PartsParting: as round_round and round_clearance part.
+class RoundBeside {
  public:
-  PartsParting(const Mesh& mesh, const Pose& pose, const PlacedRound& body, double least)
-      : placed_(mesh, pose), body_(body), least_(least) {}
+  RoundBeside(const PlacedRound& body, double least) : body_(body), least_(least) {}
 
-  PartsBeside run() {
-    part(1);
-    const Mesh& mesh = placed_.mesh();
-    if (mesh.has_inside() && parts_.ends.size() > 1) parts_.away.push_back(ray_away(placed_, first_point(body_)).along);
-    return std::move(parts_);
-  }
+  Posed3 first_point() const { return first_point_of(body_); }
 
- private:
-  void part(std::size_t node) {
-    may_be_interrupted(1);
-    const MeshTree& tree = placed_.mesh().tree();
-    const TriangleRange range = tree.triangles(node);
-    if (range.size() == 0 || take(range, node)) return;
-    if (!tree.is_leaf(node)) {
-      part(2 * node);
-      part(2 * node + 1);
-      return;
-    }
-    for (std::uint32_t t = range.first; t < range.end; ++t) {
-      [[maybe_unused]] const bool is_parted = take({t, t + 1}, node);
-      SUNDER_REQUIRE(is_parted);
-    }
-  }
-
-  // Are these triangles parted from the body by one plane that is found?
-  bool take(const TriangleRange& range, std::size_t node) {
-    const bool is_hull = range.size() <= few;
-    const std::optional<RoundBody> around = is_hull ? hull_of(range) : box_of(node);
-    if (!around) return false;
-    std::optional<std::array<Dyadic, 3>> direction = direction_from(PlacedRound(*around, placed_.pose()));
-    if (!direction || (!is_hull && !parts(*direction, range))) return false;
-    parts_.ends.push_back(range.end);
-    parts_.directions.push_back(*std::move(direction));
-    return true;
-  }
-
-  std::optional<std::array<Dyadic, 3>> direction_from(const PlacedRound& part) const {
+  std::optional<std::array<Dyadic, 3>> direction_from(const ConvexPolyhedron& polyhedron, const Pose& pose) const {
+    const RoundBody of_part(polyhedron);
+    const PlacedRound part(of_part, pose);
     if (least_ == 0) {
       const RoundAnswer answer = round_round(part, body_);
       if (answer.verdict() != Verdict::apart) return std::nullopt;
@@ -78,47 +63,8 @@ class PartsParting {
     return std::array{along.x, along.y, along.z};
   }
 
-  RoundBody hull_of(const TriangleRange& range) const {
-    std::vector<Point3> corners;
-    for (std::uint32_t t = range.first; t < range.end; ++t) {
-      for (const std::uint32_t corner : placed_.mesh().triangles()[t]) corners.push_back(placed_.mesh().points()[corner]);
-    }
-    return ConvexPolyhedron(corners);
-  }
-
-  // About the box of a node, in the frame of the mesh. Nothing beyond the range of doubles.
-  std::optional<RoundBody> box_of(std::size_t node) const {
-    const MeshTree& tree = placed_.mesh().tree();
-    const OrientedBox& box = tree.box(node);
-    const std::array<std::array<float, 4>, 3> rows{box.x, box.y, box.z};
-    std::array<Point3, 8> corners;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        double at = static_cast<double>(rows[c][3]);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-          const auto reach = static_cast<double>(rows[c][axis]) * static_cast<double>(box.half[axis]);
-          at += (k >> axis & 1) != 0 ? reach : -reach;
-        }
-        corners[k][c] = tree.middle()[c] + tree.unit() * at;
-        if (!std::isfinite(corners[k][c])) return std::nullopt;
-      }
-    }
-    return ConvexPolyhedron(corners);
-  }
-
-  // Exact.
-  bool parts(const std::array<Dyadic, 3>& along, const TriangleRange& range) const {
-    const WorldDirection direction(Vector3<Dyadic>{along[0], along[1], along[2]});
-    const Posed3 any = placed_.at(0u);
-    Along compared(direction, *any.pose, any.tame);
-    const std::span<const Point3> points = placed_.mesh().points();
-    std::uint32_t last = placed_.mesh().triangles()[range.first][0];
-    for (std::uint32_t t = range.first; t < range.end; ++t) {
-      for (const std::uint32_t corner : placed_.mesh().triangles()[t]) {
-        if (compared.compare(points[last], points[corner]) == Sign::positive) last = corner;
-      }
-    }
-    const RoundShape of_mesh{RoundKind::hull, {points[last], {}}, any.pose, 0};
+  bool is_beyond(const WorldDirection& direction, const Posed3& last) const {
+    const RoundShape of_mesh{RoundKind::hull, {last.point, {}}, last.pose, 0};
     Cost cost;
     StageTally tally;
     const RoundShape of_body = shape_along(body_, direction, End::least, 0, cost, tally);
@@ -126,23 +72,10 @@ class PartsParting {
     return clear_sign(direction, of_mesh, of_body, least_) != Sign::negative;
   }
 
-  PlacedMesh placed_;
+ private:
   const PlacedRound& body_;
   double least_;  // 0: the planes part strictly
-  PartsBeside parts_;
 };
-
-// By the numbers of the points of the mesh: its corners, which are as they are numbered by the triangle's hull.
-void name_points(const Mesh& mesh, std::uint32_t triangle, const ConvexPolyhedron& of, Combination& made) {
-  for (Weights::Part& part : made.parts) {
-    const Point3& at = of.vertices()[part.index];
-    const Mesh::Triangle& corners = mesh.triangles()[triangle];
-    part.index = *std::find_if(corners.begin(), corners.end(), [&](std::uint32_t k) {
-      const Point3& p = mesh.points()[k];
-      return p.x == at.x && p.y == at.y && p.z == at.z;
-    });
-  }
-}
 
 class RoundStatement {
  public:
@@ -154,14 +87,7 @@ class RoundStatement {
     const PartsBeside parts = parts_beside(mesh_.mesh, mesh_.pose, body_, least_);
     begin("apart", "kept");
     file_.begin_claims();
-    file_.begin_claim(least_ > 0 ? "clear_beside" : "beside");
-    file_.indices("until", parts.ends);
-    for (const bool is_away : {false, true}) {
-      file_.begin_list(is_away ? "away" : "directions");
-      for (const auto& direction : is_away ? parts.away : parts.directions) file_.add_numbers(direction);
-      file_.end_list();
-    }
-    file_.end_claim();
+    add_parts(file_, least_ > 0 ? "clear_beside" : "beside", parts);
     file_.end_statement();
   }
 
@@ -183,12 +109,12 @@ class RoundStatement {
   }
 
   void operator()(const RoundWithinMesh&) const {
-    const Vector3<Dyadic> at = coordinates<Dyadic>(first_point(body_));
+    const Vector3<Dyadic> at = coordinates<Dyadic>(first_point_of(body_));
     begin("b_within", "b_within");
     file_.numbers("point", std::array{at.x, at.y, at.z});
     file_.begin_claims();
     file_.begin_claim("encloses");
-    file_.numbers("direction", ray_away(PlacedMesh(mesh_.mesh, mesh_.pose), first_point(body_)).along);
+    file_.numbers("direction", ray_away(PlacedMesh(mesh_.mesh, mesh_.pose), first_point_of(body_)).along);
     file_.end_claim();
     Combination first({{0, Dyadic(1.0)}});
     if (body_.kind() == RoundKind::ellipsoid) first.from = ExactPoint3{};
@@ -216,7 +142,7 @@ class RoundStatement {
     const RoundClearance found = round_clearance(PlacedRound(triangle, mesh_.pose), body_, least_);
     SUNDER_REQUIRE(is_broken(found));
     std::array<PointOf, 2> points = *std::get<ClearanceBroken>(found.evidence).points;
-    name_points(mesh_.mesh, t, triangle.core(), points[0].of_body);
+    name_points_of_mesh(mesh_.mesh, t, triangle.core(), points[0].of_body);
     return points;
   }
 
@@ -231,7 +157,7 @@ class RoundStatement {
 }  // namespace
 
 PartsBeside parts_beside(const Mesh& mesh, const Pose& pose, const PlacedRound& body, double least) {
-  return PartsParting(mesh, pose, body, least).run();
+  return PartsParting(PlacedMesh(mesh, pose), RoundBeside(body, least)).run();
 }
 
 CommonPoint common_point(const Mesh& mesh, const Pose& pose, const PlacedRound& body, const RoundOnTriangle& evidence) {
@@ -240,7 +166,7 @@ CommonPoint common_point(const Mesh& mesh, const Pose& pose, const PlacedRound& 
   const RoundAnswer met = round_round(placed, body);
   SUNDER_REQUIRE(met.meet());
   CommonPoint point = common_point_of(placed, body, met.evidence);
-  name_points(mesh, evidence.triangle, triangle.core(), point.of_a);
+  name_points_of_mesh(mesh, evidence.triangle, triangle.core(), point.of_a);
   return point;
 }
 
@@ -248,7 +174,7 @@ Point3 rounded_point_of(const Mesh& mesh, const Pose& pose, const PlacedRound& b
   if (const auto* meeting = std::get_if<RoundOnTriangle>(&evidence)) {
     return nearest(common_point(mesh, pose, body, *meeting).at);
   }
-  const Vector3<Dyadic> at = coordinates<Dyadic>(first_point(body));
+  const Vector3<Dyadic> at = coordinates<Dyadic>(first_point_of(body));
   return {at.x.nearest(), at.y.nearest(), at.z.nearest()};
 }
 

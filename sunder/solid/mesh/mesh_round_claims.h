@@ -8,22 +8,16 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/mesh/mesh_round.h>
+#include <sunder/solid/mesh/parts_beside.h>
 
-#include <array>
 #include <cstdint>
-#include <vector>
 
 namespace sunder::solid {
 
-// Parts of a mesh, each parted from a body by a plane. Part k is of the triangles from ends[k - 1] (of the first part:
-// from 0) to before ends[k], in the mesh's order; along directions[k] it ends before the body begins. away: a direction
-// from the body's first point out of the mesh, along which it crosses that as often outwards as inwards; there is none
-// where there is one part, or the mesh has no inside.
-struct PartsBeside {
-  std::vector<std::uint32_t> ends;
-  std::vector<std::array<Dyadic, 3>> directions;
-  std::vector<std::array<Dyadic, 3>> away;  // one, or none
-};
+// For claims about a mesh and what is beside it: weights of vertices of the triangle's hull become those of points of the
+// mesh; the claim of that rule.
+void name_points_of_mesh(const Mesh& mesh, std::uint32_t triangle, const ConvexPolyhedron& of, Combination& made);
+void add_parts(ClaimsWriter& file, const char* rule, const PartsBeside& parts);
 
 // Requires that they are apart, as mesh_round() says, and `least` apart, as mesh_round_clearance() does, where that is
 // not 0: then each direction shows so much. Exact. Cost: round_round, or round_clearance, for the parts down the mesh's

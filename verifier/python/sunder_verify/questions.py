@@ -40,7 +40,7 @@ def subject(read):
 
 
 def entry(table):
-    return lambda value, where, read: read[table][index(value, len(read[table]), where)]
+    return lambda value, where, read: read[table][index(value, len(read[table] or ()), where)]
 
 
 def body_asked(value, where, read):

@@ -53,9 +53,10 @@ def beyond(steps, rule, end, d, body, least):
         steps.take(16, size, size)
     for n, f, u in found[0]:
         begin, ends = aligned(-n, f, last, e)
-        (between, *roots), _, _ = common([((begin - ends) ** 2, 1, 2 * min(e, f)), u, (least[0] ** 2 * dot(d, d), 1, 2 * least[2])])
         order = sign(begin - ends)
-        if any(roots):  # sqrt(between) - sqrt(u) - the length
+        if u[0] or least[0]:  # sqrt(between) - sqrt(u) - the length
+            square = (least[0] ** 2 * dot(d, d), 1, 2 * least[2]) if least[0] else least
+            (between, *roots), _, _ = common([((begin - ends) ** 2, 1, 2 * min(e, f)), u, square])
             order = sign_of((((0, order), (-1, 0)), ((-1, 0), (0, 0))), between, *roots)
         require(order > 0 or least[0] and order == 0, rule, "%s does not begin far enough beyond a part, along its direction" % body.name)
 

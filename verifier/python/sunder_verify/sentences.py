@@ -116,7 +116,7 @@ def shown(value):
 
 def counted(n, one):
     """A number of things: "1 box", "2 boxes"."""
-    for end, ends in ("ex", "ices"), ("x", "xes"), ("sh", "shes"), ("y", "ies"), ("", "s"):
+    for end, ends in ("ex", "ices"), ("x", "xes"), ("sh", "shes"), ("ay", "ays"), ("y", "ies"), ("", "s"):
         if one.endswith(end):
             return "1 " + one if n == 1 else "%d %s%s" % (n, one[:len(one) - len(end)], ends)
 

@@ -19,7 +19,7 @@ def boxes_of(given):
     return [[[f(places[k][c] for k in t) for f in (min, max)] for c in range(3)] for t in given.triangles]
 
 
-def around(boxes):
+def box_around(boxes):
     return [[min(low for low, _ in side), max(high for _, high in side)] for side in zip(*boxes)]
 
 

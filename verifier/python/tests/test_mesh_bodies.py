@@ -5,7 +5,7 @@ from fractions import Fraction
 from math import inf
 
 import files
-from box_bodies import Around, around, boxes_of, square
+from box_bodies import Around, box_around, boxes_of, square
 from files import FORCED, MUTANT, Twins, dice_of, hexadecimal, lacking
 from mesh_cells import Given, box_gap, direction, inside, some_cells, told_point
 from test_mesh_distances import below, on_surface, sizes_of, statement
@@ -19,7 +19,7 @@ def parts_of(boxes, body, least, dice):
     until, directions, waiting, is_exact = [], [], [(0, len(boxes))], True
     while waiting:
         first, end = waiting.pop()
-        box = around(boxes[first:end])
+        box = box_around(boxes[first:end])
         way = body.way_from(box, least)
         if end - first > 1 and not (way and dice.random() < .8):
             middle = dice.randint(first + 1, end - 1)
@@ -36,7 +36,7 @@ def parts_of(boxes, body, least, dice):
 def some_body(given, boxes, dice):
     """Beside a solid, or about one of its cells, or of its holes; a point of a triangle that is near; how far apart they are."""
     step, kind, is_beside = given.step, dice.choice((None, None, "radius", "ellipsoid", "cylinder")), dice.random() < .5
-    gap, whole, axes = dice.choice(((0, 0, 1), (0, 3, 4), (1, 2, 2), (2, 3, 6), (0, 1, 1))), around(boxes), dice.sample(range(3), 3)
+    gap, whole, axes = dice.choice(((0, 0, 1), (0, 3, 4), (1, 2, 2), (2, 3, 6), (0, 1, 1))), box_around(boxes), dice.sample(range(3), 3)
     cube = {*itertools.product(*(range(int((high - low) / step)) for low, high in whole))}
     least_cell = [min(cell[c] for cell in given.cells) for c in range(3)]
     holes = cube - {tuple(x - y for x, y in zip(cell, least_cell)) for cell in given.cells}
