@@ -186,7 +186,7 @@ class MeshLinePair final : public MeshFlatPair {
 
   Fact told(const solid::LineInMesh& in_mesh) const {
     const std::size_t count = in_mesh.parts.size();
-    Fact fact{"common", {{"hits", in_mesh.hits.size()}, {"parts", Json::array()}}, ""};
+    Fact fact{"common", {{"kind", "parts"}, {"hits", in_mesh.hits.size()}, {"parts", Json::array()}}, ""};
     fact.text = count == 1 ? "" : fmt::format("{} parts:\n", count);
     for (std::size_t k = 0; k < count; ++k) {
       const solid::LinePart& part = in_mesh.parts[k];
