@@ -44,11 +44,14 @@ OPTIONAL = {
     "allowed_meeting[]": "point_about",
     "objects[].bodies[].parts[]": "mesh",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
-    "distance": "a b",
-    "evidence": "gap_about",
+    "distance": "a b face",
+    "evidence": "face gap_about",
     "depth": "square a b",
     "clearance": "undecided",
-    "common": "edge surface nearest furthest point first last",
+    "common": "edge surface nearest furthest point first last hits parts",
+    "common.parts[]": "is_next_near",
+    "common.parts[].first": "beginning face",
+    "common.parts[].last": "face",
     "common.first": "along_edge beginning",
     "common.last": "along_edge",
     "cut": "first last",
@@ -56,6 +59,7 @@ OPTIONAL = {
     "cut.first": "beginning",
     "cut.last": "end",
     "pairs[]": "contact contact_unknown",
+    "pairs[].evidence": "face",
     "clearance.closer[]": "points_about",
     "clearance.undecided[]": "points_about",
     "nearest[]": "points_about",
@@ -101,6 +105,11 @@ pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl
 pair cases/mesh/cube.obj cases/panda/meshes/collision/link3.stl --hull
 pair cases/mesh/cube.obj open.obj --pose-a 0.25,0,0,2,0,0.25,0,2,0,0,0.25,2 --certificate OUT
 pair cases/mesh/cube.obj open.obj
+pair cases/space/ball.json cases/mesh/bracket.obj --pose-b 9,0,0,-2.5,0,9,0,-4.5,0,0,9,-4.5 --method scan
+pair cases/mesh/bracket.obj cases/space/above.json --pose-a 0,0,2
+pair mixed.obj between.json
+pair gap.obj through.json
+scene balls.json
 pair cases/mesh/cube.obj cases/mesh/bracket.obj --pose-a 0.25,0,0,0.5,0,0.25,0,0.5,0,0,0.25,0.5
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,4,5 --distance --clearance 1 --certificate OUT
 pair cases/mesh/cube.obj cases/mesh/tetrahedron.obj --pose-b 3,0.25,0.125 --distance
@@ -322,6 +331,12 @@ FILES = {
     "vast.obj": "".join("v %d.7e308 %d.7e308 %d.7e308\n" % xyz for xyz in itertools.product((-1, 1), repeat=3)),
     "open.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\n",
     "mixed.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 5 6 7\n",
+    "balls.json": '{"bodies": [{"name": "g", "parts": [{"mesh": "gap.obj"}]}, {"name": "b", "parts": [{"ball": {"center": [2.5, 0.5, 0.5], "radius": 1}}]}]}',
+    "between.json": '{"plane": {"normal": [1, 0, 0], "offset": 8}}', "through.json": '{"ray": [[-3.5, 0.5, 0.5], [4.5, 0.5, 0.5]]}',
+    # Two boxes; between their sides there is a last bit, and on the ray from one side to the other no double.
+    "gap.obj": "".join("v %r %d %d\n" % (x, y, z) for ends in ((-4.0, 1.0), (1.0000000000000002, 2.0)) for z in (0, 1) for y in (0, 1) for x in ends)
+               + "".join("f %d %d %d %d\n" % tuple(8 * k + i for i in face) for k in (0, 1) for face in (
+                   (1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))),
     "left.obj": "v -1.7e308 0 0\nv -1.6e308 0 0\nv -1.7e308 1e307 0\nv -1.7e308 0 1e307\n",
     "right.obj": "v 1.7e308 0 0\nv 1.6e308 0 0\nv 1.7e308 1e307 0\nv 1.7e308 0 1e307\n",
     "sited.csv": "x,y,r\n0,0,2\n1,1,2\n", "sited.prj": "EPSG:28992\n", "shapes.prj": "EPSG:28992\n",

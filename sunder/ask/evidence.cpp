@@ -61,19 +61,19 @@ Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, co
 
 Json evidence_json(const solid::MeshRoundEvidence& evidence, const solid::Mesh& mesh, const solid::Pose& pose,
                    const solid::PlacedRound& round, bool is_mesh_a) {
-  const auto of_face = [&](std::uint32_t triangle) {
-    return Json{{is_mesh_a ? "face_a" : "face_b", mesh.face_of(triangle)}};
-  };
-  if (const auto* near = std::get_if<solid::RoundNearTriangle>(&evidence)) return of_face(near->triangle);
+  if (const auto* near = std::get_if<solid::RoundNearTriangle>(&evidence)) {
+    const solid::RoundBody triangle = body_of_triangle(mesh, near->triangle);
+    const solid::PlacedRound placed(triangle, pose);
+    const solid::PlacedRound &a = is_mesh_a ? placed : round, &b = is_mesh_a ? round : placed;
+    return {{"direction_about", to_json(rounded_direction(a, b, round_round(a, b).evidence))}};
+  }
   if (verdict_of(evidence) == Verdict::apart) {
     const solid::PartsBeside parts = parts_beside(mesh, pose, round);
     return {{"planes", parts.ends.size()}, {"rays", parts.away.size()}};
   }
   const Json point = to_json(rounded_point_of(mesh, pose, round, evidence));
   if (const auto* meeting = std::get_if<solid::RoundOnTriangle>(&evidence)) {
-    Json json = of_face(meeting->triangle);
-    json["point"] = point;
-    return json;
+    return {{"point", point}, {"face", mesh.face_of(meeting->triangle)}};
   }
   return {{"point", point}, {"within", is_mesh_a ? "A" : "B"}};
 }

@@ -25,7 +25,7 @@ Json evidence_json(const solid::MeshEvidence& evidence, const solid::Mesh& a, co
                    const solid::Mesh& b, const solid::Pose& pose_b);
 
 // The same of a mesh as it is, which is A or B, and a body with a radius. apart: {"planes", "rays"}, of the parts of the
-// mesh; meet: {"point", "face_a"} (or "face_b"), or {"point", "within"}; undecided: {"face_a"} (or "face_b").
+// mesh; meet: {"point", "face"}, of the mesh, or {"point", "within"}; undecided: {"direction_about"}.
 Json evidence_json(const solid::MeshRoundEvidence& evidence, const solid::Mesh& mesh, const solid::Pose& pose,
                    const solid::PlacedRound& round, bool is_mesh_a);
 

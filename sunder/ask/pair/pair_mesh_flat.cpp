@@ -101,7 +101,7 @@ class MeshPlanePair final : public MeshFlatPair {
     const Point3 point = nearest(common_point(mesh_, pose_, plane_, across.triangle));
     const std::uint32_t face = mesh_.face_of(across.triangle);
     facts_.push_back({"evidence",
-                      {{"point", to_json(point)}, {is_mesh_a_ ? "face_a" : "face_b", face}},
+                      {{"point", to_json(point)}, {"face", face}},
                       fmt::format("a common point at about {}, of polygon {} of {}", about(point), face, letter())});
     if (call.classify) not_proved_.emplace_back("whether they touch or overlap");
   }

@@ -105,8 +105,6 @@ class MeshRoundPair : public MeshQuestion {
     return fmt::format("all of {}, which has the point {}, is inside of {}", round, point, mesh);
   }
 
-  Json face_json(std::uint32_t face) const { return {{is_mesh_a_ ? "face_a" : "face_b", face}}; }
-
   // How far apart, where that is asked.
   void measure() {
     if (!call.distance && least_ == 0) return;
@@ -118,7 +116,7 @@ class MeshRoundPair : public MeshQuestion {
       Fact told = told_distance({distance_.distance}, false);
       if (distance_.distance.high > 0) {
         const std::uint32_t face = mesh_.face_of(distance_.nearest);
-        told.json.update(face_json(face));
+        told.json["face"] = face;
         told.text += fmt::format(", from polygon {} of {}", face, letter_of_mesh());
       }
       facts_.push_back(std::move(told));
