@@ -45,7 +45,7 @@ OPTIONAL = {
     "objects[].bodies[].parts[]": "mesh",
     "objects[].departure": "volume_missing_about volume_of_hull_about",
     "distance": "a b face",
-    "evidence": "face gap_about",
+    "evidence": "gap_about",
     "depth": "square a b",
     "clearance": "undecided",
     "common": "edge surface nearest furthest point first last hits parts",
