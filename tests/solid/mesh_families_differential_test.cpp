@@ -221,7 +221,7 @@ two_cells::Solid solid_of(const Mesh& mesh, const Map& map) {
 
 TEST(MeshFamiliesDifferential, RelationsAreAsBothSidesOfSurfacesTell) {
   Random random(chosen_seed(4051));
-  const int times = scaled_count(180);
+  const int times = scaled_count(54);
   std::map<std::string, std::map<std::string, int>> counts;
   for (int i = 0; i < times; ++i) {
     const std::size_t family = static_cast<std::size_t>(i) % solid_families.size();
