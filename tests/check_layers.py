@@ -62,7 +62,7 @@ ORDER = {
     "number": ["exact"],
     "predicate": ["filter", "point", "line", "disc"],
     "planar": ["object", "pair", "sweep", "discs", "segments", "boxes", "polygons", "region"],
-    "solid": ["hull", "object", "represent", "search", "exact", "line", "pair", "mesh", "section", "descent", "drums", "round"],
+    "solid": ["hull", "object", "represent", "search", "exact", "line", "pair", "section", "descent", "drums", "round", "mesh"],
     "polytope": ["object", "represent", "pair", "hull", "region", "tree"],
     "io": ["text", "mesh", "plane", "robot"],
     "ask": ["set", "scene", "pair", "region"],
