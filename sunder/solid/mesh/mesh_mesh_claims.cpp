@@ -306,10 +306,6 @@ class Statement {
     file_.end_claim();
   }
 
-  static std::array<Dyadic, 3> exact(const FinePoint& p) {
-    return {Dyadic(p.high.x) + Dyadic(p.low.x), Dyadic(p.high.y) + Dyadic(p.low.y), Dyadic(p.high.z) + Dyadic(p.low.z)};
-  }
-
   void begin(const char* verdict, const char* question = "meshes") const {
     file_.begin_statement(question);
     file_.index("a", a_.index);

@@ -193,17 +193,22 @@ class Partitioning {
       FinePoint rounded;
       for (std::size_t c = 0; c < 3; ++c) {
         const double unit = std::ldexp(1.0, std::ilogb(std::max(high[c] - low[c], 0x1p-1000)) - digits);
-        rounded.high[c] = std::nearbyint(middle[c] / unit) * unit;
+        rounded.parts[0][c] = std::nearbyint(middle[c] / unit) * unit;
       }
       if (is_in_cell(rounded)) return rounded;
     }
-    if (const FinePoint doubles{middle, {}}; is_in_cell(doubles)) return doubles;
-    const FinePoint fine = fine_middle(facets);
-    if (!is_in_cell(fine)) is_spent_ = true;
+    if (const FinePoint doubles{{middle}}; is_in_cell(doubles)) return doubles;
+    FinePoint fine;
+    for (const std::size_t digits : {2u, 3u, 4u}) {
+      fine = fine_middle(facets, digits);
+      if (is_in_cell(fine)) return fine;
+    }
+    is_spent_ = true;
     return fine;
   }
 
-  FinePoint fine_middle(const CutPolygonList& facets) const {
+  // The mean of the corners, in sums of so many doubles.
+  FinePoint fine_middle(const CutPolygonList& facets, std::size_t doubles) const {
     std::array<Dyadic, 3> sum;
     double count = 0;
     for (const CutPolygon& facet : facets) {
@@ -211,30 +216,39 @@ class Partitioning {
         ++count;
         const ExactPoint3& p = cut_.corner(of.corner).exact;
         for (std::size_t c = 0; c < 3; ++c) {
-          const auto [high, low] = in_two(p[c], p.denominator);
-          if (std::isfinite(high)) sum[c] = sum[c] + Dyadic(high) + Dyadic(low);
+          for (const double part : in_doubles(p[c], p.denominator, doubles)) {
+            if (std::isfinite(part)) sum[c] = sum[c] + Dyadic(part);
+          }
         }
       }
     }
     FinePoint result;
-    for (std::size_t c = 0; c < 3; ++c) std::tie(result.high[c], result.low[c]) = in_two(sum[c], Dyadic(count));
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::array<double, 4> parts = in_doubles(sum[c], Dyadic(count), doubles);
+      for (std::size_t k = 0; k < parts.size(); ++k) result.parts[k][c] = parts[k];
+    }
     return result;
   }
 
-  static std::pair<double, double> in_two(const Dyadic& numerator, const Dyadic& denominator) {
-    const double high = nearest_ratio(numerator, denominator);
-    if (!std::isfinite(high)) return {high, 0};  // is in no cell
-    return {high, nearest_ratio(numerator - Dyadic(high) * denominator, denominator)};
+  // The sum of the first `doubles` is about the fraction; the others are zero.
+  static std::array<double, 4> in_doubles(Dyadic numerator, const Dyadic& denominator, std::size_t doubles) {
+    std::array<double, 4> parts{};
+    for (std::size_t k = 0; k < doubles; ++k) {
+      parts[k] = nearest_ratio(numerator, denominator);
+      if (!std::isfinite(parts[k])) break;  // is in no cell
+      numerator = numerator - Dyadic(parts[k]) * denominator;
+    }
+    return parts;
   }
 
   static EnclosedPoint exact_of(const FinePoint& p) {
-    return EnclosedPoint(ExactPoint3{Dyadic(p.high.x) + Dyadic(p.low.x), Dyadic(p.high.y) + Dyadic(p.low.y),
-                                     Dyadic(p.high.z) + Dyadic(p.low.z), Dyadic(1.0)});
+    const std::array<Dyadic, 3> at = exact(p);
+    return EnclosedPoint(ExactPoint3{at[0], at[1], at[2], Dyadic(1.0)});
   }
 
   bool is_in_cell(const FinePoint& point) const {
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!std::isfinite(point.high[c])) return false;
+      if (!std::isfinite(point.parts[0][c])) return false;
     }
     const EnclosedPoint at = exact_of(point);
     return std::all_of(path_.begin(), path_.end(),

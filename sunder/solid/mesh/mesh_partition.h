@@ -46,7 +46,7 @@ struct MeshPartition {
 };
 
 struct Partitioned {
-  // False: the budget was spent, or a cell was too thin for a point with coordinates of two doubles.
+  // False: the budget was spent, or a cell was too thin for a point with coordinates of four doubles.
   bool is_decided = false;
   InsideKinds found;
   std::optional<FinePoint> in_both;  // a point that is inside of both, where that was not known

@@ -68,7 +68,7 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
   }
   InsideKinds known;
   if (const auto inside = point_inside_both(a, pose_a, b, pose_b, answer.evidence)) {
-    result.inside = FinePoint{*inside, {}};
+    result.inside = FinePoint{{*inside}};
     known.both = true;
   }
   if (!a.is_closed() || !b.is_closed()) {
