@@ -227,7 +227,8 @@ class Model {
 
   static bool is_mirror(const solid::Pose& pose) {
     const auto& m = pose.affine().linear;
-    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]) <
+    return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+               m[2] * (m[3] * m[7] - m[4] * m[6]) <
            0;
   }
 

@@ -96,7 +96,8 @@ std::vector<Placed> placed_parts(const ScenePanel& panel) {
   for (std::uint32_t b = 0; b < panel.bodies.size(); ++b) {
     for (const scene::Part& part : panel.bodies[b].parts) {
       const solid::Mesh* const mesh = as_meshes ? part.mesh.get() : nullptr;
-      parts.push_back({b, &part, mesh, mesh != nullptr ? solid::DrawnBody{part.shape.core()} : drawn_as(part.shape), {}});
+      parts.push_back(
+          {b, &part, mesh, mesh != nullptr ? solid::DrawnBody{part.shape.core()} : drawn_as(part.shape), {}});
       const std::span<const Point3> corners =
           mesh != nullptr ? mesh->points() : parts.back().drawn.polyhedron.vertices();
       const PlacedVertices vertices{corners, part.pose.affine(), false};
@@ -121,7 +122,7 @@ std::uint32_t add_pieces(const Placed& placed, std::uint32_t number, const View&
   }
   const auto& m = placed.part->pose.affine().linear;
   const double determinant = dot(Seen{m[0], m[1], m[2]}, cross(Seen{m[3], m[4], m[5]}, Seen{m[6], m[7], m[8]}));
-  const double outwards = determinant < 0 ? 1 : -1;         // y runs down
+  const double outwards = determinant < 0 ? 1 : -1;  // y runs down
   const bool has_an_outside = placed.has_an_outside();
   std::vector<std::uint32_t> facets;                        // those that are seen
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  // of these, as they run
@@ -212,8 +213,9 @@ class SceneDrawing {
     if (some_hull() && !some_mesh()) {
       canvas_.legend("", "meshes that are not convex are asked about, and drawn, as their hulls");
     } else if (some_hull() && !std::all_of(panels_.begin(), panels_.end(), draws_meshes)) {
-      canvas_.legend("", fmt::format("meshes that are not convex, of more than {} triangles together, are drawn as their hulls",
-                                     most_drawn_triangles));
+      canvas_.legend(
+          "", fmt::format("meshes that are not convex, of more than {} triangles together, are drawn as their hulls",
+                          most_drawn_triangles));
     }
     if (some_round()) canvas_.legend("", "balls, cylinders and the like are drawn by polyhedra inside of them");
     canvas_.legend("<g class='m x'><circle cx='10' r='9'/></g>", "a common point");

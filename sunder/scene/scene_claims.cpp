@@ -338,9 +338,9 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
         continue;
       }
       if (const auto joints = said.joints_of(k)) file.note(*joints);
-      add_claims(pairs, in_file.number_of(pair.body_a, pair.part_a),
-                 placed.bodies[pair.body_a].parts[pair.part_a], in_file.number_of(pair.body_b, pair.part_b),
-                 placed.bodies[pair.body_b].parts[pair.part_b], pair.least);
+      add_claims(pairs, in_file.number_of(pair.body_a, pair.part_a), placed.bodies[pair.body_a].parts[pair.part_a],
+                 in_file.number_of(pair.body_b, pair.part_b), placed.bodies[pair.body_b].parts[pair.part_b],
+                 pair.least);
     }
   }
   pairs.end();

@@ -53,9 +53,9 @@ SceneMeshes::StatedBeside SceneMeshes::beside(const BodiesOfFile& bodies, std::s
   const bool is_a = mesh_of(placed[pair.body_a].parts[pair.part_a]) != nullptr;
   const std::uint32_t body = is_a ? pair.body_b : pair.body_a, part = is_a ? pair.part_b : pair.part_a;
   const Part& round = placed[body].parts[part];
-  return {is_a ? stated(placement, placed, pair.body_a, pair.part_a)
-               : stated(placement, placed, pair.body_b, pair.part_b),
-          bodies.number_of(body, part), solid::PlacedRound(round.shape, round.pose)};
+  return {
+      is_a ? stated(placement, placed, pair.body_a, pair.part_a) : stated(placement, placed, pair.body_b, pair.part_b),
+      bodies.number_of(body, part), solid::PlacedRound(round.shape, round.pose)};
 }
 
 void SceneMeshes::add_pair(const BodiesOfFile& bodies, std::size_t placement, std::span<const Body> placed,

@@ -111,9 +111,11 @@ class MeshScenes {
       case 0: return mesh_part(open_, anywhere());
       case 1: return {"", RoundBody(unit_), near()};
       case 2:
-        return {"", random_.below(2) == 0 ? RoundBody::ball({0, 0, 0}, 0.5) : RoundBody::cylinder({0, 0, -2}, {0, 0, 1}, 0.5),
-                Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {static_cast<double>(random_.between(-3, 3)),
-                                                                static_cast<double>(random_.between(-3, 3)), 0.5})};
+        return {
+            "",
+            random_.below(2) == 0 ? RoundBody::ball({0, 0, 0}, 0.5) : RoundBody::cylinder({0, 0, -2}, {0, 0, 1}, 0.5),
+            Pose::from_matrix({1, 0, 0, 0, 1, 0, 0, 0, 1}, {static_cast<double>(random_.between(-3, 3)),
+                                                            static_cast<double>(random_.between(-3, 3)), 0.5})};
       case 3: return mesh_part(closed_, near());
       default: return mesh_part(closed_, anywhere());
     }
@@ -194,7 +196,8 @@ TEST(SceneMeshesDifferential, PairsAreAsOfMeshesAlone) {
     ASSERT_NO_FATAL_FAILURE(expect_accepted(bodies, answer, question));
   }
   for (const auto& [what, n] : seen) std::printf("%-20s %d\n", what.c_str(), n);
-  for (const char* what : {"a ball meets a mesh", "a ball meets a hull alone", "apart by hulls", "meet", "apart as meshes", "surfaces alone"}) {
+  for (const char* what : {"a ball meets a mesh", "a ball meets a hull alone", "apart by hulls", "meet",
+                           "apart as meshes", "surfaces alone"}) {
     EXPECT_GE(seen[what], times / 80) << what;
   }
 }

@@ -111,9 +111,9 @@ struct SolidPair {
   Soup a, b;
 };
 
-constexpr std::array solid_families{"plug in a socket", "links of a chain",  "screw in a nut",     "box in a cavity",
-                              "walls",            "equal, cut otherwise", "inverted",        "crossing itself",
-                              "with a needle"};
+constexpr std::array solid_families{
+    "plug in a socket",     "links of a chain", "screw in a nut",  "box in a cavity", "walls",
+    "equal, cut otherwise", "inverted",         "crossing itself", "with a needle"};
 
 SolidPair some_solids(std::size_t family, Random& random) {
   SolidPair pair;
@@ -236,14 +236,14 @@ TEST(MeshFamiliesDifferential, RelationsAreAsBothSidesOfSurfacesTell) {
       const MeshRelation found = mesh_relation(a, pose, b, pose, answer);
       ASSERT_TRUE(found.is_known) << solid_families[family] << i;
       const bool are_apart = std::holds_alternative<solid::PointWithin>(answer.evidence);  // the surfaces
-      const Relation expected = !answer.meet()                      ? Relation::none
-                                : !there.both                       ? Relation::touching
-                                : !there.a_alone && !there.b_alone  ? Relation::equal
-                                : !there.a_alone && are_apart       ? Relation::a_inside_b
-                                : !there.b_alone && are_apart       ? Relation::b_inside_a
-                                : !there.a_alone                    ? Relation::a_part_of_b
-                                : !there.b_alone                    ? Relation::b_part_of_a
-                                                                    : Relation::overlapping;
+      const Relation expected = !answer.meet()                     ? Relation::none
+                                : !there.both                      ? Relation::touching
+                                : !there.a_alone && !there.b_alone ? Relation::equal
+                                : !there.a_alone && are_apart      ? Relation::a_inside_b
+                                : !there.b_alone && are_apart      ? Relation::b_inside_a
+                                : !there.a_alone                   ? Relation::a_part_of_b
+                                : !there.b_alone                   ? Relation::b_part_of_a
+                                                                   : Relation::overlapping;
       ASSERT_TRUE(answer.meet() || !there.both) << solid_families[family] << i;
       ASSERT_EQ(name_of(found.relation), name_of(expected)) << solid_families[family] << " " << i << " " << exponent;
       if (i % 2 == 0 && exponent == 0) proved_pair(a, pose, b, pose, answer, true);

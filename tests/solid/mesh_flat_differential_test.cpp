@@ -173,13 +173,13 @@ TEST(MeshFlatDifferential, Planes) {
     }
     const auto in_file = solid::body_of(plane);
     ASSERT_TRUE(in_file.has_value());
-    EXPECT_EQ(proved_flat(
-                  mesh, pose,
-                  [&](PairClaims& pairs) { return pairs.add_body("plane", in_file->points, in_file->ways); },
-                  [&](PairClaims& pairs, const solid::StatedMesh& stated, std::uint32_t body) {
-                    add_claims(pairs, stated, body, plane, *in_file, found);
-                  }),
-              found.meet() ? "meet" : "apart")
+    EXPECT_EQ(
+        proved_flat(
+            mesh, pose, [&](PairClaims& pairs) { return pairs.add_body("plane", in_file->points, in_file->ways); },
+            [&](PairClaims& pairs, const solid::StatedMesh& stated, std::uint32_t body) {
+              add_claims(pairs, stated, body, plane, *in_file, found);
+            }),
+        found.meet() ? "meet" : "apart")
         << i;
   }
   for (const int n : seen) EXPECT_GE(n, times / 60);

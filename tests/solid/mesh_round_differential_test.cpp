@@ -36,10 +36,10 @@ Pose some_turn(Random& random, double far) {
 std::string told(const MeshRoundAnswer& met, const MeshRoundAnswer& clearance) {
   const char* const first = std::holds_alternative<solid::RoundOnTriangle>(met.evidence)   ? "meet"
                             : std::holds_alternative<solid::RoundWithinMesh>(met.evidence) ? "b_within"
-                                                                                            : "apart";
+                                                                                           : "apart";
   const char* const second = std::holds_alternative<solid::RoundOnTriangle>(clearance.evidence)   ? "broken"
                              : std::holds_alternative<solid::RoundWithinMesh>(clearance.evidence) ? "b_within"
-                                                                                                   : "kept";
+                                                                                                  : "kept";
   return std::string(first) + " " + second;
 }
 
@@ -52,7 +52,8 @@ TEST(MeshRoundDifferential, TreesAgreeWithAllTriangles) {
     const Mesh mesh = some_soup(random).mesh();
     RoundBody body = some_primitive(primitive, random);
     if (random.below(3) == 0) body = RoundBody::ball({random.uniform(-2, 2), 0.5, 0.5}, 0x1p-4);
-    const Pose pose = i % 2 == 0 ? Pose() : soup_pose(random, i), pose_body = i % 3 == 0 ? Pose() : some_turn(random, 3);
+    const Pose pose = i % 2 == 0 ? Pose() : soup_pose(random, i),
+               pose_body = i % 3 == 0 ? Pose() : some_turn(random, 3);
     const PlacedRound placed(body, pose_body);
     const MeshRoundAnswer found = mesh_round(mesh, pose, placed), all = mesh_round_by_scan(mesh, pose, placed);
     ASSERT_EQ(found.verdict(), all.verdict()) << i;
@@ -171,8 +172,9 @@ TEST(MeshRoundDifferential, LooksAreFew) {
       }
     }
     const double log_n = std::log2(static_cast<double>(n));
-    std::printf("n %6zu: probes near a ball %.0f, a capsule %.0f, a cylinder %.0f; triangles asked about %.1f, %.1f, %.1f\n",
-                n, probes[0], probes[1], probes[2], asked[0], asked[1], asked[2]);
+    std::printf(
+        "n %6zu: probes near a ball %.0f, a capsule %.0f, a cylinder %.0f; triangles asked about %.1f, %.1f, %.1f\n", n,
+        probes[0], probes[1], probes[2], asked[0], asked[1], asked[2]);
     EXPECT_LE(probes[0], 20 * log_n);
     EXPECT_LE(probes[1], 20 * log_n);
   }

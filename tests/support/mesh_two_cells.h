@@ -26,7 +26,8 @@ struct Insides {
 
 namespace two_cells {
 
-using Number = boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
+using Number =
+    boost::multiprecision::number<boost::multiprecision::cpp_rational_backend, boost::multiprecision::et_off>;
 using Vector = std::array<Number, 3>;
 
 // With what it is about, in doubles. Coordinates are below 100 in size: so signs of products in doubles are right where these are
@@ -176,7 +177,8 @@ inline std::optional<std::array<int, 2>> windings(const Solid& solid, const Corn
   int before = 0, step = 0;
   for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
     const Triangle& t = solid.triangles[i];
-    const std::array turns{turn(point, t[0], t[1], along), turn(point, t[1], t[2], along), turn(point, t[2], t[0], along)};
+    const std::array turns{turn(point, t[0], t[1], along), turn(point, t[1], t[2], along),
+                           turn(point, t[2], t[0], along)};
     const auto [least, greatest] = std::minmax_element(turns.begin(), turns.end());
     if (*least < 0 && *greatest > 0) continue;
     if (*least == 0 || *greatest == 0) return std::nullopt;

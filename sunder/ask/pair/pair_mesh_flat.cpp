@@ -151,7 +151,7 @@ class MeshLinePair final : public MeshFlatPair {
   }
 
   void classify(const solid::LineInMesh& in_mesh) {
-    const auto any = [&](bool solid::LinePart::*is) {
+    const auto any = [&](bool solid::LinePart::* is) {
       return std::any_of(in_mesh.parts.begin(), in_mesh.parts.end(), [&](const auto& part) { return part.*is; });
     };
     if (any(&solid::LinePart::is_through)) {
@@ -224,7 +224,8 @@ Report run_mesh_flat_pair(const PairCall& call, const SpaceInput& a, const Space
   const solid::Mesh mesh = mesh_of_placed(of_mesh);
   require_range(mesh, of_mesh.pose, is_mesh_a ? call.a : call.b);
   if (std::holds_alternative<solid::Plane>(flat.flat)) {
-    const MeshPlaneMethod method = method_by(call.method, mesh_plane_methods, ", for a mesh that is not convex and a plane");
+    const MeshPlaneMethod method =
+        method_by(call.method, mesh_plane_methods, ", for a mesh that is not convex and a plane");
     return answer(MeshPlanePair(call, method, of_mesh, mesh, flat, is_mesh_a, files), files.talk);
   }
   const MeshLineMethod method = method_by(call.method, mesh_line_methods, ", for a mesh that is not convex and a line");

@@ -50,8 +50,8 @@ class MeshRoundPair : public MeshQuestion {
                                       : decided_text(answer_.decided_by));
     facts_ = {{"said_of", "meshes", ""}, evidence()};
     if (call.classify && meet_) {
-      facts_.push_back({"contact_unknown", true,
-                        "whether they touch or overlap is not asked of a mesh and a body with a radius"});
+      facts_.push_back(
+          {"contact_unknown", true, "whether they touch or overlap is not asked of a mesh and a body with a radius"});
     }
     measure();
     if (answer_.verdict() == Verdict::apart && parts_ > 1) tell_what_is_not_enclosed(open_pieces(mesh_));
@@ -63,8 +63,7 @@ class MeshRoundPair : public MeshQuestion {
       const PairObject &of_mesh = is_mesh_a_ ? a_ : b_, &of_round = is_mesh_a_ ? b_ : a_;
       solid::MeshClaims meshes(file);
       const std::uint32_t given = meshes.add_mesh(of_mesh.name, mesh_, of_mesh.said);
-      const std::uint32_t placed =
-          pose_.affine() == Affine3() ? given : meshes.add_placed(of_mesh.name, given, pose_);
+      const std::uint32_t placed = pose_.affine() == Affine3() ? given : meshes.add_placed(of_mesh.name, given, pose_);
       meshes.end_table();
       PairClaims pairs(file);
       file.say(of_round.said);
@@ -144,8 +143,8 @@ class MeshRoundPair : public MeshQuestion {
   const solid::Pose& pose_;
   PlacedRound round_;
   bool is_mesh_a_;
-  double least_;                       // 0: no clearance is asked about
-  std::size_t parts_ = 0;              // of the mesh, where they are apart
+  double least_;           // 0: no clearance is asked about
+  std::size_t parts_ = 0;  // of the mesh, where they are apart
   solid::MeshRoundAnswer answer_, clearance_;
   solid::MeshRoundDistance distance_;  // where that or a clearance is asked for
 };
@@ -155,7 +154,8 @@ class MeshRoundPair : public MeshQuestion {
 Report run_mesh_round_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   const bool is_mesh_a = a.bounded.has_value();
   const PlacedBody& of_mesh = *(is_mesh_a ? a : b).bounded;
-  const MeshRoundMethod method = method_by(call.method, mesh_round_methods, ", for a mesh that is not convex and a body with a radius");
+  const MeshRoundMethod method =
+      method_by(call.method, mesh_round_methods, ", for a mesh that is not convex and a body with a radius");
   const solid::Mesh mesh = mesh_of_placed(of_mesh);
   require_range(mesh, of_mesh.pose, is_mesh_a ? call.a : call.b);
   return answer(MeshRoundPair(call, method, of_mesh, mesh, *(is_mesh_a ? b : a).round, is_mesh_a, files), files.talk);

@@ -37,6 +37,7 @@ using MeshPlane = Answer<std::variant<MeshBesidePlane, MeshAcrossPlane>>;
 MeshPlane mesh_plane(const Mesh& mesh, const Pose& pose, const Plane& plane);
 
 // On which side is each point?
-std::vector<Sign> sides_of_plane(const Mesh& mesh, const Pose& pose, const Plane& plane, std::uint32_t* exact = nullptr);
+std::vector<Sign> sides_of_plane(const Mesh& mesh, const Pose& pose, const Plane& plane,
+                                 std::uint32_t* exact = nullptr);
 
 }  // namespace sunder::solid

@@ -39,9 +39,7 @@ const Mesh& around(const RoundBody& body) {
 }
 
 // How far the body reaches around that mesh.
-double reach_around(const RoundBody& body) {
-  return body.kind() == RoundKind::ellipsoid ? 0 : reach_beyond_core(body);
-}
+double reach_around(const RoundBody& body) { return body.kind() == RoundKind::ellipsoid ? 0 : reach_beyond_core(body); }
 
 // Not less than the sum.
 double sum_above(double x, double y) { return std::nextafter(x + y, NearWalk::unbounded); }
@@ -205,7 +203,8 @@ MeshRoundAnswer mesh_round_clearance(const Mesh& mesh, const Pose& pose, const P
   return RoundSearch(mesh, pose, body, least).run();
 }
 
-MeshRoundAnswer mesh_round_clearance_by_scan(const Mesh& mesh, const Pose& pose, const PlacedRound& body, double least) {
+MeshRoundAnswer mesh_round_clearance_by_scan(const Mesh& mesh, const Pose& pose, const PlacedRound& body,
+                                             double least) {
   SUNDER_REQUIRE(can_be_placed(mesh, pose) && can_be_placed(body) && least > 0 && std::isfinite(least));
   return RoundSearch(mesh, pose, body, least).run_by_scan();
 }

@@ -22,8 +22,7 @@ void name_points_of_mesh(const Mesh& mesh, std::uint32_t triangle, const ConvexP
   for (Weights::Part& part : made.parts) {
     const Point3& at = of.vertices()[part.index];
     const Mesh::Triangle& corners = mesh.triangles()[triangle];
-    part.index =
-        *std::find_if(corners.begin(), corners.end(), [&](std::uint32_t k) { return mesh.points()[k] == at; });
+    part.index = *std::find_if(corners.begin(), corners.end(), [&](std::uint32_t k) { return mesh.points()[k] == at; });
   }
 }
 
@@ -80,7 +79,7 @@ class RoundBeside {
 class RoundStatement {
  public:
   RoundStatement(PairClaims& pairs, const StatedMesh& mesh, std::uint32_t index_of_body, const PlacedRound& body,
-            double least)
+                 double least)
       : pairs_(pairs), file_(pairs.file()), mesh_(mesh), index_of_body_(index_of_body), body_(body), least_(least) {}
 
   void operator()(const MeshAndRoundApart&) const {
@@ -170,7 +169,8 @@ CommonPoint common_point(const Mesh& mesh, const Pose& pose, const PlacedRound& 
   return point;
 }
 
-Point3 rounded_point_of(const Mesh& mesh, const Pose& pose, const PlacedRound& body, const MeshRoundEvidence& evidence) {
+Point3 rounded_point_of(const Mesh& mesh, const Pose& pose, const PlacedRound& body,
+                        const MeshRoundEvidence& evidence) {
   if (const auto* meeting = std::get_if<RoundOnTriangle>(&evidence)) {
     return nearest(common_point(mesh, pose, body, *meeting).at);
   }

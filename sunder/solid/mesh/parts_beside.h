@@ -80,7 +80,8 @@ class PartsParting {
   std::optional<ConvexPolyhedron> hull_of(const TriangleRange& range) const {
     std::vector<Point3> corners;
     for (std::uint32_t t = range.first; t < range.end; ++t) {
-      for (const std::uint32_t corner : placed_.mesh().triangles()[t]) corners.push_back(placed_.mesh().points()[corner]);
+      for (const std::uint32_t corner : placed_.mesh().triangles()[t])
+        corners.push_back(placed_.mesh().points()[corner]);
     }
     return ConvexPolyhedron(corners);
   }
