@@ -1,5 +1,6 @@
 """Solids of unit cells as meshes, with what is true of them by their cells."""
 import itertools
+import math
 from fractions import Fraction
 
 from files import fraction, hexadecimal
@@ -35,8 +36,8 @@ def some_cells(dice, size):
 
 
 def together(p, cells):
-    """Is a point in a closed cell of a solid?"""
-    return any(all(x <= q <= x + 1 for x, q in zip(cell, p)) for cell in cells)
+    """Is a point in a closed cell of a solid? It is in one or two along each axis."""
+    return any(cell in cells for cell in itertools.product(*({math.floor(x), math.ceil(x) - 1} for x in p)))
 
 
 class Given:
@@ -120,9 +121,9 @@ def pieces(given):
     return {find(t[0]): n for n, t in enumerate(given.triangles)}.values()
 
 
-def divided(a, b, dice):
+def divided(a, b, dice, most):
     """A tree of planes across the axes, at places of corners, down to boxes that are each all in or all outside of a, and
-    of b; with a point of each, and where it is."""
+    of b; with a point of each, and where it is. None, where there are more boxes than that."""
     marks = [sorted({Fraction(p[c]) for of in (a, b) for p in of.places()}) for c in range(3)]
     marks = [[m[0] - 1, *m, m[-1] + 1] for m in marks]
     tree = {"cuts": [], "planes": [], "cells": []}
@@ -135,12 +136,14 @@ def divided(a, b, dice):
     waiting = [[(0, len(m) - 1) for m in marks]]
     while waiting:
         box = waiting.pop()
+        if len(truth) + len(waiting) >= most:
+            return None
         places = middles(box)
-        found = {(a.is_in(p), b.is_in(p)) for p in places}
-        if len(found) == 1:
+        first = a.is_in(places[0]), b.is_in(places[0])
+        if all((a.is_in(p), b.is_in(p)) == first for p in places):
             tree["cuts"].append(0)
             tree["cells"].append(told_point(dice.choice(places)))
-            truth.append(found.pop())
+            truth.append(first)
             continue
         axis = dice.choice([c for c, (i, j) in enumerate(box) if j - i > 1])
         at = dice.randrange(box[axis][0] + 1, box[axis][1])
