@@ -48,15 +48,20 @@ struct SharpStage {
   static SharpLeaf read(double x) { return {x}; }
 };
 
-// As decide(), with this stage before exact numbers. The formula begins with differences.
-template <class Formula, class... Points>
+// For images of points under poses, too, which are sums of products.
+struct SharpImageStage {
+  static Sharp read(double x) { return {{x, 0}, 0}; }
+};
+
+// As decide(), with one of these stages before exact numbers. With SharpStage the formula begins with differences.
+template <class Stage = SharpStage, class Formula, class... Points>
 Sign decide_sharply(StageTally* tally, const Formula& formula, const Points&... points) {
   if ((is_tame(points) && ...)) {
     const Guess guess = sign(formula(lift<RoundedStage>(points)...));
     if (is_sure(guess)) return counted(&StageTally::rounded, tally, to_sign(guess));
   }
   Guess guess = sign(formula(lift<IntervalStage>(points)...));
-  if (!is_sure(guess)) guess = sign(formula(lift<SharpStage>(points)...));
+  if (!is_sure(guess)) guess = sign(formula(lift<Stage>(points)...));
   if (is_sure(guess)) return counted(&StageTally::interval, tally, to_sign(guess));
   return counted(&StageTally::exact, tally, formula(lift<ExactStage>(points)...).sign());
 }

@@ -88,6 +88,36 @@ TEST(SharpStage, TellsNearlyAllThatIntervalsCannotAndIsRight) {
   }
 }
 
+// Faces that are flush but for rounding: points of one plane, under poses that turn by the same angle, computed otherwise.
+TEST(SharpStage, TellsOfFlushFacesAndIsRight) {
+  Random random(20261130);
+  StageTally tally;
+  constexpr int count = 3000;
+  int zeros = 0;
+  for (int i = 0; i < count; ++i) {
+    const double scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p-90 : 0x1p60;
+    const double angle = random.uniform(0, 6), part = random.uniform(0, 6), rest = angle - part;
+    const auto turned = [&](double c, double n) {  // about an axis, by the angle of this cosine and sine
+      return Affine3{{c, -n, 0, n * 0.6, c * 0.6, -0.8, n * 0.8, c * 0.8, 0.6},
+                     {0.1 * scale, 0.2 * scale, 0.7 * scale}};
+    };
+    const Affine3 first = turned(std::cos(angle), std::sin(angle)),
+                  second = turned(std::cos(part) * std::cos(rest) - std::sin(part) * std::sin(rest),
+                                  std::sin(part) * std::cos(rest) + std::cos(part) * std::sin(rest));
+    const auto point = [&] {
+      return Point3{scale * random.uniform(-1, 1), scale * random.uniform(-1, 1), 0.3 * scale};
+    };
+    const Posed3 a = posed(point(), first), b = posed(point(), first), c = posed(point(), first),
+                 d = posed(point(), i % 50 == 0 ? first : second);
+    const Sign exact =
+        orient_3d_formula(lift<ExactStage>(a), lift<ExactStage>(b), lift<ExactStage>(c), lift<ExactStage>(d)).sign();
+    ASSERT_EQ(orient_3d(a, b, c, d, &tally), exact) << i;
+    zeros += exact == Sign::zero;
+  }
+  EXPECT_LT(zeros, count / 3);
+  EXPECT_LE(tally.exact, static_cast<unsigned>(zeros) + count / 50);
+}
+
 TEST(SharpStage, IsUnsureOfZeroAndOfWhatUnderflowsOrOverflows) {
   const Sharp one = SharpLeaf{1} - SharpLeaf{0}, tiny = SharpLeaf{0x1p-700} - SharpLeaf{0};
   const Sharp huge = SharpLeaf{0x1p700} - SharpLeaf{0};

@@ -82,15 +82,15 @@ Sign orient_3d(const Point3& a, const Point3& b, const Point3& c, const Point3& 
 }
 
 Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Posed3& d, StageTally* tally) {
-  return decide(tally, orient_3d_formula, a, b, c, d);
+  return decide_sharply<SharpImageStage>(tally, orient_3d_formula, a, b, c, d);
 }
 
 Sign orient_3d(const Posed3& a, const Posed3& b, const Posed3& c, const Point3& d, StageTally* tally) {
-  return decide(tally, orient_3d_formula, a, b, c, d);
+  return decide_sharply<SharpImageStage>(tally, orient_3d_formula, a, b, c, d);
 }
 
 Sign orient_3d(const Point3& a, const Point3& b, const Posed3& c, const Posed3& d, StageTally* tally) {
-  return decide(tally, orient_3d_formula, a, b, c, d);
+  return decide_sharply<SharpImageStage>(tally, orient_3d_formula, a, b, c, d);
 }
 
 bool are_collinear(const Point3& a, const Point3& b, const Point3& c, StageTally* tally) {

@@ -1,6 +1,7 @@
 // The orientation predicates against integer arithmetic: the sign of each stage that is sure, and which stage decides.
 #include <sunder/base/random.h>
 #include <sunder/predicate/exact_image_test.h>
+#include <sunder/predicate/filter/sharp_stage.h>
 #include <sunder/predicate/filter/stages.h>
 #include <sunder/predicate/point/orient.h>
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace sunder {
@@ -39,7 +41,8 @@ Sign true_side(const ExactVector& a, const ExactVector& b, const ExactVector& c,
 struct OrientRecord {
   int count = 0, zero = 0, rounded = 0, interval = 0, exact = 0;
 
-  template <class Formula, class Predicate, class... Points>
+  // is_sharp: does a stage in double-doubles come before exact numbers?
+  template <bool is_sharp = false, class Formula, class Predicate, class... Points>
   void check(const Formula& formula, const Predicate& predicate, Sign expected, const Points&... points) {
     ++count;
     if (expected == Sign::zero) ++zero;
@@ -52,11 +55,16 @@ struct OrientRecord {
     if (is_sure(second)) {
       ASSERT_EQ(to_sign(second), expected) << "interval";
     }
+    Guess third = Guess::unsure;
+    if constexpr (is_sharp) third = sign(formula(lift<SharpImageStage>(points)...));
+    if (is_sure(third)) {
+      ASSERT_EQ(to_sign(third), expected) << "sharp";
+    }
     ASSERT_EQ(formula(lift<ExactStage>(points)...).sign(), expected) << "exact";
     StageTally tally;
     ASSERT_EQ(predicate(points..., &tally), expected);
     ASSERT_EQ(tally.rounded, is_sure(first) ? 1u : 0u);
-    ASSERT_EQ(tally.interval, !is_sure(first) && is_sure(second) ? 1u : 0u);
+    ASSERT_EQ(tally.interval, !is_sure(first) && (is_sure(second) || is_sure(third)) ? 1u : 0u);
     ASSERT_EQ(tally.rounded + tally.interval + tally.exact, 1u);
     rounded += static_cast<int>(tally.rounded);
     interval += static_cast<int>(tally.interval);
@@ -65,7 +73,8 @@ struct OrientRecord {
 
   template <class P, class Q, class R, class S>
   void check_side(const P& a, const Q& b, const R& c, const S& d) {
-    check(
+    constexpr bool is_some_posed = std::is_same_v<P, Posed3> || std::is_same_v<R, Posed3>;
+    check<is_some_posed>(
         orient_3d_formula, [](const auto&... p) { return orient_3d(p...); },
         true_side(image(a), image(b), image(c), image(d)), a, b, c, d);
   }
