@@ -1,8 +1,9 @@
 // On which side: the orientation predicates, exact for every finite double, for points and for posed points.
 // Also called: orientation predicate; counter-clockwise test (CCW); side of a line or plane.
 //
-// Each runs in stages: floating point with a derived error bound, intervals, exact numbers. All stages evaluate one
-// formula. Where a tally is given, the stage that decided is counted in it.
+// Each runs in stages: floating point with a derived error bound, intervals (of posed points in space double-doubles,
+// too, which are tallied as intervals), exact numbers. All stages evaluate one formula. Where a tally is given, the stage
+// that decided is counted in it.
 // Sources: Shewchuk 1997 for the idea of adaptive signs; the bounds are derived in number/rounded.h.
 #pragma once
 
