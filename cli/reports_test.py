@@ -332,8 +332,8 @@ FILES = {
     "open.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\n",
     "mixed.obj": "v 0 0 0\nv 6 0 0\nv 0 6 0\nv 0 0 6\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 5 6 7\n",
     "balls.json": '{"bodies": [{"name": "g", "parts": [{"mesh": "gap.obj"}]}, {"name": "b", "parts": [{"ball": {"center": [2.5, 0.5, 0.5], "radius": 1}}]}]}',
-    "between.json": '{"plane": {"normal": [1, 0, 0], "offset": 8}}', "through.json": '{"ray": [[-3.5, 0.5, 0.5], [4.5, 0.5, 0.5]]}',
-    # Two boxes; between their sides there is a last bit, and on the ray from one side to the other no double.
+    "between.json": '{"plane": {"normal": [1, 0, 0], "offset": 8}}', "through.json": '{"ray": [[-3.5, 0.5, 0.5], [4.5, 0.5, 0.1]]}',
+    # Two boxes; between their sides there is a last bit, and on the ray, whose way is of no doubles, from one to the other no double.
     "gap.obj": "".join("v %r %d %d\n" % (x, y, z) for ends in ((-4.0, 1.0), (1.0000000000000002, 2.0)) for z in (0, 1) for y in (0, 1) for x in ends)
                + "".join("f %d %d %d %d\n" % tuple(8 * k + i for i in face) for k in (0, 1) for face in (
                    (1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6))),

@@ -86,7 +86,7 @@ TEST(MeshRoundDifferential, TreesAgreeWithAllTriangles) {
   }
   EXPECT_GE(apart, times / 12);
   EXPECT_GE(meeting, times / 12);
-  EXPECT_GE(within, times / 90);
+  EXPECT_GE(within, times / 200);
   EXPECT_LE(undecided, 1 + times / 100);
 }
 

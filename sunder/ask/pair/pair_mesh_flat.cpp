@@ -197,7 +197,8 @@ class MeshLinePair final : public MeshFlatPair {
       if (k >= most_told) continue;
       const bool is_point = part.first == part.last;
       fact.text += (k > 0 ? "\n" : "") +
-                   (is_point ? "one point, " + first.text : fmt::format("from {}\nto {}", first.text, last.text));
+                   (is_point ? "one point, " + first.text : fmt::format("from {}\nto {}", first.text, last.text)) +
+                   (part.is_next_near ? "\n(and perhaps on to the next part, which is too near to look between)" : "");
     }
     if (count > most_told) fact.text += fmt::format("\nand {} more", count - most_told);
     return fact;

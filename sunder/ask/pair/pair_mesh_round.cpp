@@ -49,7 +49,10 @@ class MeshRoundPair : public MeshQuestion {
     take(answer_, answer_.undecided() ? "nothing: the gap or the depth is below some 2^-76 of their size"
                                       : decided_text(answer_.decided_by));
     facts_ = {{"said_of", "meshes", ""}, evidence()};
-    if (call.classify && meet_) {
+    if (call.classify && std::holds_alternative<solid::RoundWithinMesh>(answer_.evidence)) {
+      contact_ = is_mesh_a_ ? Relation::b_inside_a : Relation::a_inside_b;
+      not_proved_.emplace_back("that all of it is inside");
+    } else if (call.classify && meet_) {
       facts_.push_back(
           {"contact_unknown", true, "whether they touch or overlap is not asked of a mesh and a body with a radius"});
     }
@@ -110,7 +113,9 @@ class MeshRoundPair : public MeshQuestion {
     const bool is_scan = call.method == "scan";
     distance_ = is_scan ? mesh_round_distance_by_scan(mesh_, pose_, round_, answer_)
                         : mesh_round_distance(mesh_, pose_, round_, answer_);
-    cost_ = distance_.cost;
+    cost_.probes += distance_.cost.probes;
+    cost_.iterations += distance_.cost.iterations;
+    cost_.exact += distance_.cost.exact;
     if (call.distance) {
       Fact told = told_distance({distance_.distance}, false);
       if (distance_.distance.high > 0) {

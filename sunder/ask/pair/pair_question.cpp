@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sunder::ask {
 
 namespace {
@@ -47,14 +49,20 @@ Report PairQuestion::report() const {
                                  count_of(cost_.iterations, "iteration"), count_of(cost_.exact, "use"));
   report.objects = Json::array({a_.json, b_.json});
   report.not_proved = not_proved_;
-  const std::string contact = call.classify && meet_ ? fmt::format(" ({})", name_of(contact_)) : "";
+  const bool is_unknown =
+      std::any_of(facts_.begin(), facts_.end(), [](const Fact& fact) { return fact.key == "contact_unknown"; });
+  const std::string contact = !call.classify || !meet_ ? ""
+                              : is_unknown             ? " (touching or overlapping)"
+                                                       : fmt::format(" ({})", name_of(contact_));
   report.tell(fmt::format("{} and {}: {}{}{}\n", a_.file, b_.file, verdict_, contact, files_.left_out.clause()));
   report.tell(titled("A", a_.text) + titled("B", b_.text));
   report.add(facts_of(files_.left_out));
   const std::vector<Fact> systems = facts_of(files_.systems);
   for (const Fact& fact : systems) report.add(fact.key, fact.json);
-  if (call.classify) report.add("contact", name_of(contact_));
-  for (const auto& [key, json, text] : facts_) report.add(key, json, text.empty() ? "" : titled(key, text));
+  if (call.classify && !is_unknown) report.add("contact", name_of(contact_));
+  for (const auto& [key, json, text] : facts_) {
+    report.add(key, json, text.empty() ? "" : titled(key == "contact_unknown" ? "contact" : key, text));
+  }
   for (const Fact& fact : systems) report.tell(fact.text);
   report.tell(titled("decided by", decided_text_));
   return report;

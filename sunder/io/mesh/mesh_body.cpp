@@ -87,7 +87,7 @@ MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_co
   if (require_convex) {
     throw Error(ErrorCode::bad_shape,
                 fmt::format("the mesh is not exactly convex: {} (counted from 0); repair it, or leave out "
-                            "--require-convex to use its hull",
+                            "--require-convex",
                             body.why_hull),
                 shown);
   }

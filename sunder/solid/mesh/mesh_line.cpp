@@ -16,7 +16,8 @@ namespace sunder::solid {
 
 namespace {
 
-// The line as the images of (t, t, 0): a + t (b - a) exactly, as the difference of two doubles is the sum of two.
+// The line as images: a + t (b - a) exactly, as the difference of two doubles is the sum of two. Of (t, t, 0); where the
+// differences are doubles of (t, u, v), for t + u + v.
 class PointsOfLine {
  public:
   explicit PointsOfLine(const LineLike& line)
@@ -29,6 +30,9 @@ class PointsOfLine {
       at_.linear[3 * k + 1] = rest;
       at_.linear[3 * k + 2] = 0;
       at_.translation[k] = a[k];
+      for (std::size_t c = 0; c < 3; ++c) at_sum_.linear[3 * k + c] = way;
+      at_sum_.translation[k] = a[k];
+      has_rest_ = has_rest_ || rest != 0;
       is_exact_ = is_exact_ && std::isfinite(way) && std::isfinite(rest);
     }
   }
@@ -38,6 +42,12 @@ class PointsOfLine {
   bool is_exact() const { return is_exact_; }
   const std::array<Point3, 2>& ends() const { return ends_; }
   Posed3 at(double t) const { return {{t, t, 0}, &at_, false}; }
+  // At the sum of the three; nothing where two of them are needed and differences are no doubles.
+  std::optional<Posed3> at(const Point3& sum) const {
+    if (sum.y == 0 && sum.z == 0) return at(sum.x);
+    if (has_rest_) return std::nullopt;
+    return Posed3{sum, &at_sum_, false};
+  }
 
   // A t up to which the line goes beyond a ball around a point; nothing where that is not known.
   std::optional<double> reach(const Point3& middle, double radius) const {
@@ -50,16 +60,23 @@ class PointsOfLine {
   }
 
  private:
-  bool is_line_, is_segment_, is_exact_ = true;
+  bool is_line_, is_segment_, is_exact_ = true, has_rest_ = false;
   std::array<Point3, 2> ends_{};
-  Affine3 at_{};
+  Affine3 at_{}, at_sum_{};
 };
 
-// A double strictly between the two, if there is one.
-std::optional<double> between(const ExactFraction& first, const ExactFraction& last) {
-  for (const double t : {middle(first, last).nearest(), std::nextafter(first.nearest(), last.nearest())}) {
-    const ExactFraction tried{Dyadic(t)};
-    if (std::isfinite(t) && first < tried && tried < last) return t;
+// A number strictly between the two, as a sum of few doubles, if there is one of three.
+std::optional<Point3> between(const ExactFraction& first, const ExactFraction& last) {
+  const ExactFraction at = middle(first, last);
+  Point3 sum;
+  Dyadic left = at.numerator, total;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum[k] = nearest_ratio(left, at.denominator);
+    if (!std::isfinite(sum[k])) return std::nullopt;
+    left = left - Dyadic(sum[k]) * at.denominator;
+    total = total + Dyadic(sum[k]);
+    const ExactFraction tried{total};
+    if (first < tried && tried < last) return sum;
   }
   return std::nullopt;
 }
@@ -122,9 +139,9 @@ class LineSearch {
     return answer_;
   }
 
-  bool is_inside(double t) {
+  bool is_inside(const Posed3& point) {
     if (!placed_.mesh().has_inside()) return false;
-    const MeshPoint found = mesh_point(placed_.mesh(), placed_.pose(), points_.at(t));
+    const MeshPoint found = mesh_point(placed_.mesh(), placed_.pose(), point);
     answer_.cost.probes += found.cost.probes;
     answer_.cost.exact += found.cost.exact;
     return found.place == MeshPlace::inside;
@@ -133,7 +150,7 @@ class LineSearch {
   // Hits in order, and what is between them.
   void find_parts() {
     const ExactFraction zero{Dyadic(0.0)}, one{Dyadic(1.0)};
-    if (!points_.is_line() && (hits_.empty() || zero < hits_.front().first) && is_inside(0)) {
+    if (!points_.is_line() && (hits_.empty() || zero < hits_.front().first) && is_inside(points_.at(0.0))) {
       parts_.push_back({zero, zero, {}, {}, true});
     }
     for (const LineHit& hit : hits_) {
@@ -162,8 +179,9 @@ class LineSearch {
   bool goes_on(LinePart& part, const ExactFraction& next) {
     if (!part.leaves) return true;
     const auto t = between(part.last, next);
-    if (t && points_.is_exact()) {
-      const bool is_in = is_inside(*t);
+    const auto point = t && points_.is_exact() ? points_.at(*t) : std::nullopt;
+    if (point) {
+      const bool is_in = is_inside(*point);
       part.is_through = part.is_through || is_in;
       return is_in;
     }

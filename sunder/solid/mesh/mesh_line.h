@@ -5,8 +5,9 @@
 // point a through its point b; so do the ray, from a on, and the segment, from a to b.
 //   L1. A *hit* is what a triangle has of the line: its points a + t (b - a), t from `first` to `last`, which are equal
 //       where the line goes across the triangle. Exact.
-//   L2. A *part* is an interval of t that is in the mesh; parts are disjoint, in order, and all that is. Where no double
-//       is between the ends of two hits, it is not looked into what is there: they are two parts, and is_next_near is set.
+//   L2. A *part* is an interval of t that is in the mesh; parts are disjoint, in order, and all that is. Where what is
+//       between the ends of two hits has no t of few doubles, it is not looked into: they are two parts, and is_next_near
+//       is set. (Of three; of one, where the differences of coordinates of a and b are no doubles.)
 #pragma once
 
 #include <sunder/base/error.h>
