@@ -2,7 +2,7 @@
 // Also called: double-double and quad-double arithmetic; floating-point expansions.
 #pragma once
 
-#include <sunder/number/vector.h>
+#include <sunder/number/dyadic.h>
 #include <sunder/predicate/point.h>
 #include <sunder/predicate/posed.h>
 
