@@ -26,12 +26,11 @@ class PartsAsMeshes {
   // Is no piece of either open?
   bool are_closed() const;
 
-  // Null: of the part that has a radius.
+  // Null if part a has a radius.
   const solid::Mesh* mesh_a() const { return mesh_a_; }
-  const solid::Mesh* mesh_b() const { return mesh_b_; }
   bool are_two() const { return mesh_a_ != nullptr && mesh_b_ != nullptr; }
 
-  // Where they are not two: the mesh, and the other part. Requires that.
+  // The mesh and the other part. Requires that exactly one part is a mesh.
   struct Beside {
     const solid::Mesh& mesh;
     const solid::Pose& pose;

@@ -299,7 +299,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   meshes.end_table();
   PairClaims pairs(file);
   const Numbers shapes = add_shapes(file, pairs, bodies, said);
-  // Of each part that a statement needs as a body, by placement, its number in the file.
+  // A statement may need a part as a body: this maps placement, body and part to the body's number in the file.
   std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);

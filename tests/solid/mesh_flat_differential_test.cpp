@@ -1,5 +1,6 @@
 // Meshes as they are, and lines, rays, segments and planes: down the tree against each triangle; what a line has in common with
 // a mesh against points on it; and each proof by its checker.
+#include <tests/support/mesh_proofs.h>
 #include <tests/support/mesh_soups.h>
 #include <tests/support/scale.h>
 
@@ -10,8 +11,6 @@
 #include <sunder/solid/mesh/mesh_line.h>
 #include <sunder/solid/mesh/mesh_plane.h>
 #include <sunder/solid/mesh/mesh_point.h>
-
-#include <verifier/cpp/verify.h>
 
 #include <gtest/gtest.h>
 
@@ -39,17 +38,12 @@ std::string proved_flat(const Mesh& mesh, const Pose& pose, const AddBody& add_b
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.add_origin({});
-  solid::MeshClaims meshes(file);
-  const std::uint32_t given = meshes.add_mesh("A", mesh);
-  const solid::StatedMesh stated{meshes.add_placed("placed A", given, pose), mesh, pose};
-  meshes.end_table();
+  const solid::StatedMesh stated = solid::add_table(file, {"A", mesh, pose});
   PairClaims pairs(file);
   const std::uint32_t body = add_body(pairs);
   state(pairs, stated, body);
   pairs.end();
-  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
-  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
-  return result.statements.size() == 1 ? result.statements[0].verdict : "";
+  return proved_verdicts(text);
 }
 
 LineLike some_line(Random& random, int i) {

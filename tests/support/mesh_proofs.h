@@ -18,6 +18,18 @@
 
 namespace sunder::tests {
 
+// Checks a whole file, and returns the verdicts of its statements, in their order.
+inline std::string proved_verdicts(const std::string& text) {
+  std::string verdicts;
+  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
+  for (const auto& statement : result.statements) {
+    EXPECT_EQ(statement.reason, "");
+    verdicts += (verdicts.empty() ? "" : " ") + statement.verdict;
+  }
+  return verdicts;
+}
+
 // Writes it, checks it, and returns the verdict that it states. tells_relation: that they overlap, where that is found.
 inline std::string proved_pair(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
                                const solid::Pose& pose_b, const solid::MeshAnswer& answer,
@@ -37,7 +49,7 @@ inline std::string proved_pair(const solid::Mesh& a, const solid::Pose& pose_a, 
 // The same of how far apart they are, and of whether that is `least`; which are stated as two, in this order.
 inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose_a, const solid::Mesh& b,
                                    const solid::Pose& pose_b, const solid::MeshDistance& distance, double least) {
-  std::string text, verdicts;
+  std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.add_origin({});
   solid::MeshClaims meshes(file);
@@ -48,13 +60,7 @@ inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose
   meshes.add_distance(stated_a, stated_b, distance);
   meshes.add_clearance(stated_a, stated_b, distance, least);
   file.end();
-  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
-  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
-  for (const auto& statement : result.statements) {
-    EXPECT_EQ(statement.reason, "");
-    verdicts += (verdicts.empty() ? "" : " ") + statement.verdict;
-  }
-  return verdicts;
+  return proved_verdicts(text);
 }
 
 // The same of a mesh and a body with a radius: whether they meet, and, where `least` is above 0, whether they are so far
@@ -62,25 +68,16 @@ inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose
 inline std::string proved_beside(const solid::Mesh& mesh, const solid::Pose& pose, const solid::PlacedRound& body,
                                  const solid::MeshRoundAnswer& met, double least = 0,
                                  const solid::MeshRoundAnswer& clearance = {}) {
-  std::string text, verdicts;
+  std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.add_origin({});
-  solid::MeshClaims meshes(file);
-  const std::uint32_t given = meshes.add_mesh("A", mesh);
-  const solid::StatedMesh stated{meshes.add_placed("placed A", given, pose), mesh, pose};
-  meshes.end_table();
+  const solid::StatedMesh stated = solid::add_table(file, {"A", mesh, pose});
   PairClaims pairs(file);
   const std::uint32_t index = add_round(pairs, "B", body);
   add_claims(pairs, stated, index, body, met.evidence);
   if (least > 0) add_clearance(pairs, stated, index, body, clearance.evidence, least);
   pairs.end();
-  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
-  EXPECT_TRUE(result.accepted()) << result.failed_form << result.error << "\n" << text.substr(0, 3000);
-  for (const auto& statement : result.statements) {
-    EXPECT_EQ(statement.reason, "");
-    verdicts += (verdicts.empty() ? "" : " ") + statement.verdict;
-  }
-  return verdicts;
+  return proved_verdicts(text);
 }
 
 }  // namespace sunder::tests

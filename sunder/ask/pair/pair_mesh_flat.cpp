@@ -32,14 +32,11 @@ class MeshFlatPair : public MeshQuestion {
   std::string certificate() const {
     return claims_text(origin(), [this](ClaimsWriter& file) {
       const PairObject &of_mesh = is_mesh_a_ ? a_ : b_, &of_flat = is_mesh_a_ ? b_ : a_;
-      solid::MeshClaims meshes(file);
-      const std::uint32_t given = meshes.add_mesh(of_mesh.name, mesh_, of_mesh.said);
-      const std::uint32_t placed = pose_.affine() == Affine3() ? given : meshes.add_placed(of_mesh.name, given, pose_);
-      meshes.end_table();
+      const solid::StatedMesh stated = solid::add_table(file, {of_mesh.name, mesh_, pose_, of_mesh.said});
       PairClaims pairs(file);
       file.say(of_flat.said);
       const std::uint32_t body = pairs.add_body(of_flat.name, of_flat.vertices, of_flat.ways);
-      state(pairs, {placed, mesh_, pose_}, body);
+      state(pairs, stated, body);
     });
   }
 
@@ -58,14 +55,13 @@ class MeshFlatPair : public MeshQuestion {
   const char* letter() const { return is_mesh_a_ ? "A" : "B"; }
   const char* other_letter() const { return is_mesh_a_ ? "B" : "A"; }
 
-  // Of parts of the mesh that are parted from the other one.
-  Fact told(const solid::PartsBeside& parts, const std::string& before = "") const {
+  // The evidence that the two are apart: planes between parts of the mesh and the other object.
+  Fact told(const solid::PartsBeside& parts) const {
     const std::size_t planes = parts.ends.size();
     return {"evidence",
             {{"planes", planes}, {"rays", parts.away.size()}},
-            before + (planes == 1
-                          ? fmt::format("a plane with {} on one side and {} on the other", letter(), other_letter())
-                          : fmt::format("{} planes, between parts of {} and {}", planes, letter(), other_letter()))};
+            planes == 1 ? fmt::format("a plane with {} on one side and {} on the other", letter(), other_letter())
+                        : fmt::format("{} planes, between parts of {} and {}", planes, letter(), other_letter())};
   }
 
   const solid::Mesh& mesh_;

@@ -64,14 +64,10 @@ class MeshRoundPair : public MeshQuestion {
     require_decided();
     return claims_text(origin(), [this](ClaimsWriter& file) {
       const PairObject &of_mesh = is_mesh_a_ ? a_ : b_, &of_round = is_mesh_a_ ? b_ : a_;
-      solid::MeshClaims meshes(file);
-      const std::uint32_t given = meshes.add_mesh(of_mesh.name, mesh_, of_mesh.said);
-      const std::uint32_t placed = pose_.affine() == Affine3() ? given : meshes.add_placed(of_mesh.name, given, pose_);
-      meshes.end_table();
+      const solid::StatedMesh stated = solid::add_table(file, {of_mesh.name, mesh_, pose_, of_mesh.said});
       PairClaims pairs(file);
       file.say(of_round.said);
       const std::uint32_t body = add_round(pairs, of_round.name, round_);
-      const solid::StatedMesh stated{placed, mesh_, pose_};
       add_claims(pairs, stated, body, round_, answer_.evidence);
       if (call.distance) state_distance(pairs, stated, body);
       if (least_ > 0) add_clearance(pairs, stated, body, round_, clearance_.evidence, least_);

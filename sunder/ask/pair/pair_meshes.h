@@ -27,7 +27,8 @@ class MeshQuestion : public PairQuestion {
   using PairQuestion::PairQuestion;
 
  protected:
-  // Of meshes that are apart, with so many open pieces, and not parted by one plane.
+  // Tells that what open pieces seem to enclose was not asked. Requires that the two are apart, and that no single plane
+  // parts them. open: the number of open pieces.
   void tell_what_is_not_enclosed(std::size_t open);
 };
 

@@ -111,7 +111,7 @@ bool meets_in_plane(const Spanned<Point>& t, const Point& p, const Point& q, Sta
   return false;
 }
 
-// Of the line through p and q, which is not in the plane of the triangle.
+// Does the line through p and q meet the triangle? Requires that the line is not in the triangle's plane.
 template <class Point>
 bool line_goes_through(const Point& p, const Point& q, const std::array<Point, 3>& t, StageTally* tally) {
   bool some_left = false, some_right = false;

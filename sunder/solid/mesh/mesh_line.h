@@ -1,4 +1,5 @@
-// Where does a line, a ray or a segment meet a mesh, as it is? All that they have in common, in order; the first hit.
+// Where does a line, a ray or a segment meet a mesh, as it is? The answer lists all common points in order, so it begins
+// with the first hit.
 // Also called: ray casting, ray-mesh intersection, ray shooting; entry and exit points; pick ray.
 //
 // The mesh is the solid that its closed pieces bound, and the surface of its open ones (mesh.h). The line runs from its

@@ -317,6 +317,11 @@ class Statement {
   const StatedMesh &a_, &b_;
 };
 
+StatedMesh add_named(MeshClaims& meshes, const NamedMesh& of) {
+  const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
+  return {of.pose.affine() == Affine3() ? mesh : meshes.add_placed(of.name, mesh, of.pose), of.mesh, of.pose};
+}
+
 }  // namespace
 
 void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
@@ -442,16 +447,18 @@ void MeshClaims::add_crossing(std::uint32_t index, const Mesh& mesh, const Cross
   file_.end_statement();
 }
 
+StatedMesh add_table(ClaimsWriter& file, const NamedMesh& of) {
+  MeshClaims meshes(file);
+  const StatedMesh stated = add_named(meshes, of);
+  meshes.end_table();
+  return stated;
+}
+
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
                 const MeshRelation* relation, const MeshMeasures& measures) {
   MeshClaims meshes(file);
-  const auto add = [&](const NamedMesh& of) {
-    const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
-    return of.pose.affine() == Affine3() ? mesh : meshes.add_placed(of.name, mesh, of.pose);
-  };
-  const std::uint32_t index_a = add(a), index_b = add(b);
+  const StatedMesh stated_a = add_named(meshes, a), stated_b = add_named(meshes, b);
   meshes.end_table();
-  const StatedMesh stated_a{index_a, a.mesh, a.pose}, stated_b{index_b, b.mesh, b.pose};
   meshes.add_pair(stated_a, stated_b, answer.evidence, relation);
   if (measures.tells_distance) meshes.add_distance(stated_a, stated_b, *measures.distance);
   if (measures.least > 0) meshes.add_clearance(stated_a, stated_b, *measures.distance, measures.least);

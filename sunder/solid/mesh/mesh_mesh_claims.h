@@ -80,6 +80,9 @@ class MeshClaims {
   std::uint32_t count_ = 0;
 };
 
+// Writes the table of one mesh, and where it is placed. What is stated of it and of bodies comes behind their table.
+StatedMesh add_table(ClaimsWriter& file, const NamedMesh& of);
+
 // What is stated besides whether they meet: how far apart they are, and whether that is `least`, where it is not 0.
 struct MeshMeasures {
   const MeshDistance* distance = nullptr;  // not needed where neither is stated

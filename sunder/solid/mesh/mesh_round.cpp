@@ -171,7 +171,7 @@ class NearestTriangle {
   MeshRoundDistance answer_;
 };
 
-// Where they meet, or it is not known whether they do.
+// The distance 0, if the two meet. Nothing, if they are apart or undecided.
 std::optional<MeshRoundDistance> known_distance(const MeshRoundAnswer& met) {
   if (!met.meet()) return std::nullopt;
   MeshRoundDistance none;
