@@ -46,6 +46,16 @@ std::string proved_flat(const Mesh& mesh, const Pose& pose, const AddBody& add_b
   return proved_verdicts(text);
 }
 
+std::string proved_plane(const Mesh& mesh, const Pose& pose, const solid::Plane& plane, const MeshPlane& found) {
+  const auto in_file = solid::body_of(plane);
+  if (!in_file.has_value()) return "the plane has no points";
+  return proved_flat(
+      mesh, pose, [&](PairClaims& pairs) { return pairs.add_body("plane", in_file->points, in_file->ways); },
+      [&](PairClaims& pairs, const solid::StatedMesh& stated, std::uint32_t body) {
+        add_claims(pairs, stated, body, plane, *in_file, found);
+      });
+}
+
 LineLike some_line(Random& random, int i) {
   const auto whole = [&] { return static_cast<double>(random.between(-5, 5)); };
   const Point3 a{whole(), whole(), whole()};
@@ -165,18 +175,23 @@ TEST(MeshFlatDifferential, Planes) {
     } else {
       ++seen[3];
     }
-    const auto in_file = solid::body_of(plane);
-    ASSERT_TRUE(in_file.has_value());
-    EXPECT_EQ(
-        proved_flat(
-            mesh, pose, [&](PairClaims& pairs) { return pairs.add_body("plane", in_file->points, in_file->ways); },
-            [&](PairClaims& pairs, const solid::StatedMesh& stated, std::uint32_t body) {
-              add_claims(pairs, stated, body, plane, *in_file, found);
-            }),
-        found.meet() ? "meet" : "apart")
-        << i;
+    EXPECT_EQ(proved_plane(mesh, pose, plane, found), found.meet() ? "meet" : "apart") << i;
   }
   for (const int n : seen) EXPECT_GE(n, times / 100);
+}
+
+// A sheet has no triangle across the plane that it lies in.
+TEST(MeshFlatDifferential, SheetInThePlane) {
+  Soup sheet;
+  sheet.points = {{0, 0, 2}, {4, 0, 2}, {4, 4, 2}, {0, 4, 2}};
+  sheet.add_face({0, 1, 2, 3});
+  const Mesh mesh = sheet.mesh();
+  for (const double z : {1.0, 2.0, 3.0}) {
+    const solid::Plane plane = solid::Plane::through({1, 1, z}, {0, 0, 1});
+    const MeshPlane found = mesh_plane(mesh, Pose(), plane);
+    EXPECT_EQ(found.meet(), z == 2.0) << z;
+    EXPECT_EQ(proved_plane(mesh, Pose(), plane, found), z == 2.0 ? "meet" : "apart") << z;
+  }
 }
 
 }  // namespace
