@@ -28,7 +28,7 @@ std::vector<Sign> sides_of_plane(const Mesh& mesh, const Pose& pose, const Plane
   StageTally tally;
   std::vector<Sign> result;
   for (const Point3& p : mesh.points()) result.push_back(side_of(p, &tally));
-  if (exact != nullptr) *exact = static_cast<std::uint32_t>(tally.exact);
+  if (exact != nullptr) *exact = tally.exact;
   return result;
 }
 
