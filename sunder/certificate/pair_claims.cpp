@@ -2,6 +2,7 @@
 #include <sunder/certificate/direction.h>
 #include <sunder/certificate/pair_claims.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sunder {
@@ -208,6 +209,17 @@ void PairClaims::begin_members(const char* question, const AllPairs& pairs) {
   file_.begin_statement(question);
   file_.indices("members", pairs.members);
   file_.indices("groups", pairs.groups);
+  const auto is_mesh = [](const auto& mesh) { return mesh.has_value(); };
+  if (std::none_of(pairs.as_meshes.begin(), pairs.as_meshes.end(), is_mesh)) return;
+  file_.begin_list("as_meshes");
+  for (const auto& mesh : pairs.as_meshes) {
+    if (mesh) {
+      file_.add_index(*mesh);
+    } else {
+      file_.add_null();
+    }
+  }
+  file_.end_list();
 }
 
 void PairClaims::add_all_pairs(const AllPairs& pairs) {

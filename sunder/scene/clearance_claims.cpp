@@ -50,11 +50,11 @@ class AskedParts {
     return apart_by_boxes(boxes_[i], boxes_[j], least);
   }
 
-  // Are their hulls closer than that, and meshes to be asked about?
-  bool are_of_meshes(std::uint32_t i, std::uint32_t j, double least) const {
-    if (axis_between(i, j, least) || !PartsAsMeshes::of(part(i), part(j))) return false;
+  // Are their hulls that far apart, or further?
+  bool are_kept_by_hulls(std::uint32_t i, std::uint32_t j, double least) const {
+    if (axis_between(i, j, least)) return true;
     const solid::PlacedRound a(part(i).shape, part(i).pose), b(part(j).shape, part(j).pose);
-    return !solid::is_kept(round_clearance(a, b, least));
+    return solid::is_kept(round_clearance(a, b, least));
   }
 
  private:
@@ -64,13 +64,35 @@ class AskedParts {
   MemberPairs asked_, besides_;
 };
 
-enum class Stated : std::uint8_t { no, of_bodies, of_meshes };
+// alone: the statement is not one of those that tell what is said of all pairs.
+enum class Stated : std::uint8_t { no, told, alone };
+
+// Of these pairs, those that are stated as meshes (clearance_claims.h). least(i, j): of members; 0: nothing is asked.
+template <class Least>
+std::vector<TwoParts> closer_as_meshes(const AskedParts& parts, std::span<const Body> bodies, const Least& least) {
+  std::vector<TwoParts> stated, others;
+  for (const auto& [i, j] : parts.asked()) {
+    const double c = least(i, j);
+    if (c == 0 || parts.are_kept_by_hulls(i, j, c)) continue;
+    if (PartsAsMeshes::of(parts.part(i), parts.part(j))) {
+      stated.push_back(parts.parts(i, j));
+    } else if (parts.part(i).mesh == nullptr && parts.part(j).mesh == nullptr) {
+      others.push_back(parts.parts(i, j));
+    }
+  }
+  return spread(std::move(stated), others, bodies);
+}
 
 class ClearanceClaims {
  public:
+  // as_meshes: the pairs that are stated so.
   ClearanceClaims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
-                  const std::vector<BodyPair>& allowed, const StateOfMeshes& of_meshes)
-      : claims_(claims), parts_(bodies, allowed), of_meshes_(of_meshes) {
+                  const std::vector<BodyPair>& allowed, const std::vector<TwoParts>& as_meshes,
+                  const StateOfMeshes& of_meshes)
+      : claims_(claims),
+        parts_(bodies, allowed),
+        as_meshes_(as_meshes.begin(), as_meshes.end()),
+        of_meshes_(of_meshes) {
     for (std::uint32_t b = 0; b < bodies.size(); ++b) {
       first_.push_back(static_cast<std::uint32_t>(all_.members.size()));
       all_.members.insert(all_.members.end(), numbers[b].begin(), numbers[b].end());
@@ -84,22 +106,31 @@ class ClearanceClaims {
   std::uint32_t body(std::uint32_t member) const { return parts_.body(member); }
   std::uint32_t member(std::uint32_t body, std::uint32_t part) const { return first_[body] + part; }
 
-  // Whether they are `least` apart, or more. `no`, and nothing is stated, where that is undecided and cannot be told
-  // from the bounds of their distance either.
-  Stated state(std::uint32_t i, std::uint32_t j, double least) {
+  // Whether they are `least` apart, or more; told: what the statement about all such pairs has from those about meshes.
+  // `no`, and nothing is stated, where that is undecided and cannot be told from the bounds of their distance either.
+  Stated state(std::uint32_t i, std::uint32_t j, double least, ToldAsMeshes& told) {
     const std::uint32_t of_i = all_.members[i], of_j = all_.members[j];
     if (const auto apart = parts_.axis_between(i, j, least)) {
       std::array<Dyadic, 3> direction{};
       direction[apart->axis] = Dyadic(apart->a_is_lower ? 1.0 : -1.0);
       claims_.add_clearance(of_i, of_j, least, direction);
-      return Stated::of_bodies;
+      return Stated::told;
     }
-    if (parts_.are_of_meshes(i, j, least)) {
-      if (PartsAsMeshes::of(parts_.part(i), parts_.part(j))->clearance(least) == Verdict::undecided) return Stated::no;
-      of_meshes_(parts_.parts(i, j), least);
-      return Stated::of_meshes;
+    if (const TwoParts pair = parts_.parts(i, j); as_meshes_.contains(pair)) {
+      const auto meshes = PartsAsMeshes::of_any(parts_.part(i), parts_.part(j));
+      if (!meshes || meshes->clearance(least) == Verdict::undecided) return Stated::no;
+      of_meshes_(told, pair, least);
+      return told.is_told(pair) == true ? Stated::told : Stated::alone;
     }
-    return add_claims(claims_, of_i, parts_.part(i), of_j, parts_.part(j), least) ? Stated::of_bodies : Stated::no;
+    return add_claims(claims_, of_i, parts_.part(i), of_j, parts_.part(j), least) ? Stated::told : Stated::no;
+  }
+
+  // The meshes that members stand for: of all of them, or of those of some bodies.
+  void name_meshes(AllPairs& pairs, const ToldAsMeshes& told, const BodyPair* of = nullptr) const {
+    for (std::uint32_t i = 0; i < parts_.count(); ++i) {
+      if (of != nullptr && body(i) != (*of)[0] && body(i) != (*of)[1]) continue;
+      pairs.as_meshes.push_back(told.mesh(body(i), i - first_[body(i)]));
+    }
   }
 
   // Where only these bodies are spoken of, which are asked about.
@@ -116,6 +147,7 @@ class ClearanceClaims {
  private:
   PairClaims& claims_;
   AskedParts parts_;
+  std::set<TwoParts> as_meshes_;
   const StateOfMeshes& of_meshes_;
   AllPairs all_;
   std::vector<std::uint32_t> first_;  // of each body, where its parts begin
@@ -132,7 +164,7 @@ std::map<BodyPair, double> own_margins(const ClearanceQuestion& question) {
 
 // Adds that a pair, which was stated so or not, is left out of what is said of all pairs.
 void add_reason(PairReasons& reasons, Stated stated) {
-  if (stated == Stated::of_meshes) reasons.add("meshes as they are, in a statement of their own", 1);
+  if (stated == Stated::alone) reasons.add("meshes as they are, in a statement of their own", 1);
   if (stated == Stated::no) reasons.add("undecided", 1);
 }
 
@@ -141,25 +173,19 @@ void add_reason(PairReasons& reasons, Stated stated) {
 std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies, const ClearanceQuestion& question) {
   const AskedParts parts(bodies, question.allowed);
   const Margins margins(question);
-  std::vector<TwoParts> result;
-  for (const auto& [i, j] : parts.asked()) {
-    const double least = margins.of(parts.body(i), parts.body(j));
-    if (least > 0 && parts.are_of_meshes(i, j, least)) result.push_back(parts.parts(i, j));
-  }
-  return result;
+  return closer_as_meshes(parts, bodies,
+                          [&](std::uint32_t i, std::uint32_t j) { return margins.of(parts.body(i), parts.body(j)); });
 }
 
 std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies, const std::vector<BodyPair>& allowed,
                                       const PartDistance& nearest) {
   std::vector<TwoParts> result;
   if (nearest.meet()) return result;
-  if (is_of_meshes(nearest, bodies)) result.push_back(TwoParts::of(nearest));
-  const AskedParts parts(bodies, allowed);
-  for (const auto& [i, j] : parts.asked()) {
-    if (nearest.distance.low > 0 && parts.are_of_meshes(i, j, nearest.distance.low)) {
-      result.push_back(parts.parts(i, j));
-    }
+  if (nearest.distance.low > 0) {
+    result = closer_as_meshes(AskedParts(bodies, allowed), bodies,
+                              [&](std::uint32_t, std::uint32_t) { return nearest.distance.low; });
   }
+  if (is_of_meshes(nearest, bodies)) result.push_back(TwoParts::of(nearest));
   return result;
 }
 
@@ -175,7 +201,7 @@ bool add_claims(PairClaims& claims, std::uint32_t of_a, const Part& a, std::uint
 void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumbers& numbers,
                 const ClearanceQuestion& question, const ClearanceAnswer& answer, const StateOfMeshes& of_meshes,
                 const NotePairs& note) {
-  ClearanceClaims scene(claims, bodies, numbers, question.allowed, of_meshes);
+  ClearanceClaims scene(claims, bodies, numbers, question.allowed, pairs_as_meshes(bodies, question), of_meshes);
   const std::map<BodyPair, double> margins = own_margins(question);
   const auto members_of = [&](const std::vector<CloserParts>& list) {
     std::set<std::array<std::uint32_t, 2>> pairs;
@@ -188,8 +214,10 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
 
   AllPairs all = scene.all();
   PairReasons others;
+  ToldAsMeshes told;
   std::map<BodyPair, AllPairs> own;
   std::map<BodyPair, PairReasons> own_reasons;
+  std::map<BodyPair, ToldAsMeshes> own_told;
   for (const auto& pair : scene.asked()) {
     const auto [i, j] = pair;
     const BodyPair of{scene.body(i), scene.body(j)};
@@ -197,9 +225,9 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
     const bool is_own = margin != margins.end();
     const double least = is_own ? margin->second : question.least;
     const Stated stated = undecided.contains(pair) ? Stated::no
-                          : least == 0             ? Stated::of_bodies
-                                                   : scene.state(i, j, least);
-    const bool is_told = stated == Stated::of_bodies;
+                          : least == 0             ? Stated::told
+                                                   : scene.state(i, j, least, is_own ? own_told[of] : told);
+    const bool is_told = stated == Stated::told;
     if (is_own || !is_told) all.besides.push_back(pair);
     if (!is_own) {
       add_reason(others, stated);
@@ -220,10 +248,12 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
   }
   std::sort(all.besides.begin(), all.besides.end());
   if (question.least > 0) {
+    scene.name_meshes(all, told);
     note(true, others);
     claims.add_all_clearances(all, question.least);
   }
-  for (const auto& [of, pairs] : own) {
+  for (auto& [of, pairs] : own) {
+    scene.name_meshes(pairs, own_told[of], &of);
     note(false, own_reasons[of]);
     claims.add_all_clearances(pairs, margins.at(of));
   }
@@ -233,21 +263,23 @@ void add_claims(PairClaims& claims, std::span<const Body> bodies, const PartNumb
                 const std::vector<BodyPair>& allowed, const PartDistance& nearest, const StateOfMeshes& of_meshes,
                 const NotePairs& note) {
   if (nearest.meet()) return;
-  ClearanceClaims scene(claims, bodies, numbers, allowed, of_meshes);
+  ToldAsMeshes told;
+  ClearanceClaims scene(claims, bodies, numbers, allowed, pairs_as_meshes(bodies, allowed, nearest), of_meshes);
   if (const double low = nearest.distance.low; low > 0) {
     AllPairs all = scene.all();
     PairReasons others;
     for (const auto& [i, j] : scene.asked()) {
-      const Stated stated = scene.state(i, j, low);
-      if (stated == Stated::of_bodies) continue;
+      const Stated stated = scene.state(i, j, low, told);
+      if (stated == Stated::told) continue;
       all.besides.push_back({i, j});
       add_reason(others, stated);
     }
     std::sort(all.besides.begin(), all.besides.end());
+    scene.name_meshes(all, told);
     note(true, others);
     claims.add_all_clearances(all, low);
   }
-  if (is_of_meshes(nearest, bodies)) return of_meshes(TwoParts::of(nearest), {});
+  if (is_of_meshes(nearest, bodies)) return of_meshes(told, TwoParts::of(nearest), {});
   const std::uint32_t of_a = numbers[nearest.body_a][nearest.part_a], of_b = numbers[nearest.body_b][nearest.part_b];
   add_distance(claims, of_a, of_b, nearest.evidence);
 }

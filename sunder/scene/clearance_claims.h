@@ -22,10 +22,12 @@ using PartNumbers = std::vector<std::vector<std::uint32_t>>;
 // `others`: why pairs are not asked about, but for those that are allowed.
 using NotePairs = std::function<void(bool is_of_scene, const PairReasons& others)>;
 
-// States of two parts, as meshes: whether they are `least` apart, or more; without a number, how far they are.
-using StateOfMeshes = std::function<void(const TwoParts& pair, std::optional<double> least)>;
+// States of two parts, as meshes: whether they are `least` apart, or more; without a number, how far they are. Tells what
+// the statement about all pairs has from that.
+using StateOfMeshes = std::function<void(ToldAsMeshes& told, const TwoParts& pair, std::optional<double> least)>;
 
-// The pairs of which the functions below state something as meshes: those whose hulls are too close.
+// The pairs of which the functions below state something as meshes: those whose hulls are too close, and of these and two
+// convex ones those of which one stands for a mesh in another pair.
 std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies, const ClearanceQuestion& question);
 std::vector<TwoParts> pairs_as_meshes(std::span<const Body> bodies,
                                       const std::vector<std::array<std::uint32_t, 2>>& allowed,

@@ -23,8 +23,12 @@ bool can_be_placed(const Part& part, const solid::Mesh* mesh) {
 }  // namespace
 
 std::optional<PartsAsMeshes> PartsAsMeshes::of(const Part& a, const Part& b) {
-  if (a.mesh == nullptr && b.mesh == nullptr) return std::nullopt;
+  return a.mesh != nullptr || b.mesh != nullptr ? of_any(a, b) : std::nullopt;
+}
+
+std::optional<PartsAsMeshes> PartsAsMeshes::of_any(const Part& a, const Part& b) {
   const solid::Mesh *mesh_a = mesh_of(a), *mesh_b = mesh_of(b);
+  if (mesh_a == nullptr && mesh_b == nullptr) return std::nullopt;
   if (!can_be_placed(a, mesh_a) || !can_be_placed(b, mesh_b)) return std::nullopt;
   return PartsAsMeshes(a, b, mesh_a, mesh_b);
 }

@@ -13,6 +13,9 @@ class PartsAsMeshes {
   // Nothing where both are convex, or one cannot be placed so (mesh_mesh.h). Keeps references to both.
   static std::optional<PartsAsMeshes> of(const Part& a, const Part& b);
 
+  // Also where both are convex, of which one stands for its surface. Nothing where both have a radius.
+  static std::optional<PartsAsMeshes> of_any(const Part& a, const Part& b);
+
   PairAsMeshes ask() const;
   // How two meshes lie to each other, as that answer says whether they meet. Of others nothing is found.
   solid::MeshRelation relation(const PairAsMeshes& met) const;

@@ -1,12 +1,14 @@
 #include <sunder/certificate/pair_claims.h>
 #include <sunder/scene/clearance_claims.h>
 #include <sunder/scene/pair_reasons.h>
+#include <sunder/scene/parts_as_meshes.h>
 #include <sunder/scene/scene_claims.h>
 #include <sunder/scene/scene_meshes.h>
 #include <sunder/solid/round/round_claims.h>
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -31,8 +33,7 @@ Numbers numbers_of(std::span<const Body> bodies, const Add& add) {
   return numbers;
 }
 
-// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs. (So
-// is a pair that was decided as meshes, which has a statement of another kind.)
+// Is the statement of the pair none that says whether it counts? Then it is left out of what is said of all pairs.
 bool is_open(const PartPair& pair, const Question& question) {
   return pair.undecided() || (question.touching_allowed && pair.meet() && pair.relation == Relation::none);
 }
@@ -67,15 +68,17 @@ class NotesOfPlacement {
   PairReasons allowed_;
 };
 
-// What was asked about, and what counts, by parts of bodies one after the other; others: why pairs besides the allowed
-// are left out.
-AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, PairReasons& others) {
+// What was asked about, and what counts, by parts of bodies one after the other; told: as meshes; others: why pairs
+// besides the allowed are left out.
+AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers& numbers, const ToldAsMeshes& told,
+                   PairReasons& others) {
   AllPairs result;
   std::vector<std::uint32_t> first;  // of each body, where its parts begin
   for (std::uint32_t b = 0; b < numbers.size(); ++b) {
     first.push_back(static_cast<std::uint32_t>(result.members.size()));
     result.members.insert(result.members.end(), numbers[b].begin(), numbers[b].end());
     result.groups.insert(result.groups.end(), numbers[b].size(), b);
+    for (std::uint32_t p = 0; p < numbers[b].size(); ++p) result.as_meshes.push_back(told.mesh(b, p));
   }
   result.touching_allowed = question.touching_allowed;
   std::set<std::array<std::uint32_t, 2>> allowed;
@@ -90,9 +93,12 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
-    if (pair.meshes || is_open(pair, question)) {
-      const bool is_stated = pair.meshes && !pair.undecided();
-      others.add(is_stated ? "meshes as they are, in a statement of their own" : "undecided", 1);
+    // A pair that two statements are about is told by that about bodies, if none of the two stands for a mesh.
+    const auto as_meshes = told.is_told(TwoParts::of(pair));
+    const bool is_of_bodies = !pair.meshes && !result.as_meshes[members[0]] && !result.as_meshes[members[1]];
+    const bool is_alone = as_meshes == false && !is_of_bodies;
+    if (is_alone || is_open(pair, question)) {
+      others.add(is_alone ? "meshes as they are, in a statement of their own" : "undecided", 1);
       result.besides.push_back(members);
     } else if (pair.counts) {
       result.contacts.push_back(members);
@@ -105,9 +111,9 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
 
 // The statement about all pairs of a placement, with what is said of it.
 void add_all_pairs(PairClaims& pairs, const Answer& answer, const Question& question, const Numbers& numbers,
-                   const NotesOfPlacement& note) {
+                   const ToldAsMeshes& told, const NotesOfPlacement& note) {
   PairReasons others;
-  const AllPairs all = all_pairs(answer, question, numbers, others);
+  const AllPairs all = all_pairs(answer, question, numbers, told, others);
   note(true, others);
   pairs.add_all_pairs(all);
 }
@@ -146,37 +152,51 @@ struct MeshesOfPlacement {
   std::string prefix;
 
   // Their meshes, for the table.
-  void add(std::span<const PartPair> pairs) const {
-    for (const PartPair& pair : pairs) {
-      if (pair.meshes) add(TwoParts::of(pair));
-    }
-  }
   void add(std::span<const TwoParts> pairs) const {
     for (const TwoParts& pair : pairs) add(pair);
   }
   void add(const TwoParts& pair) const { meshes.add(placement, prefix, placed, pair); }
 
   StateOfMeshes states(const BodiesOfFile& bodies, const SaidOfScene& said) const {
-    return [*this, bodies, &said](const TwoParts& pair, std::optional<double> least) {
+    return [*this, bodies, &said](ToldAsMeshes& told, const TwoParts& pair, std::optional<double> least) {
       note_joints(bodies, said);
       if (least) {
         meshes.add_clearance(bodies, placement, placed, pair, *least);
+        meshes.tell(told, placement, placed, pair, true);
       } else {
         meshes.add_distance(bodies, placement, placed, pair);
       }
     };
   }
 
-  // Statements about the pairs that were decided as meshes.
-  void state(const BodiesOfFile& bodies, std::span<const PartPair> pairs, const SaidOfScene& said) const {
-    for (const PartPair& pair : pairs) {
-      if (!pair.meshes || pair.undecided()) continue;
-      note_joints(bodies, said);
-      meshes.add_pair(bodies, placement, placed, pair);
+  // Statements about these pairs of an answer (scene_meshes.h), and what they tell.
+  ToldAsMeshes state(const BodiesOfFile& bodies, std::span<const PartPair> answers, const std::vector<TwoParts>& pairs,
+                     const Question& question, const SaidOfScene& said) const {
+    ToldAsMeshes told;
+    const std::set<TwoParts> stated(pairs.begin(), pairs.end());
+    for (const PartPair& pair : answers) {
+      const TwoParts two = TwoParts::of(pair);
+      if (!stated.contains(two)) continue;
+      const auto as_meshes = pair.meshes ? pair.meshes : asked(two, question.contacts || question.touching_allowed);
+      const bool is_told = as_meshes && meshes.add_pair(bodies, placement, placed, two, *as_meshes,
+                                                        question.touching_allowed, [&] { note_joints(bodies, said); });
+      meshes.tell(told, placement, placed, two, is_told);
     }
+    return told;
   }
 
  private:
+  // Two convex parts that meet, as meshes. Null where that cannot be asked.
+  std::shared_ptr<const PairAsMeshes> asked(const TwoParts& pair, bool with_relation) const {
+    const auto parts =
+        PartsAsMeshes::of_any(placed[pair.body_a].parts[pair.part_a], placed[pair.body_b].parts[pair.part_b]);
+    if (!parts) return nullptr;
+    PairAsMeshes result = parts->ask();
+    if (result.verdict() == Verdict::undecided) return nullptr;
+    if (with_relation) result.relation = parts->relation(result);
+    return std::make_shared<const PairAsMeshes>(std::move(result));
+  }
+
   void note_joints(const BodiesOfFile& bodies, const SaidOfScene& said) const {
     bodies.claims.go_to_statements();
     if (const auto joints = said.joints_of(placement)) bodies.claims.file().note(*joints);
@@ -243,7 +263,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const Placement& placed = placements[k];
     const MeshesOfPlacement here{meshes, k, placed.bodies, prefix_of(placed)};
-    here.add(placed.answer.pairs);
+    here.add(pairs_as_meshes(placed.bodies, placed.answer));
     if (placed.clearance) here.add(pairs_as_meshes(placed.bodies, clearance));
     if (placed.nearest) here.add(pairs_as_meshes(placed.bodies, question.allowed, *placed.nearest));
   }
@@ -257,6 +277,7 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
       return add_placed(pairs, prefix, shapes[b][p], placed.bodies[b], p);
     }));
   }
+  meshes.add_around(bodies_of(pairs, shapes), bodies);
   for (std::size_t k = 0; k < placements.size(); ++k) {
     const std::span<const Body> placed = placements[k].bodies;
     const Answer& answer = placements[k].answer;
@@ -266,9 +287,9 @@ void write_certificate(std::span<const Placement> placements, const Question& qu
     }
     const MeshesOfPlacement here{meshes, k, placed, {}};
     const BodiesOfFile in_file = bodies_of(pairs, numbers[k]);
-    here.state(in_file, answer.pairs, said);
+    const ToldAsMeshes told = here.state(in_file, answer.pairs, pairs_as_meshes(placed, answer), question, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
-    add_all_pairs(pairs, answer, question, numbers[k], note);
+    add_all_pairs(pairs, answer, question, numbers[k], told, note);
     const StateOfMeshes of_meshes = here.states(in_file, said);
     if (placements[k].clearance) {
       add_claims(pairs, placed, numbers[k], clearance, *placements[k].clearance, of_meshes, note);
@@ -291,7 +312,7 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     const MeshesOfPlacement here{meshes, k, placed.bodies, placed.title + ": "};
-    here.add(placed.pairs);
+    here.add(decided_as_meshes(placed.pairs));
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_of_meshes) here.add(TwoParts::of(pair));
     }
@@ -330,11 +351,12 @@ void write_meeting_certificate(std::span<const Body> bodies, std::size_t count,
       add_pair_claims(pairs, placed.bodies, pair, in_file.number_of(pair.body_a, pair.part_a),
                       in_file.number_of(pair.body_b, pair.part_b));
     }
-    here.state(in_file, placed.pairs, said);
+    here.state(in_file, placed.pairs, decided_as_meshes(placed.pairs), question, said);
+    ToldAsMeshes untold;  // no statement is about all pairs
     for (const CloserPair& pair : placed.closer) {
       if (pair.is_undecided) continue;
       if (pair.is_of_meshes) {
-        here.states(in_file, said)(TwoParts::of(pair), pair.least);
+        here.states(in_file, said)(untold, TwoParts::of(pair), pair.least);
         continue;
       }
       if (const auto joints = said.joints_of(k)) file.note(*joints);
@@ -362,7 +384,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     const MeshesOfPlacement here{meshes, k, placed.bodies, placed.title + ": "};
-    here.add(meeting_pairs(placed.bodies, of_all).pairs);
+    here.add(pairs_as_meshes(placed.bodies, meeting_pairs(placed.bodies, of_all)));
     if (clearance != nullptr) here.add(pairs_as_meshes(placed.bodies, *clearance));
   }
   meshes.end_table();
@@ -375,6 +397,7 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
       return add_placed(pairs, placed.title + ": ", shapes[b][p], placed.bodies[b], p);
     }));
   }
+  meshes.add_around(bodies_of(pairs, shapes), bodies);
   for (std::size_t k = 0; k < count; ++k) {
     const MeetingPlacement placed = placement(k);
     const Answer answer = meeting_pairs(placed.bodies, of_all);
@@ -385,9 +408,9 @@ void write_whole_certificate(std::span<const Body> bodies, std::size_t count,
     }
     const MeshesOfPlacement here{meshes, k, placed.bodies, {}};
     const BodiesOfFile in_file = bodies_of(pairs, numbers[k]);
-    here.state(in_file, answer.pairs, said);
+    const ToldAsMeshes told = here.state(in_file, answer.pairs, pairs_as_meshes(placed.bodies, answer), question, said);
     const NotesOfPlacement note(file, question, numbers[k], said, k);
-    add_all_pairs(pairs, answer, question, numbers[k], note);
+    add_all_pairs(pairs, answer, question, numbers[k], told, note);
     if (clearance != nullptr) {
       add_claims(pairs, placed.bodies, numbers[k], *clearance, closer_pairs(placed.bodies, *clearance),
                  here.states(in_file, said), note);

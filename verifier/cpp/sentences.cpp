@@ -119,6 +119,15 @@ std::string facets_text(const Json& facets) {
          std::to_string(facets[0][0].size()) + " corners";
 }
 
+// Of members, how many of them are meshes.
+std::string meshes_text(const Json& item) {
+  if (!item.contains("as_meshes")) return "";
+  std::size_t count = 0;
+  for (const Json& entry : item["as_meshes"]) count += entry.is_null() ? 0u : 1u;
+  if (count == 0) return "";
+  return ", of which " + std::to_string(count) + (count == 1 ? " is a mesh," : " are meshes,");
+}
+
 std::string rules_text(const Json& item) {
   std::string text;
   if (item.contains("allowed") && item["allowed"].text() != "nothing")
@@ -205,7 +214,7 @@ std::string sentence_of(const Json& item, const std::string& text, const Thing& 
   const std::string verdict(item["verdict"].text());
   if (item.contains("members")) size = item["members"].size();
   Words words{{"a", a.title}, {"b", b.title}, {"region", region_text(item, verdict)}};
-  words["all"] = counted(size, found(ones, table));
+  words["all"] = counted(size, found(ones, table)) + meshes_text(item);
   for (const auto& [key, value] : item.members()) {
     const std::string name(key);
     if (name == "claims" || name == "said" || name == "points" || words.contains(name)) continue;

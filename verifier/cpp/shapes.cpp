@@ -1,3 +1,4 @@
+#include <verifier/cpp/linear.h>
 #include <verifier/cpp/rules.h>
 #include <verifier/cpp/shapes.h>
 
@@ -180,19 +181,68 @@ bool is_plain(const HullBody& body) { return !body.is_round(); }
 bool is_bounded(const HullBody& body) { return is_plain(body) && body.count == body.rows().size(); }
 bool is_without_ways(const HullBody& body) { return body.dimension() <= 3 && body.count == body.rows().size(); }
 
-// Is it the same body, placed by the same matrix?
-bool is_moved(const HullBody& begin, const HullBody& end) {
-  if (begin.base != end.base) return false;
-  const std::size_t d = begin.dimension();
+// Are both placed by one matrix?
+bool are_turned_alike(const HullBody& one, const HullBody& other) {
+  const std::size_t d = one.dimension();
   for (std::size_t k = 0; k < d * d; ++k) {
     const Integer here = k % (d + 1) == 0 ? 1 : 0;
     const auto entry = [&](const HullBody& body) {
       return body.is_image() ? Number{body.linear.rows[0][k], 1, body.linear.e} : Number{here, 1, 0};
     };
-    const Integers both = common({entry(begin), entry(end)}).integers;
-    if (both[0] != both[1]) return false;
+    if (!are_equal(entry(one), entry(other))) return false;
   }
   return true;
+}
+
+// And to one place?
+bool are_placed_alike(const HullBody& one, const HullBody& other) {
+  for (std::size_t k = 0; k < one.dimension(); ++k) {
+    const auto entry = [&](const HullBody& body) {
+      return body.is_image() ? Number{body.translation.rows[0][k], 1, body.translation.e} : Number{0, 1, 0};
+    };
+    if (!are_equal(entry(one), entry(other))) return false;
+  }
+  return are_turned_alike(one, other);
+}
+
+// Is it the same body, placed by the same matrix?
+bool is_moved(const HullBody& begin, const HullBody& end) {
+  return begin.base == end.base && are_turned_alike(begin, end);
+}
+
+bool is_of_points_in_space(const HullBody& body) {
+  return body.count == body.rows().size() && !body.is_round() && body.dimension() == 3;
+}
+
+// For each member null, or a mesh that is placed as it is.
+Value read_meshes_of(const Told& t) {
+  const auto& members = as<Indices>(of(t));
+  const std::vector<MeshBody>& meshes = t.tables.meshes;
+  const std::string where = t.where + " entry";
+  MeshMembers result;
+  for (const Json& entry : list_for_each(t, members.size())) {
+    const HullBody& body = t.tables.bodies[members[result.size()]];
+    result.emplace_back();
+    if (entry.is_null()) continue;
+    const std::size_t mesh = read_index(entry, meshes.size(), where);
+    if (!is_of_points_in_space(body) || !are_placed_alike(body, meshes[mesh])) {
+      refuse_form(where + " is not placed as its member");
+    }
+    result.back() = {true, mesh, meshes[mesh].base, body.base};
+  }
+  return result;
+}
+
+// Lists of one, three or four points.
+Value read_holders_of(const Told& t) {
+  return each(t.value, t.where, [&](const Json& entry, const std::string& where) {
+    Indices holder = read_indices(entry, count_in(t), where);
+    const std::size_t n = holder.size();
+    if ((n != 1 && n != 3 && n != 4) || !is_each_once(holder)) {
+      refuse_form(where + " is not of one, three or four points, each once");
+    }
+    return holder;
+  });
 }
 
 Value body_of_points(const Told& t, bool may_be_placed, bool is_in_space) {
@@ -465,6 +515,24 @@ Shape shape_named(const std::string& shape) {
       {"points in any dimension", [](const Told& t) -> Value { return body_of_points(t, false, false); }},
       {"mesh",
        [](const Told& t) -> Value { return &t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)]; }},
+      {"unplaced mesh",
+       [](const Told& t) -> Value {
+         const MeshBody& mesh = t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)];
+         if (mesh.is_image()) refuse_form(t.where + " is an image, or not of points in space");
+         return &mesh;
+       }},
+      {"unplaced body",
+       [](const Told& t) -> Value {
+         const HullBody& result = body(t);
+         if (result.is_image() || !is_of_points_in_space(result)) {
+           refuse_form(t.where + " is an image, or not of points in space");
+         }
+         return &result;
+       }},
+      {"meshes", read_meshes_of},
+      {"holders", read_holders_of},
+      {"held",
+       [](const Told& t) -> Value { return read_indices(t.value, count_in(t), t.where, count_in(t.scope["a"])); }},
       {"triangle",
        [](const Told& t) -> Value {
          return read_index(t.value, as<MeshBody>(of(t)).pieces->triangles.size(), t.where);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -136,15 +137,17 @@ const std::vector<QuestionRow> question_rows{
        "{a} and {b} first meet on their ways at time {time}, at {point}"}}},
     {"bodies",
      "bodies",
-     "members: members; allowed: allowed; except: pairs of members; [groups]: groups of members",
-     {{"these", "contacts: pairs of members", "each_pair members groups except allowed proved contacts",
+     "members: members; allowed: allowed; except: pairs of members; [groups]: groups of members; "
+     "[as_meshes]: meshes of members",
+     {{"these", "contacts: pairs of members", "each_pair members groups except allowed as_meshes proved contacts",
        "exactly {meeting}"}}},
     {"clearances",
      "bodies",
-     "members: members; except: pairs of members; least: above zero; [groups]: groups of members",
-     {{"kept", "", "each_clearance members groups except least proved none",
+     "members: members; except: pairs of members; least: above zero; [groups]: groups of members; "
+     "[as_meshes]: meshes of members",
+     {{"kept", "", "each_clearance members groups except least as_meshes proved none",
        "all pairs of the {all} are {least} apart, or more"},
-      {"broken", "nearer: some pairs of members", "each_clearance members groups except least proved nearer",
+      {"broken", "nearer: some pairs of members", "each_clearance members groups except least as_meshes proved nearer",
        "exactly {pairs} nearer than {least}: {nearer}"}}},
     {"meshes",
      "meshes",
@@ -161,6 +164,10 @@ const std::vector<QuestionRow> question_rows{
       {"b_inside_a", "", "covered_within b a", "{b} is inside of {a}, away from its surface"},
       {"a_within", "point: point", "on_triangle a point, encloses b point", "{point} of {a} is inside of {b}"},
       {"b_within", "point: point", "encloses a point, on_triangle b point", "{point} of {b} is inside of {a}"}}},
+    {"around",
+     "meshes",
+     "a: unplaced mesh; b: unplaced body",
+     {{"around", "", "around a b", "{b} holds all points of {a}"}}},
     {"mesh_body",
      "meshes",
      "a: mesh; b: body",
@@ -373,8 +380,8 @@ std::vector<NamedShape> members_of(const std::string& text) {
 const ClaimRow& claim_row(const std::string& name) {
   for (const ClaimRows* rows :
        {&claims_of_bodies, &claims_of_polytopes, &claims_of_hulls, &claims_of_boundaries, &claims_of_sections,
-        &claims_of_all_pairs, &claims_of_meshes, &claims_of_half_planes, &claims_of_discs, &claims_of_contacts,
-        &claims_of_polygons, &claims_of_valid_polygons}) {
+        &claims_of_all_pairs, &claims_of_meshes, &claims_of_holders, &claims_of_half_planes, &claims_of_discs,
+        &claims_of_contacts, &claims_of_polygons, &claims_of_valid_polygons}) {
     for (const ClaimRow& row : *rows) {
       if (row.name == name) return row;
     }
@@ -473,8 +480,22 @@ Thing thing(const Scope& said, std::initializer_list<const char*> names) {
   return result;
 }
 
-std::size_t index_of(const Scope& said, const char* name, const Tables& tables) {
-  return static_cast<std::size_t>(&as<HullBody>(said[name]) - tables.bodies.data());
+// Of a body or a mesh its index in its table; of what else statements are about, nothing.
+std::optional<std::size_t> index_of(const Scope& said, const char* name, const Tables& tables) {
+  const Value* const value = said.find(name);
+  if (value == nullptr) return std::nullopt;
+  if (const auto* const body = std::get_if<const HullBody*>(value)) {
+    return static_cast<std::size_t>(*body - tables.bodies.data());
+  }
+  if (const auto* const mesh = std::get_if<const MeshBody*>(value)) {
+    return static_cast<std::size_t>(*mesh - tables.meshes.data());
+  }
+  return std::nullopt;
+}
+
+bool has_open_piece(const Value& mesh) {
+  const MeshPieces& pieces = *as<MeshBody>(mesh).pieces;
+  return pieces.closed < pieces.triangles.size();
 }
 
 }  // namespace
@@ -520,7 +541,8 @@ Statement read_statement(const Json& item, const Tables& tables, const Scope& fi
   said->set("verdict", result.verdict);
   for (const NamedShape& member : verdict.says) {
     const bool is_there = !member.may_be_missing || item.contains(member.name);
-    said->set(member.name, is_there ? read_member(item, member, *said, member.of, tables, where) : Value(Groups()));
+    const Value missing = member.name == "as_meshes" ? Value(MeshMembers()) : Value(Groups());
+    said->set(member.name, is_there ? read_member(item, member, *said, member.of, tables, where) : missing);
   }
   result.said = said;
   for (const char* const name : {"a", "half_spaces"}) {
@@ -558,10 +580,16 @@ void note(const Statement& statement, const Tables& tables, Proved& proved) {
     if (statement.verdict == "flat") hull.faces = {as<Indices>(said["outline"])};
     if (statement.verdict == "segment") hull.faces = {{as<std::size_t>(said["i"]), as<std::size_t>(said["j"])}};
   }
-  if (statement.question != "pair" && statement.question != "clearance") return;
-  const Number least = statement.question == "pair" ? Number() : as<Number>(said["least"]);
-  proved.verdicts.insert(
-      {index_of(said, "a", tables), index_of(said, "b", tables), least.n, least.e, statement.verdict});
+  const auto a = index_of(said, "a", tables), b = index_of(said, "b", tables);
+  if (!a || !b) return;
+  const Value* const stated = said.find("least");
+  const Number least = stated != nullptr ? as<Number>(*stated) : Number();
+  std::string verdict = statement.verdict;
+  if (verdict == "touching" && statement.question == "meshes" &&
+      (has_open_piece(said["a"]) || has_open_piece(said["b"]))) {
+    verdict = "meet";  // what a surface alone may do, where touching is allowed, is not told
+  }
+  proved.verdicts.insert({statement.question, *a, *b, least.n, least.e, std::move(verdict)});
 }
 
 }  // namespace sunder_verifier

@@ -92,13 +92,20 @@ struct StatedPlane {
   Integer level;
 };
 
+// What a member stands for: nothing but itself, or a mesh that is placed as it is; and what both are images of.
+struct MeshMember {
+  bool is_mesh = false;
+  std::size_t mesh = 0, mesh_base = 0, body_base = 0;
+};
+using MeshMembers = std::vector<MeshMember>;
+
 enum class ValidRule : std::uint8_t { valid, simple, with_self_touch };
 
 // ---- What statements before have proved.
 
-// The verdict about two bodies, by their indices: of a statement `pair`; or of one `clearance`, then with the number
-// n 2^e, n odd, that it says.
-using ProvedVerdict = std::tuple<std::size_t, std::size_t, Integer, std::int64_t, std::string>;
+// The question and the verdict about two bodies or meshes, by their indices; with the number n 2^e, n odd, that the
+// question says, if it says one.
+using ProvedVerdict = std::tuple<std::string, std::size_t, std::size_t, Integer, std::int64_t, std::string>;
 
 // Of a flat hull the outline is the one face, of a segment its two ends are.
 struct ProvedHull {
@@ -107,9 +114,9 @@ struct ProvedHull {
 };
 
 struct Proved {
-  // In any order of the two.
-  bool holds(std::size_t a, std::size_t b, const std::string& verdict, const Number& least = {}) const {
-    return verdicts.contains({a, b, least.n, least.e, verdict}) || verdicts.contains({b, a, least.n, least.e, verdict});
+  bool holds(const std::string& question, std::size_t a, std::size_t b, const std::string& verdict,
+             const Number& least = {}) const {
+    return verdicts.contains({question, a, b, least.n, least.e, verdict});
   }
 
   std::set<ProvedVerdict> verdicts;
@@ -130,9 +137,9 @@ constexpr bool is_of_file<T> = true;
 using Value =
     std::variant<std::size_t, std::string, Number, Numbers, Points, Indices, IndexLists, std::vector<IndexLists>,
                  IndexPairs, Groups, WeightList, std::vector<FaceHome>, SweepEvents, StatedContacts, AllowedContacts,
-                 TwoEnds, SurfaceCorners, StatedRays, StatedPlane, ValidRule, std::shared_ptr<const PartTable>,
-                 const HullBody*, const MeshBody*, const RowBody*, const PolygonTable*, const Segments*, const Circles*,
-                 const Boxes*, const Constraints*, const Proved*>;
+                 TwoEnds, MeshMembers, SurfaceCorners, StatedRays, StatedPlane, ValidRule,
+                 std::shared_ptr<const PartTable>, const HullBody*, const MeshBody*, const RowBody*,
+                 const PolygonTable*, const Segments*, const Circles*, const Boxes*, const Constraints*, const Proved*>;
 
 // What a value is, or points to. Requires that it is of that type.
 template <class T>

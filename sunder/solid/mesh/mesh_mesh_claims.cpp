@@ -418,6 +418,25 @@ void MeshClaims::add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEv
   if (relation == nullptr || !statement.related(*relation, evidence)) std::visit(statement, evidence);
 }
 
+void MeshClaims::add_overlapping(const StatedMesh& a, const StatedMesh& b, const FinePoint& inside) {
+  Statement(file_, a, b).overlapping(inside);
+}
+
+void MeshClaims::add_around(std::uint32_t mesh, std::uint32_t body, const MeshHolders& holders) {
+  file_.begin_statement("around");
+  file_.index("a", mesh);
+  file_.index("b", body);
+  file_.text("verdict", "around");
+  file_.begin_claims();
+  file_.begin_claim("around");
+  file_.begin_list("holders");
+  for (const auto& holder : holders.holders) file_.add_list(holder);
+  file_.end_list();
+  file_.indices("held", holders.held);
+  file_.end_claim();
+  file_.end_statement();
+}
+
 void MeshClaims::add_distance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance) {
   if (const NearTriangles* nearest = nearest_of(distance)) Statement(file_, a, b).closest(*nearest);
 }

@@ -9,6 +9,7 @@
 #include <sunder/certificate/said.h>
 #include <sunder/solid/mesh/mesh_crossings.h>
 #include <sunder/solid/mesh/mesh_distance.h>
+#include <sunder/solid/mesh/mesh_holders.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_relation.h>
 
@@ -63,6 +64,12 @@ class MeshClaims {
   // stated instead. Cost: that of mesh_cover() where surfaces are apart; else linear in both meshes and the partition.
   void add_pair(const StatedMesh& a, const StatedMesh& b, const MeshEvidence& evidence,
                 const MeshRelation* relation = nullptr);
+
+  // That the point is inside of both, which it must be.
+  void add_overlapping(const StatedMesh& a, const StatedMesh& b, const FinePoint& inside);
+
+  // That a body of the file holds all points of a mesh of the table.
+  void add_around(std::uint32_t mesh, std::uint32_t body, const MeshHolders& holders);
 
   // How far apart they are, exactly; of meshes that meet nothing.
   void add_distance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance);

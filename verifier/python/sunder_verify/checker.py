@@ -29,6 +29,10 @@ def tables(value, where, read):
     return {**result, "sizes": {name: len(those) for name, those in value.items()}}
 
 
+def has_open_piece(meshes, item):
+    return any(len(meshes[item[key]].closed) < len(meshes[item[key]].triangles) for key in ("a", "b"))
+
+
 FILE = {"sunder_certificate": anything, "inputs": list_of(made_of), "call": list_of(text_of),
         "left_out": list_of(text_of), "tables": tables, "said": of_tables,
         "statements": list_of(statement, lambda those, read: those, ": the file states nothing")}
@@ -50,11 +54,11 @@ def verify(data, is_limited=False):
         try:
             for rule, bound in checks:
                 rule(steps, *bound)
-            if item["question"] == "pair":
-                read["proved"].setdefault((item["a"], item["b"]), set()).add(item["verdict"])
-            if item["question"] == "clearance":
-                least = double(item["least"], "least")
-                read["proved"].setdefault((item["a"], item["b"], least), set()).add(item["verdict"])
+            if "a" in item and "b" in item:
+                word, least = item["verdict"], double(item["least"], "least") if "least" in item else None
+                if word == "touching" and item["question"] == "meshes" and has_open_piece(read["tables"]["meshes"], item):
+                    word = "meet"  # what a surface alone may do, where touching is allowed, is not told
+                read["proved"].setdefault((item["question"], item["a"], item["b"], least), set()).add(word)
             if item["question"] == "hull":
                 faces = item.get("faces") or [item.get("outline") or [item.get("i"), item.get("j")]]
                 read["proved"][item["body"]] = item["verdict"], faces

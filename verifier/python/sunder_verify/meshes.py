@@ -353,6 +353,41 @@ def clear_beside(steps, until, directions, away, a, b, least):
     beside(steps, until, directions, away, a, b, "clear_beside", least)
 
 
+def half_spaces(corners, name):
+    """Of a point, a triangle or a tetrahedron: normals and levels, of half-spaces whose common part it is."""
+    def through(p, normal):
+        return normal, dot(normal, p)
+    if len(corners) == 1:
+        return [through(corners[0], [way * (k == c) for k in range(3)]) for c in range(3) for way in (1, -1)]
+    if len(corners) == 3:
+        normal = cross(*([y - x for x, y in zip(corners[0], q)] for q in corners[1:]))
+        require(any(normal), "around", "three points of %s are on one line" % name)
+        edges = zip(corners, corners[1:] + corners[:1])
+        return [through(corners[0], [way * n for n in normal]) for way in (1, -1)] + [
+            through(p, cross(normal, [y - x for x, y in zip(p, q)])) for p, q in edges]
+    result = []
+    for k, apex in enumerate(corners):
+        p, q, r = corners[:k] + corners[k + 1:]
+        normal = cross([y - x for x, y in zip(p, q)], [y - x for x, y in zip(p, r)])
+        height = dot(normal, apex) - dot(normal, p)
+        require(height, "around", "four points of %s are in one plane" % name)
+        result.append(through(p, normal if height > 0 else [-n for n in normal]))
+    return result
+
+
+def around(steps, holders, held, a, b):
+    """Each point of A is in the hull of some points of B, one, three or four."""
+    size, up = a.size + b.size, max(a.exponent - b.exponent, 0)
+    steps.take(64 * len(holders), size, 2 * size)
+    steps.take(24 * len(a.rows), 3 * size, size)
+    scaled = [[n << max(b.exponent - a.exponent, 0) for n in row] for row in b.rows]
+    bounds = [half_spaces([scaled[k] for k in those], b.name) for those in holders]
+    for k, (row, home) in enumerate(zip(a.rows, held)):
+        at = [n << up for n in row]
+        require(all(dot(normal, at) >= level for normal, level in bounds[home]), "around",
+                "point %d of %s is not where it is said to be held" % (k, a.name))
+
+
 def on_triangle(steps, triangle, weights, mesh, point):
     """A triangle of a mesh holds a point."""
     for k, _ in weights:

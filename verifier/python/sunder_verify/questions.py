@@ -44,8 +44,9 @@ def entry(table):
 
 
 def body_asked(value, where, read):
-    is_beside_mesh = read["question"] in ("mesh_body", "mesh_body_clearance") and "a" in read
+    is_beside_mesh = read["question"] in ("mesh_body", "mesh_body_clearance", "around") and "a" in read
     body = entry("bodies" if is_beside_mesh else read["about"])(value, where, read)
+    form(read["question"] != "around" or not body.linear and is_of_points(body), where + " is an image, or not of points in space")
     form(read["question"] != "support" or "a" in read or is_of_points(body), where + " is not of points in space")
     form(read["question"] not in ("distance", "common_part", "nearest", "support") or not body.kind, where + " has a radius")
     form(read["question"] != "nearest" or "a" in read or body.count == len(body), where + " is not bounded")
@@ -62,6 +63,12 @@ def matrix(body):
     return (body.linear, body.turned) if body.linear else ([int(k % (d + 1) == 0) for k in range(d * d)], 0)
 
 
+def is_placed_alike(one, other):
+    return all(x == y for (m, e), (n, f) in (
+        (matrix(one), matrix(other)), ((one.translation, one.moved), (other.translation, other.moved)))
+        for x, y in (rules.aligned(x, e, y, f) for x, y in zip(m, n)))
+
+
 def end_of(name):
     """Where the body of that name is at the end of its way: the same one, placed by the same matrix."""
     def read_end(value, where, read):
@@ -71,6 +78,19 @@ def end_of(name):
              where + " is not the same body, moved")
         return end
     return read_end
+
+
+def meshes_of_members(value, where, read):
+    """For each member null, or a mesh that is placed as it is: its index, and the indices of what both are images of."""
+    def read_mesh(entry_, place, _, body):
+        if entry_ is None:
+            return None
+        mesh = entry("meshes")(entry_, place, read)
+        form(is_of_points(body) and is_placed_alike(body, mesh), place + " is not placed as its member")
+        return entry_, mesh.base, body.base
+    members_ = [read["bodies"][k] for k in read["members"]]
+    form(len(LIST(value, where)) == len(members_), where + " is not as long as what it is about")
+    return [read_mesh(one, where + " entry", read, body) for one, body in zip(value, members_)]
 
 
 def part_of_time(value, where, read):
@@ -358,7 +378,7 @@ GIVEN = {  # what questions say
     "members": members_of("bodies", lambda those: those, " is empty, or names one twice"), "except": contacts,
     "body": points_alone, "of": points_placed, "plane": plane, "rule": choice(("valid", "simple", polygons.SELF_TOUCH)),
     "allowed": lambda *told: ALLOWED[choice(ALLOWED)(*told)], "groups": for_each(whole(-MOST_NUMBER)),
-    "least": positive, "objective": objective, "half_spaces": half_spaces,
+    "least": positive, "objective": objective, "half_spaces": half_spaces, "as_meshes": meshes_of_members,
     "mesh_faces": list_of(FACE, lambda those, read: those, " is empty"),
 }
 SAID = {  # what verdicts and claims say
@@ -380,6 +400,9 @@ SAID = {  # what verdicts and claims say
     **dict.fromkeys(("triangle", "other_triangle"), lambda value, where, read: index(value, len(subject(read).triangles), where)),
     "cuts": list_of(whole(-MOST_NUMBER)), "directions": list_of(vector), "rays_a": rays_from("a"), "rays_b": rays_from("b"),
     **dict.fromkeys(("rays_inner", "rays_outer", "rays_first", "rays_second"), list_of(row_of(whole(0), vector))),
+    "holders": list_of(list_of(index_of("b"), lambda those, read: len({*those}) == len(those) in (1, 3, 4),
+                               " is not of one, three or four points, each once")),
+    "held": for_each(index_of("holders")),
     "until": list_of(whole(-MOST_NUMBER)), "away": list_of(vector),
     "planes": list_of(row_of(*4 * [number])), "cells": list_of(vector),
     "at": place_in, "multipliers": multipliers, "as_good": vector, "spanned_by": places,
@@ -423,6 +446,7 @@ CLAIMS = {
     **{rule.__name__: (rule, "until", "directions", "away") for rule in (meshes.beside, meshes.clear_beside)},
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
         meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
+    "around": (meshes.around, "holders", "held"),
     "on_triangle": (meshes.on_triangle, "triangle", "weights"),
     "triangles_cross": (meshes.triangles_cross, "triangle", "weights", "other_triangle", "other_weights"),
     "encloses": (meshes.encloses, "direction"),
@@ -496,11 +520,12 @@ QUESTIONS = {
         "meet": "holds_at a to_a time point, holds_at b to_b time point",
         "first": "holds_at a to_a time point, holds_at b to_b time point, not_before a b to_a to_b time point",
     }),
-    "bodies": ("bodies", "members allowed groups except", {
-        "these": "each_pair members groups except allowed PROVED contacts"}),
-    "clearances": ("bodies", "members groups except least", {
-        "kept": "each_clearance members groups except least PROVED",
-        "broken": "each_clearance members groups except least PROVED nearer"}),
+    "bodies": ("bodies", "members allowed groups except as_meshes", {
+        "these": "each_pair members groups except allowed as_meshes PROVED contacts"}),
+    "clearances": ("bodies", "members groups except least as_meshes", {
+        "kept": "each_clearance members groups except least as_meshes PROVED",
+        "broken": "each_clearance members groups except least as_meshes PROVED nearer"}),
+    "around": ("meshes", "a b", {"around": "around a b"}),
     "meshes": ("meshes", "a b", {
         "apart": "covered a b",
         "meet": "on_triangle a point, on_triangle b point",
@@ -617,7 +642,7 @@ def statement(item, where, read):
     scope = {**read["tables"], "steps": read["steps"], "ALONE": ALONE, "TOUCH": ALLOWED["touch"], "SIMPLE": "simple", "PROVED": read["proved"],
              "inputs": read["inputs"], "subject": needed[0][1], "about": about}
     shapes = {"question": anything, **given, "verdict": anything, **says, "claims": LIST, "said": notes}
-    members(item, shapes, where, scope, {"groups": ALONE, "said": ""})
+    members(item, shapes, where, scope, {"groups": ALONE, "as_meshes": None, "said": ""})
     form(len(item["claims"]) == len(needed), "%s has not %d claims" % (where, len(needed)))
     checks = []
     for k, (claim, (name, *bound)) in enumerate(zip(item["claims"], needed)):

@@ -286,24 +286,44 @@ def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts
             steps.take(4, 1, 1)
             pair = tuple(sorted(pair))
             if pair not in besides:
-                a, b = (members[k] for k in pair)
-                known = known_of(a, b) | known_of(b, a)
-                require(known & (counts if pair in left else others), rule, "of %d and %d this is not proved before" % pair)
+                require(known_of(*pair) & (counts if pair in left else others), rule, "of %d and %d this is not proved before" % pair)
                 left.discard(pair)
     require(not left, rule, "a pair is listed that is not asked about")
 
 
-def each_pair(steps, members, groups, besides, allowed, proved, contacts):
+def known_of_members(members, as_meshes, proved, questions, of_hulls, least=None):
+    """What statements before say of two members: of two bodies; of two meshes; of a mesh and a body. What carries over to
+    meshes from bodies around them is told by that word."""
+    def stated(question, a, b):
+        return proved.get((question, a, b, least), set())
+
+    def known(i, j):
+        (a, b), (p, q) = (members[i], members[j]), (as_meshes[k] if as_meshes else None for k in (i, j))
+        words = stated(questions[0], a, b) | stated(questions[0], b, a)
+        meshes = [mesh for mesh in (p, q) if mesh]
+        if meshes:
+            words &= {of_hulls} if all(("around", *mesh[1:], None) in proved for mesh in meshes) else set()
+        if len(meshes) == 2:
+            words |= stated(questions[1], p[0], q[0]) | stated(questions[1], q[0], p[0])
+        if len(meshes) == 1:
+            words |= stated(questions[2], meshes[0][0], b if p else a)
+        return words
+    return known
+
+
+def each_pair(steps, members, groups, besides, allowed, as_meshes, proved, contacts):
     """Of each two members of different groups, but for some, a statement before tells whether they meet; these do."""
-    look_at_each(steps, "each_pair", members, groups, besides, contacts, lambda a, b: proved.get((a, b), set()),
-                 {"overlapping"} if allowed else {"meet", "touching", "overlapping"},
+    known = known_of_members(members, as_meshes, proved, ("pair", "meshes", "mesh_body"), "apart")
+    meet = {"meet", "touching", "overlapping", "a_within", "b_within", "a_inside_b", "b_inside_a"}
+    look_at_each(steps, "each_pair", members, groups, besides, contacts, known, {"overlapping"} if allowed else meet,
                  {"apart", "touching"} if allowed else {"apart"})
 
 
-def each_clearance(steps, members, groups, besides, least, proved, nearer=()):
+def each_clearance(steps, members, groups, besides, least, as_meshes, proved, nearer=()):
     """Likewise, a statement before tells whether they are so far apart; these are not."""
-    look_at_each(steps, "each_clearance", members, groups, besides, nearer, lambda a, b: proved.get((a, b, least), set()),
-                 {"broken"}, {"kept"})
+    questions = "clearance", "mesh_clearance", "mesh_body_clearance"
+    known = known_of_members(members, as_meshes, proved, questions, "kept", least)
+    look_at_each(steps, "each_clearance", members, groups, besides, nearer, known, {"broken", "a_within", "b_within"}, {"kept"})
 
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).

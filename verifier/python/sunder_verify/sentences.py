@@ -31,6 +31,7 @@ SENTENCES = {  # of the members that a statement has
                "a_inside_b": "{a} is inside of {b}, away from its surface",
                "b_inside_a": "{b} is inside of {a}, away from its surface",
                "a_within": "{point} of {a} is inside of {b}", "b_within": "{point} of {b} is inside of {a}"},
+    "around": {"around": "{b} holds all points of {a}"},
     "mesh_body": {"apart": "{a} and {b} are apart", "meet": "{a} and {b} meet at {point}",
                   "b_within": "{point} of {b} is inside of {a}"},
     "mesh_body_clearance": {"kept": "{a} and {b} are {least} apart, or more",
@@ -135,6 +136,8 @@ def sentence(item, things, about, size):
     said = {key: shown(value) for key, value in item.items() if key not in ("claims", "said")}
     said.update({"n_" + key: len(value) for key, value in item.items() if type(value) is list})
     said.update({key: thing.title() for key, thing in things.items()}, all=counted(size, ONE[about]))
+    meshes = sum(mesh is not None for mesh in item.get("as_meshes", ()))
+    said["all"] += ", of which %d %s," % (meshes, "is a mesh" if meshes == 1 else "are meshes") if meshes else ""
     if item.get("facets"):
         said["facets"] = "%d facets, made of %d simplices of %d corners" % (
             len(item["facets"]), sum(map(len, item["facets"])), len(item["facets"][0][0]))

@@ -39,9 +39,10 @@ class Units:
         self.frames, self.rows = {}, {}  # of each entry that may have images, and of rows, powers beside that of all
         placed = {one[key] for one in top["statements"] for key in PLACED if isinstance(one.get(key), int)}
         placed.update(k for one in top["statements"] for k in one.get("members", ()))
+        are_tied = any("as_meshes" in one for one in top["statements"])  # meshes and bodies are placed alike
         for name in ("bodies", "polytopes", "meshes"):
             for k, entry in enumerate(top["tables"].get(name, ())):
-                of, is_free = entry.get("of"), k not in placed
+                of, is_free = entry.get("of"), k not in placed and not are_tied
                 self.frames[name, k] = dice.choice(POWERS) if is_free and of is None else self.frames.get((name, of), 0)
                 self.rows[name, k] = dice.choice(POWERS) if of is None else self.rows[name, of]
 
