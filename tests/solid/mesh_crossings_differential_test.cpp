@@ -129,23 +129,36 @@ Mesh some_mesh(Random& random, int size, std::uint64_t triangles, bool on_a_plan
   return soup.mesh();
 }
 
-void expect_proved(const Mesh& mesh, const std::vector<CrossingTriangles>& pairs) {
+template <class State>  // state(claims, index of the mesh)
+void expect_accepted(const Mesh& mesh, sunder_verifier::Limit limit, const State& state) {
   std::string text;
   ClaimsWriter file([&](std::string_view piece) { text += piece; });
   file.add_origin({});
   solid::MeshClaims claims(file);
   const std::uint32_t index = claims.add_mesh("mesh", mesh);
   claims.end_table();
-  for (const CrossingTriangles& pair : pairs) claims.add_crossing(index, mesh, pair);
+  state(claims, index);
   file.end();
-  const auto result = sunder_verifier::verify_text(text, "certificate", sunder_verifier::Limit::none);
+  const auto result = sunder_verifier::verify_text(text, "certificate", limit);
   ASSERT_TRUE(result.accepted()) << result.failed_form << result.error << text.substr(0, 3000);
+}
+
+void expect_proved(const Mesh& mesh, const std::vector<CrossingTriangles>& pairs) {
+  expect_accepted(mesh, sunder_verifier::Limit::none, [&](solid::MeshClaims& claims, std::uint32_t index) {
+    for (const CrossingTriangles& pair : pairs) claims.add_crossing(index, mesh, pair);
+  });
+}
+
+void expect_none_proved(const Mesh& mesh, const solid::MeshSelfCover& cover) {
+  expect_accepted(mesh, sunder_verifier::Limit::by_size,
+                  [&](solid::MeshClaims& claims, std::uint32_t index) { claims.add_no_crossings(index, cover); });
 }
 
 TEST(MeshCrossingsDifferential, AsAllCommonPointsSay) {
   Random random(chosen_seed(4031));
   const int times_asked = scaled_count(6000);
   std::array<std::uint64_t, 3> seen{};
+  int proved = 0;
   for (int i = 0; i < times_asked; ++i) {
     const Mesh mesh = some_mesh(random, 1 + i % 5, 2 + random.below(9), i % 7 == 0);
     std::vector<CrossingTriangles> expected;
@@ -184,8 +197,31 @@ TEST(MeshCrossingsDifferential, AsAllCommonPointsSay) {
     if (i % 10 == 0 && !expected.empty()) {
       ASSERT_NO_FATAL_FAILURE(expect_proved(mesh, expected)) << i;
     }
+    const auto cover = expected.empty() && t_junctions == 0 ? mesh_self_cover(mesh) : std::nullopt;
+    if (cover) {
+      ASSERT_NO_FATAL_FAILURE(expect_none_proved(mesh, *cover)) << i;
+      ++proved;
+    }
+    ASSERT_EQ(cover.has_value(), expected.empty() && t_junctions + without_area == 0) << i;
   }
+  EXPECT_GE(proved, times_asked / 100);
   for (const std::uint64_t count : seen) EXPECT_GE(count, static_cast<std::uint64_t>(times_asked / 10));
+}
+
+// A proof that it does not is of so many directions a triangle.
+TEST(MeshCrossingsDifferential, ThatThereAreNoneIsProved) {
+  Random random(chosen_seed(4033));
+  for (const std::size_t n : {100u, 1000u}) {
+    const Mesh one = bumpy(n, random);
+    const auto cover = mesh_self_cover(one);
+    ASSERT_TRUE(cover);
+    ASSERT_NO_FATAL_FAILURE(expect_none_proved(one, *cover));
+    const auto triangles = static_cast<double>(one.triangles().size());
+    std::printf("n %6zu: %.1f directions and %.1f numbers a triangle\n", n,
+                static_cast<double>(cover->directions.size()) / triangles,
+                static_cast<double>(cover->cuts.size()) / triangles);
+    EXPECT_LE(static_cast<double>(cover->directions.size()) / triangles, 12);
+  }
 }
 
 // A sphere with bumps does not cross itself; two of them do where they meet, as one mesh. The looks are linear.

@@ -1,5 +1,6 @@
 // The rules about meshes: docs/claims.md, "Meshes".
 #include <verifier/cpp/linear.h>
+#include <verifier/cpp/mesh_parts.h>
 #include <verifier/cpp/rules.h>
 
 #include <algorithm>
@@ -11,20 +12,6 @@
 #include <vector>
 
 namespace sunder_verifier {
-namespace {
-
-// Triangles that follow each other.
-struct Part {
-  std::size_t first, end;
-
-  friend bool operator==(const Part&, const Part&) = default;
-};
-
-// How far the corners of a part reach along a direction, from the least to the greatest, as integers * 2^e.
-struct Extent {
-  Integer least, greatest;
-  std::int64_t e;
-};
 
 Extent extent(const MeshBody& mesh, Integers direction, const Part& part) {
   std::int64_t turned = mesh.given->e, e = turned;
@@ -51,6 +38,12 @@ Extent extent(const MeshBody& mesh, Integers direction, const Part& part) {
   }
   return {shifted(least, turned - e) + moved, shifted(greatest, turned - e) + moved, e};
 }
+
+bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) {
+  return !all_zero(cross(minus(rows[triangle[1]], rows[triangle[0]]), minus(rows[triangle[2]], rows[triangle[0]])));
+}
+
+namespace {
 
 // A place among numbers, of which the sign alone counts.
 int sign(const Integer& n) { return n.sign(); }
@@ -298,43 +291,6 @@ void check_on_triangle(const std::size_t& triangle, const WeightList& weights, c
   holds(weights, {}, mesh, point);
 }
 
-bool have_area(const MeshTriangle& triangle, const std::vector<Integers>& rows) {
-  return !all_zero(cross(minus(rows[triangle[1]], rows[triangle[0]]), minus(rows[triangle[2]], rows[triangle[0]])));
-}
-
-// Requires what on_triangle does, by that rule. The corners whose weights are positive.
-std::vector<std::size_t> corners_around(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
-                                        const Numbers& point) {
-  const MeshTriangle& corners = mesh.pieces->triangles[triangle];
-  std::vector<std::size_t> around;
-  for (std::size_t k = 0; k < weights.named.size(); ++k) {
-    const std::size_t named = weights.named[k];
-    require(std::find(corners.begin(), corners.end(), named) != corners.end(), "triangles_cross",
-            "a weight is not of a corner of the triangle");
-    if (weights.values[k].n > 0) around.push_back(named);
-  }
-  holds(weights, {}, mesh, point);
-  return around;
-}
-
-void check_triangles_cross(const std::size_t& triangle, const WeightList& weights, const std::size_t& other,
-                           const WeightList& other_weights, const MeshBody& mesh, const Numbers& point) {
-  require(triangle != other, "triangles_cross", "the two triangles are one");
-  require(!mesh.is_image(), "triangles_cross", mesh.quoted + " is mapped");
-  const std::vector<std::size_t> one = corners_around(triangle, weights, mesh, point),
-                                 two = corners_around(other, other_weights, mesh, point);
-  take_steps(16, mesh.size(), mesh.size());
-  for (const std::size_t of : {triangle, other}) {
-    require(have_area(mesh.pieces->triangles[of], mesh.rows()), "triangles_cross", "a triangle has no area");
-  }
-  const auto way = [&](const std::vector<std::size_t>& ends) {
-    return minus(mesh.rows()[ends[1]], mesh.rows()[ends[0]]);
-  };
-  const bool do_edges_cross = one.size() == 2 && two.size() == 2 && !all_zero(cross(way(one), way(two)));
-  require(one.size() == 3 || two.size() == 3 || do_edges_cross, "triangles_cross",
-          "the point is not inside of a triangle, or of edges of both that cross");
-}
-
 void check_encloses(const Numbers& along, const MeshBody& mesh, const Numbers& point) {
   require(winding("encloses", mesh, along, projective(point)) != 0, "encloses",
           "the point is not inside of " + mesh.quoted);
@@ -530,10 +486,6 @@ const ClaimRows claims_of_meshes{
     {"part_of", partition, rule<check_part_of>},
     {"equal_insides", partition, rule<check_equal_insides>},
     {"on_triangle", "triangle: triangle of subject; weights: weights of subject", rule<check_on_triangle>},
-    {"triangles_cross",
-     "triangle: triangle of subject; weights: weights of subject; other_triangle: triangle of subject; "
-     "other_weights: weights of subject",
-     rule<check_triangles_cross>},
     {"encloses", "direction: point", rule<check_encloses>},
 };
 

@@ -21,8 +21,8 @@ using ClaimRows = std::vector<ClaimRow>;
 
 // Of each file of rules, x_rules.cpp.
 extern const ClaimRows claims_of_bodies, claims_of_polytopes, claims_of_hulls, claims_of_boundaries, claims_of_sections,
-    claims_of_all_pairs, claims_of_meshes, claims_of_holders, claims_of_half_planes, claims_of_discs,
-    claims_of_contacts, claims_of_polygons, claims_of_valid_polygons;
+    claims_of_all_pairs, claims_of_meshes, claims_of_holders, claims_of_crossings, claims_of_half_planes,
+    claims_of_discs, claims_of_contacts, claims_of_polygons, claims_of_valid_polygons;
 
 // Requires that the body holds the point; `from`: of an ellipsoid only. Is it, if the body has a radius, nearer to the
 // core than that?

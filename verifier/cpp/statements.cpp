@@ -185,7 +185,8 @@ const std::vector<QuestionRow> question_rows{
     {"mesh_crossing",
      "meshes",
      "a: mesh",
-     {{"two", "point: point", "triangles_cross a point", "two triangles of {a} cross at {point}"}}},
+     {{"two", "point: point", "triangles_cross a point", "two triangles of {a} cross at {point}"},
+      {"none", "", "no_crossings a", "no two triangles of {a} have more in common than corners, or an edge, of both"}}},
     {"mesh_distance",
      "meshes",
      "a, b: mesh",
@@ -380,8 +381,8 @@ std::vector<NamedShape> members_of(const std::string& text) {
 const ClaimRow& claim_row(const std::string& name) {
   for (const ClaimRows* rows :
        {&claims_of_bodies, &claims_of_polytopes, &claims_of_hulls, &claims_of_boundaries, &claims_of_sections,
-        &claims_of_all_pairs, &claims_of_meshes, &claims_of_holders, &claims_of_half_planes, &claims_of_discs,
-        &claims_of_contacts, &claims_of_polygons, &claims_of_valid_polygons}) {
+        &claims_of_all_pairs, &claims_of_meshes, &claims_of_holders, &claims_of_crossings, &claims_of_half_planes,
+        &claims_of_discs, &claims_of_contacts, &claims_of_polygons, &claims_of_valid_polygons}) {
     for (const ClaimRow& row : *rows) {
       if (row.name == name) return row;
     }

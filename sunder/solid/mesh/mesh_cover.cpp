@@ -3,6 +3,7 @@
 #include <sunder/number/root.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/predicate/point/further_by.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/exact/exact_gjk.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_point.h>
@@ -158,7 +159,51 @@ class Covering {
     return std::move(cover_);
   }
 
+  // Both meshes are one, which is where it is.
+  MeshSelfCover run_with_itself() {
+    MeshSelfCover cover;
+    std::vector<std::array<Part, 2>> waiting{{Part::of_node(a_.placed, 1), Part::of_node(a_.placed, 1)}};
+    while (!waiting.empty()) {
+      may_be_interrupted(1);
+      const auto [of_a, of_b] = waiting.back();
+      waiting.pop_back();
+      const bool are_single = of_a.triangles.size() == 1 && of_b.triangles.size() == 1;
+      if (of_a.triangles.first == of_b.triangles.first) {
+        if (are_single) continue;
+        const auto halves = of_a.halves(a_.placed);
+        cover.cuts.push_back(halves[1].triangles.first);
+        waiting.insert(waiting.end(), {{halves[1], halves[1]}, {halves[0], halves[1]}, {halves[0], halves[0]}});
+        continue;
+      }
+      const bool share = share_corner(of_a.triangles, of_b.triangles);
+      if (share && are_single) continue;
+      if (auto direction = share ? std::nullopt : direction_between(of_a, of_b)) {
+        cover.cuts.push_back(0);
+        cover.directions.push_back(*std::move(direction));
+        continue;
+      }
+      SUNDER_REQUIRE(!are_single);
+      const bool is_a = cuts_a(of_a, of_b);
+      const auto halves = (is_a ? of_a : of_b).halves(a_.placed);
+      const std::int64_t cut = halves[1].triangles.first;
+      cover.cuts.push_back(is_a ? cut : -cut);
+      for (const std::size_t k : {1u, 0u}) {
+        waiting.push_back(is_a ? std::array{halves[k], of_b} : std::array{of_a, halves[k]});
+      }
+    }
+    return cover;
+  }
+
  private:
+  bool share_corner(const TriangleRange& s, const TriangleRange& t) {
+    corners_a_ = a_.corners_of(s);
+    corners_b_ = b_.corners_of(t);
+    std::sort(corners_a_.begin(), corners_a_.end());
+    return std::any_of(corners_b_.begin(), corners_b_.end(), [&](std::uint32_t corner) {
+      return std::binary_search(corners_a_.begin(), corners_a_.end(), corner);
+    });
+  }
+
   // Is A's part the one to cut? The larger one, down to leaves; then the one of more triangles.
   bool cuts_a(const Part& of_a, const Part& of_b) const {
     const bool node_a = of_a.is_node(a_.placed), node_b = of_b.is_node(b_.placed);
@@ -298,6 +343,16 @@ class Covering {
 };
 
 }  // namespace
+
+std::optional<MeshSelfCover> mesh_self_cover(const Mesh& mesh) {
+  const std::span<const Point3> points = mesh.points();
+  for (const Mesh::Triangle& t : mesh.triangles()) {
+    if (are_collinear(points[t[0]], points[t[1]], points[t[2]])) return std::nullopt;
+  }
+  const Pose here;
+  const PlacedMesh placed(mesh, here);
+  return Covering(placed, placed, scale_to_one(placed.at(0u).reach), {}).run_with_itself();
+}
 
 MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, const CoverWidth& width) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);

@@ -1,7 +1,6 @@
 #include <sunder/base/contract.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/point/common_point.h>
-#include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
@@ -67,6 +66,14 @@ void add_rays(ClaimsWriter& file, const char* key, const std::vector<MeshCover::
     file.add_numbers(along);
     file.end_list();
   }
+  file.end_list();
+}
+
+void add_walk(ClaimsWriter& file, std::span<const std::int64_t> cuts,
+              std::span<const std::array<Dyadic, 3>> directions) {
+  file.integers("cuts", cuts);
+  file.begin_list("directions");
+  for (const auto& direction : directions) file.add_numbers(direction);
   file.end_list();
 }
 
@@ -272,10 +279,7 @@ class Statement {
              const CoverWidth& width = {}) const {
     const MeshCover cover = mesh_cover(a.mesh, a.pose, b.mesh, b.pose, width);
     file_.begin_claim(rule);
-    file_.integers("cuts", cover.cuts);
-    file_.begin_list("directions");
-    for (const auto& direction : cover.directions) file_.add_numbers(direction);
-    file_.end_list();
+    add_walk(file_, cover.cuts, cover.directions);
     add_rays(file_, key_a, cover.rays_a);
     add_rays(file_, key_b, cover.rays_b);
     file_.end_claim();
@@ -462,6 +466,17 @@ void MeshClaims::add_crossing(std::uint32_t index, const Mesh& mesh, const Cross
   add_weights(file_, "weights", point.of_a);
   file_.index("other_triangle", pair.second);
   add_weights(file_, "other_weights", point.of_b);
+  file_.end_claim();
+  file_.end_statement();
+}
+
+void MeshClaims::add_no_crossings(std::uint32_t index, const MeshSelfCover& cover) {
+  file_.begin_statement("mesh_crossing");
+  file_.index("a", index);
+  file_.text("verdict", "none");
+  file_.begin_claims();
+  file_.begin_claim("no_crossings");
+  add_walk(file_, cover.cuts, cover.directions);
   file_.end_claim();
   file_.end_statement();
 }

@@ -7,6 +7,7 @@
 #include <sunder/certificate/claims.h>
 #include <sunder/certificate/common_point.h>
 #include <sunder/certificate/said.h>
+#include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_crossings.h>
 #include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_holders.h>
@@ -79,6 +80,9 @@ class MeshClaims {
 
   // That two triangles of a mesh of the table cross. Requires that they do.
   void add_crossing(std::uint32_t index, const Mesh& mesh, const CrossingTriangles& pair);
+
+  // That no two triangles of a mesh of the table cross.
+  void add_no_crossings(std::uint32_t index, const MeshSelfCover& cover);
 
  private:
   void begin_entry(const std::string& name, const Said& said);

@@ -420,6 +420,80 @@ def triangles_cross(steps, triangle, weights, other, other_weights, mesh, point)
             "the point is not inside of a triangle, or of edges of both that cross")
 
 
+def between(rows, i, j):
+    return [y - x for x, y in zip(rows[i], rows[j])]
+
+
+def have_more(rows, t, u):
+    """Have two triangles with an area, which share corners, more in common than these and the edge between two?"""
+    shared = [k for k in t if k in u]
+    if len(shared) == 3:
+        return True
+    c, t, u = shared[0], [k for k in t if k not in shared], [k for k in u if k not in shared]
+    if len(shared) == 2:
+        edge, (p,), (r,) = between(rows, c, shared[1]), t, u
+        one, other = cross(edge, between(rows, c, p)), cross(edge, between(rows, c, r))
+        return not any(cross(one, other)) and dot(one, other) > 0
+    p, q, r, s = (between(rows, c, k) for k in t + u)
+    n, m = cross(p, q), cross(r, s)
+    a, b, e, f = dot(n, r), dot(n, s), dot(m, p), dot(m, q)
+    if a > 0 < b or a < 0 > b or e > 0 < f or e < 0 > f:
+        return False
+    if not (a or b or e or f):  # in one plane: is a side of one in the angle of the other?
+        def is_within(x, p, q, way):
+            return way * dot(n, cross(p, x)) >= 0 <= way * dot(n, cross(x, q))
+        way = 1 if dot(n, m) > 0 else -1
+        return any(is_within(x, p, q, 1) for x in (r, s)) or any(is_within(x, r, s, way) for x in (p, q))
+    # Where each leaves the corner along the line of both planes.
+    one, other = ([abs(far) * x + abs(near) * y for x, y in zip(v, w)] for v, w, near, far in ((p, q, e, f), (r, s, a, b)))
+    return dot(one, other) > 0
+
+
+def no_crossings(steps, cuts, directions, a):
+    """Of each two triangles it is looked at what they have in common, if they share a corner; else they are parted."""
+    rule = "no_crossings"
+    require(not a.linear, rule, "%s is mapped" % a.name)
+    steps.take(16 * len(a.triangles), a.size, a.size)
+    require(all(has_area(*(a.rows[k] for k in t)) for t in a.triangles), rule, "a triangle has no area")
+    whole, left = (0, len(a.triangles)), iter(directions)
+    pairs = [(whole, whole)]
+
+    def pass_over():
+        """Triangles with themselves, and two that share a corner."""
+        while pairs:
+            (i, end), (j, other_end) = pairs[-1]
+            if end - i > 1 or other_end - j > 1:
+                return
+            t, u = a.triangles[i], a.triangles[j]
+            if i != j:
+                if not {*t} & {*u}:
+                    return
+                steps.take(64, 2 * a.size, 3 * a.size)
+                require(not have_more(a.rows, t, u), rule, "two triangles of %s have more in common than corners and an edge" % a.name)
+            pairs.pop()
+    for k in cuts:
+        pass_over()
+        require(pairs, rule, "the walk goes on where no pair of parts is left")
+        parts = pairs.pop()
+        if k:
+            first, end = parts[k < 0]
+            is_one = parts[0] == parts[1]
+            require(first < abs(k) < end and (k > 0 or not is_one), rule, "a part is cut where it has no triangles on both sides")
+            before, behind = (first, abs(k)), (abs(k), end)
+            if is_one:
+                pairs += [(behind, behind), (before, behind), (before, before)]
+            else:
+                pairs += [(half, parts[1]) if k > 0 else (parts[0], half) for half in (behind, before)]
+            continue
+        direction = next(left, None)
+        require(direction, rule, "there is no direction for a pair of parts")
+        d = common(direction)[0]
+        (_, last, _), (begin, _, _) = (a.ends(steps, d, *part) for part in parts)
+        require(last < begin, rule, "a part of %s is not strictly less far along its direction than another one" % a.name)
+    pass_over()
+    require(not pairs and next(left, None) is None, rule, "the walk does not end with its numbers and directions")
+
+
 def encloses(steps, direction, mesh, point):
     """A point is inside of what the closed pieces of a mesh bound."""
     require(mesh.winding(steps, "encloses", common(direction)[0], projective(point)), "encloses",

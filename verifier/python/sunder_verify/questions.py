@@ -442,6 +442,7 @@ CLAIMS = {
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
     **{rule.__name__: (rule, "cuts", "directions", "rays_a", "rays_b") for rule in (
         meshes.covered, meshes.covered_apart, meshes.covered_clear)},
+    "no_crossings": (meshes.no_crossings, "cuts", "directions"),
     "covered_within": (meshes.covered_within, "cuts", "directions", "rays_inner", "rays_outer"),
     **{rule.__name__: (rule, "until", "directions", "away") for rule in (meshes.beside, meshes.clear_beside)},
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
@@ -542,7 +543,7 @@ QUESTIONS = {
         "kept": "clear_beside a b least",
         "broken": "on_triangle a from_a, holds b to_b, nearer from_a to_b least",
         "b_within": "encloses a point, holds b point"}),
-    "mesh_crossing": ("meshes", "a", {"two": "triangles_cross a point"}),
+    "mesh_crossing": ("meshes", "a", {"two": "triangles_cross a point", "none": "no_crossings a"}),
     "mesh_distance": ("meshes", "a b", {
         "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),
     "mesh_clearance": ("meshes", "a b least", {
