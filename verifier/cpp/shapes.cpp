@@ -465,6 +465,12 @@ Shape shape_named(const std::string& shape) {
       {"points in any dimension", [](const Told& t) -> Value { return body_of_points(t, false, false); }},
       {"mesh",
        [](const Told& t) -> Value { return &t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)]; }},
+      {"end mesh",
+       [](const Told& t) -> Value {
+         const MeshBody& end = t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)];
+         if (!is_moved(as<MeshBody>(of(t)), end)) refuse_form(t.where + " is not the same body, moved");
+         return &end;
+       }},
       {"triangle",
        [](const Told& t) -> Value {
          return read_index(t.value, as<MeshBody>(of(t)).pieces->triangles.size(), t.where);

@@ -6,8 +6,10 @@
 #include <sunder/number/exact_fraction.h>
 #include <sunder/number/vector.h>
 #include <sunder/predicate/exact_point.h>
+#include <sunder/solid/exact/sweep_contact.h>
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/object/translation.h>
 
 #include <array>
 #include <cstdint>
@@ -48,5 +50,12 @@ struct CoverWidth {
 // planes part by so much, each times the points of the parts.
 MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                      const CoverWidth& width = {});
+
+// The same of meshes that move: each direction parts the two parts at time 0 and at time 1, and so at all times between, as
+// how far apart they are along it is linear in time. Where a contact is given: at time 0, and at the time of the contact,
+// where they may touch; so they are apart along it before. Rays are of time 0. Requires that the meshes are apart all the
+// time, or before the contact, which is the first one and not at time 0.
+MeshCover mesh_cover_on_the_way(const Mesh& a, const Translation& of_a, const Mesh& b, const Translation& of_b,
+                                const SweepContact* first = nullptr);
 
 }  // namespace sunder::solid
