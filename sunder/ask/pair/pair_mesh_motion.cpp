@@ -102,7 +102,7 @@ class MeshMotionPair : public MeshQuestion {
 }  // namespace
 
 Report run_mesh_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files) {
-  require_pair_fit(call, {pair_kind::moving_meshes});
+  require_pair_fit(call, {pair_kind::moving, pair_kind::moving_meshes});
   const MeshMotionMethod method =
       method_by(call.method, mesh_motion_methods, ", for meshes that move and are not convex");
   const Translation of_a = motion_of(a.pose, &a, call.a), of_b = motion_of(b.pose, &b, call.b);

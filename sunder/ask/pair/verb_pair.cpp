@@ -145,10 +145,8 @@ std::vector<Option> pair_options(PairCall& call) {
       title_option(call.title),
       svg_limit_option(call.svg_limit)};
   using Kinds = std::vector<std::string>;
-  const Kinds plane{kind::planar, kind::planar_lines},
-      solid{kind::bodies, kind::round, kind::moving, kind::moving_meshes},
-      space{kind::bodies, kind::flats, kind::round, kind::moving, kind::moving_meshes},
-      bounded{kind::planar, kind::bodies, kind::round},
+  const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
+      space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
       flats{kind::flats}, meshes{kind::meshes, kind::moving_meshes},
       measured{kind::planar, kind::bodies, kind::round, kind::meshes};
