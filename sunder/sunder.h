@@ -101,6 +101,7 @@
 #include <sunder/solid/mesh/mesh_line.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
 #include <sunder/solid/mesh/mesh_mesh_claims.h>
+#include <sunder/solid/mesh/mesh_motion.h>
 #include <sunder/solid/mesh/mesh_overlap.h>
 #include <sunder/solid/mesh/mesh_partition.h>
 #include <sunder/solid/mesh/mesh_plane.h>

@@ -2,7 +2,9 @@
 #include <sunder/near/box_tree.h>
 #include <sunder/scene/members.h>
 #include <sunder/scene/part_questions.h>
+#include <sunder/scene/parts_as_meshes.h>
 #include <sunder/scene/sweep.h>
+#include <sunder/solid/mesh/mesh_mesh_claims.h>
 
 #include <algorithm>
 #include <array>
@@ -81,6 +83,7 @@ class Sweep {
       if (every_pair_) list_apart(i, j, direction_of(a, way_a, b, way_b, swept));
       return;
     }
+    if (look_at_meshes(i, j, way_a, way_b)) return;
     SweptPair& pair = list(i, j);
     if (swept.undecided()) {
       ++answer_.counts.undecided;
@@ -91,6 +94,27 @@ class Sweep {
         std::make_shared<const solid::RoundFirstContact>(round_round_first_contact(a, way_a, b, way_b, swept))};
   }
 
+  // As meshes, if they are to be asked about so. Returns whether they are.
+  bool look_at_meshes(std::uint32_t i, std::uint32_t j, const solid::Translation& way_a,
+                      const solid::Translation& way_b) {
+    const auto begin = PartsAsMeshes::of(part(i, 0), part(j, 0)), end = PartsAsMeshes::of(part(i, 1), part(j, 1));
+    if (!begin || !end || !begin->are_two()) return false;
+    const solid::Mesh &a = *mesh_of(part(i, 0)), &b = *mesh_of(part(j, 0));
+    solid::MeshMotion motion = mesh_motion(a, way_a, b, way_b);
+    if (motion.meet()) {
+      ++answer_.counts.meeting;
+      const solid::SweepContact* const contact = contact_on_the_way(motion);
+      const Point3 point = contact != nullptr
+                               ? nearest(contact->point.at)
+                               : rounded_point_of(a, way_a.begin(), b, way_b.begin(), evidence_at_start(motion));
+      list(i, j).evidence = MeshesMeetOnTheWay{std::make_shared<const solid::MeshMotion>(std::move(motion)), point};
+      return true;
+    }
+    if (!begin->are_closed()) ++answer_.counts.surfaces_alone;
+    if (every_pair_) list(i, j).evidence = MeshesApartOnTheWay{};
+    return true;
+  }
+
   void look_at_ends(std::uint32_t i, std::uint32_t j) {
     bool is_undecided = false;
     for (std::size_t at = 0; at < 2; ++at) {
@@ -98,6 +122,7 @@ class Sweep {
       PartPair found = members_.pair(i, j);
       const Part &a = part(i, at), &b = part(j, at);
       found.answer = answer_of(a, b, {});
+      look_closer(found, a, b);
       is_undecided = is_undecided || found.undecided();
       if (!found.meet()) continue;
       ++answer_.counts.meeting;
@@ -143,6 +168,11 @@ class Sweep {
 
 }  // namespace
 
+bool SweptPair::is_of_meshes() const {
+  if (const auto* end = std::get_if<MeetAtAnEnd>(&evidence)) return end->pair->meshes != nullptr;
+  return std::holds_alternative<MeshesMeetOnTheWay>(evidence) || std::holds_alternative<MeshesApartOnTheWay>(evidence);
+}
+
 bool SweptPair::all_the_way() const {
   if (const auto* open = std::get_if<UndecidedPair>(&evidence)) return open->all_the_way;
   return !std::holds_alternative<MeetAtAnEnd>(evidence);
@@ -151,6 +181,9 @@ bool SweptPair::all_the_way() const {
 Interval SweptPair::time() const {
   SUNDER_REQUIRE(meet());
   if (const auto* end = std::get_if<MeetAtAnEnd>(&evidence)) return {end->time, end->time};
+  if (const auto* meshes = std::get_if<MeshesMeetOnTheWay>(&evidence)) {
+    return first_time_of(*meshes->motion).enclosure();
+  }
   return std::get<MeetOnTheWay>(evidence).first->time;
 }
 

@@ -4,7 +4,9 @@
 // The question of scene.h between two placements of the same bodies, in which all parts move at once, from time 0 to 1.
 //   W1. A pair of parts that do not turn is asked about all the way, the ends included, as round_round_sweep says (of
 //       polyhedra polyhedron_polyhedron_sweep); boxes never hide one that meets. Where one is curved it may be
-//       undecided (round_round_sweep.h, W3): then it is listed and counted as that.
+//       undecided (round_round_sweep.h, W3): then it is listed and counted as that. Where the shapes are not apart all
+//       the way, and one is the hull of a mesh and neither has a radius, the meshes are asked about as they are
+//       (mesh_motion.h). A mesh and a part with a radius are asked about by the hull of the mesh.
 //   W2. Any other pair, of which a part turns or changes its size, is asked about at both ends only, and counted as
 //       that: what it does between is not known. (One placement and the next do not say how a part turns.)
 // Touching is meeting.
@@ -13,6 +15,7 @@
 #include <sunder/base/error.h>
 #include <sunder/number/interval.h>
 #include <sunder/scene/scene.h>
+#include <sunder/solid/mesh/mesh_motion.h>
 #include <sunder/solid/round/round_round_sweep.h>
 
 #include <array>
@@ -29,6 +32,13 @@ struct MeetOnTheWay {
   std::shared_ptr<const solid::RoundFirstContact> first;  // not null
 };
 
+// Two meshes as they are meet on the way.
+struct MeshesMeetOnTheWay {
+  static constexpr Verdict verdict = Verdict::meet;
+  std::shared_ptr<const solid::MeshMotion> motion;  // not null
+  Point3 point;                                     // of both, at the first time: rounded
+};
+
 // Asked at both ends only: they meet at this one, 0 or 1.
 struct MeetAtAnEnd {
   static constexpr Verdict verdict = Verdict::meet;
@@ -42,6 +52,11 @@ struct ApartOnTheWay {
   std::shared_ptr<const std::array<Dyadic, 3>> direction;  // not null
 };
 
+// The shapes are not, but the meshes are apart all the way.
+struct MeshesApartOnTheWay {
+  static constexpr Verdict verdict = Verdict::apart;
+};
+
 // It is undecided whether they meet on the way; of those asked at both ends only, there.
 struct UndecidedPair {
   static constexpr Verdict verdict = Verdict::undecided;
@@ -51,14 +66,16 @@ struct UndecidedPair {
 struct SweptPair {
   std::uint32_t body_a = 0, body_b = 0;  // body_a < body_b
   std::uint32_t part_a = 0, part_b = 0;
-  std::variant<UndecidedPair, MeetOnTheWay, MeetAtAnEnd, ApartOnTheWay> evidence{};
+  std::variant<UndecidedPair, MeetOnTheWay, MeshesMeetOnTheWay, MeetAtAnEnd, ApartOnTheWay, MeshesApartOnTheWay>
+      evidence{};
 
   Verdict verdict() const { return verdict_of(evidence); }
   bool meet() const { return verdict() == Verdict::meet; }
   bool undecided() const { return verdict() == Verdict::undecided; }
 
-  bool all_the_way() const;  // false: asked at its ends only
-  Interval time() const;     // encloses the first time; of one asked at its ends, that end. Requires that they meet
+  bool is_of_meshes() const;  // is what is said of the parts as meshes?
+  bool all_the_way() const;   // false: asked at its ends only
+  Interval time() const;      // encloses the first time; of one asked at its ends, that end. Requires that they meet
 };
 
 struct SweptCounts {
@@ -68,8 +85,10 @@ struct SweptCounts {
   std::uint64_t by_method = 0;     // asked about all the way
   std::uint64_t at_ends_only = 0;  // pairs = allowed + by_boxes + by_method + at_ends_only
   std::uint64_t meeting = 0;
-  std::uint64_t undecided = 0;  // all the way; or at an end, of those asked there, that meet at no end
-  std::uint64_t looks = 0;      // at boxes, in the tree that finds those near each other (near/box_tree.h)
+  std::uint64_t undecided = 0;       // all the way; or at an end, of those asked there, that meet at no end
+  std::uint64_t surfaces_alone = 0;  // apart all the way as meshes, of which one has an open piece: what it seems to
+                                     // enclose is not asked about
+  std::uint64_t looks = 0;           // at boxes, in the tree that finds those near each other (near/box_tree.h)
 
   bool some_meet() const { return meeting > 0; }
   // All are known to be apart, or allowed.

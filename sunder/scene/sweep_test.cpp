@@ -1,4 +1,5 @@
 #include <sunder/scene/sweep.h>
+#include <tests/support/mesh_soups.h>
 #include <tests/support/scale.h>
 #include <tests/support/shapes.h>
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -211,6 +213,59 @@ TEST(SceneSweep, IsWhatEachPairAloneIs) {
   for (const std::uint64_t seen : {listed_pairs, by_boxes, at_ends_only, all_allowed}) {
     EXPECT_GT(seen, static_cast<std::uint64_t>(count));
   }
+}
+
+// Of four boxes around a hole, of a square of size 4; perhaps with a face less.
+Part frame(bool is_open) {
+  tests::Soup soup;
+  soup.add_box({-2, -2, 0}, {4, 1, 1}, true, is_open);
+  soup.add_box({-2, 1, 0}, {4, 1, 1}, true, false);
+  soup.add_box({-2, -1, 0}, {1, 2, 1}, true, false);
+  soup.add_box({1, -1, 0}, {1, 2, 1}, true, false);
+  return {"frame", ConvexPolyhedron(soup.points), {}, std::make_shared<const solid::Mesh>(soup.mesh())};
+}
+
+TEST(SceneSweep, AsksAboutMeshesAsTheyAre) {
+  std::vector<Body> begin{{"frame", {frame(false)}},
+                          body("cube", cube(), shift(-0.5, -0.5, -4)),
+                          body("ball", RoundBody::ball({}, 0.25), shift(0, 0, -8))};
+  std::vector<Body> end = begin;
+  end[1].parts[0].pose = shift(-0.5, -0.5, 4);  // through the hole
+  SweptAnswer answer = meeting_on_the_way(begin, end);
+  EXPECT_TRUE(answer.none_meet());
+  EXPECT_EQ(answer.counts.surfaces_alone, 0u);
+  Question every_pair;
+  every_pair.every_pair = true;
+  answer = meeting_on_the_way(begin, end, every_pair);
+  ASSERT_EQ(answer.pairs.size(), 3u);
+  EXPECT_TRUE(answer.pairs[0].is_of_meshes() && answer.pairs[0].all_the_way());
+  EXPECT_FALSE(answer.pairs[1].is_of_meshes());
+  std::vector<Body> hulls = begin, hulls_end = end;
+  hulls[0].parts[0].mesh = hulls_end[0].parts[0].mesh = nullptr;
+  EXPECT_TRUE(meeting_on_the_way(hulls, hulls_end).some_meet());
+  // To a bar; and inside of one at the beginning.
+  begin[1].parts[0].pose = shift(-0.5, -0.5, 0.25), end[1].parts[0].pose = shift(1.5, -0.5, 0.25);
+  answer = meeting_on_the_way(begin, end);
+  EXPECT_EQ(listed(answer), "0-1@0.25");
+  EXPECT_TRUE(answer.pairs[0].is_of_meshes());
+  EXPECT_EQ(std::get<MeshesMeetOnTheWay>(answer.pairs[0].evidence).point.x, 1);
+  EXPECT_EQ(listed(meeting_on_the_way(end, begin)), "0-1@0.");
+  // What is open at a face is told; a ball is asked about with the hull.
+  begin[0] = end[0] = {"frame", {frame(true)}};
+  begin[1].parts[0].pose = shift(-0.5, -0.5, -4), end[1].parts[0].pose = shift(-0.5, -0.5, 4);
+  answer = meeting_on_the_way(begin, end);
+  EXPECT_TRUE(answer.none_meet());
+  EXPECT_EQ(answer.counts.surfaces_alone, 1u);
+  end[2].parts[0].pose = shift(0, 0, 8);
+  answer = meeting_on_the_way(begin, end);
+  ASSERT_EQ(answer.pairs.size(), 2u);  // the ball meets the cube, too
+  EXPECT_FALSE(answer.pairs[0].is_of_meshes());
+  // One that turns is asked about at its ends, as it is.
+  end[1].parts[0].pose = Pose::from_quaternion(1, 0, 0, 1, {0.5, -0.5, 0});
+  end[2] = begin[2];
+  answer = meeting_on_the_way(begin, end);
+  EXPECT_EQ(answer.counts.at_ends_only, 2u);
+  EXPECT_FALSE(answer.some_meet());
 }
 
 }  // namespace

@@ -63,6 +63,17 @@ inline std::string proved_measures(const solid::Mesh& a, const solid::Pose& pose
   return proved_verdicts(text);
 }
 
+// The same of two that move.
+inline std::string proved_motion(const solid::Mesh& a, const solid::Translation& of_a, const solid::Mesh& b,
+                                 const solid::Translation& of_b, const solid::MeshMotion& answer) {
+  std::string text;
+  ClaimsWriter file([&](std::string_view piece) { text += piece; });
+  file.add_origin({});
+  solid::add_claims(file, {"A", a, of_a}, {"B", b, of_b}, answer);
+  file.end();
+  return proved_verdicts(text);
+}
+
 // The same of a mesh and a body with a radius: whether they meet, and, where `least` is above 0, whether they are so far
 // apart. Requires that both are decided.
 inline std::string proved_beside(const solid::Mesh& mesh, const solid::Pose& pose, const solid::PlacedRound& body,

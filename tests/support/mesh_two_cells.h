@@ -195,8 +195,8 @@ inline std::optional<std::array<int, 2>> windings(const Solid& solid, const Corn
 
 inline std::array<bool, 2> insides(const Solid& solid, const Corner& point, const Corner& normal, std::uint32_t& dice) {
   while (true) {
-    Vector along;
-    for (Number& x : along) x = static_cast<int>((dice = dice * 1664525u + 1013904223u) >> 24) - 128;
+    const auto next = [&] { return Number(static_cast<int>((dice = dice * 1664525u + 1013904223u) >> 24) - 128); };
+    Vector along{next(), next(), next()};
     if (dot(along, normal.exact) == 0) continue;
     if (dot(along, normal.exact) < 0) along = {-along[0], -along[1], -along[2]};
     const auto found = windings(solid, point, normal, along);

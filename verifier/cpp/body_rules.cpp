@@ -153,6 +153,22 @@ Combination mean_of(const char* rule, const WeightList& list, const HullBody& bo
 
 }  // namespace
 
+Numbers moved_back(const Numbers& point, const Number& time, const HullBody& begin, const HullBody& end) {
+  const std::size_t size = length(point) + length({time}) + begin.size() + end.size();
+  take_steps(16, size, size);
+  Numbers result;
+  for (std::size_t axis = 0; axis < point.size(); ++axis) {
+    Numbers parts{point[axis]};
+    for (const auto& [place, sign] : {std::pair(&begin, 1), std::pair(&end, -1)}) {
+      if (!place->is_image()) continue;
+      const Scaled& moved = place->translation;
+      parts.push_back({sign * time.n * moved.rows[0][axis], time.d, time.e + moved.e});
+    }
+    result.push_back(sum(parts));
+  }
+  return result;
+}
+
 bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point) {
   const Combination mean = mean_of("holds", list, body);
   if (body.is_round()) return reaches(list, from, body, mean.row, mean.d, mean.e, point);
@@ -376,23 +392,6 @@ void check_full(std::size_t i, std::size_t j, std::size_t k, std::size_t l, cons
   take_steps(16, body.size(), body.size());
   const auto way = [&](std::size_t to) { return turned(body, way_to(body, to, i)); };
   require(dot(cross(way(j), way(k)), way(l)) != 0, "full", "the four points of " + body.quoted + " are in one plane");
-}
-
-// A point, less how far the body has come by then.
-Numbers moved_back(const Numbers& point, const Number& time, const HullBody& begin, const HullBody& end) {
-  const std::size_t size = length(point) + length({time}) + begin.size() + end.size();
-  take_steps(16, size, size);
-  Numbers result;
-  for (std::size_t axis = 0; axis < point.size(); ++axis) {
-    Numbers parts{point[axis]};
-    for (const auto& [place, sign] : {std::pair(&begin, 1), std::pair(&end, -1)}) {
-      if (!place->is_image()) continue;
-      const Scaled& moved = place->translation;
-      parts.push_back({sign * time.n * moved.rows[0][axis], time.d, time.e + moved.e});
-    }
-    result.push_back(sum(parts));
-  }
-  return result;
 }
 
 void check_parted_all_along(const Numbers& direction, const HullBody& a, const HullBody& b, const HullBody& to_a,

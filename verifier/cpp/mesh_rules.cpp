@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -117,29 +118,37 @@ std::int64_t winding(const char* rule, const MeshBody& mesh, const Numbers& alon
 using Pair = std::array<Part, 2>;
 using Pieces = std::set<std::size_t>;
 
-// How far apart parts have to be, squared: square / over * 2^e.
-struct Width {
-  Integer square, over;
+struct Scalar {
+  Integer n;
   std::int64_t e;
-  std::size_t length;  // of what it is made of
 };
 
-// Requires that along the direction, from where A's part ends to where B's begins, it is as far as that.
-void require_width(const char* rule, const Width& width, const Integers& direction, const Extent& of_a,
-                   const Extent& of_b, const MeshBody& a, const MeshBody& b) {
-  const std::size_t size = bits(direction) + a.size() + b.size() + width.length;
-  take_steps(16, size, size);
+// What is required of two parts besides, which the direction parts: with how far they reach along it.
+using Besides =
+    std::function<void(const Integers& direction, const Pair& parts, const Extent& of_a, const Extent& of_b)>;
+
+// From where A's part ends to where B's begins, as an integer * 2^e.
+Scalar gap_between(const Extent& of_a, const Extent& of_b) {
   const std::int64_t e = std::min(of_a.e, of_b.e);
-  const Integer gap = shifted(of_b.least, of_b.e - e) - shifted(of_a.greatest, of_a.e - e);
-  require(
-      compare(gap * gap * width.over, 2 * e, width.square * dot(direction, direction), width.e) >= 0, rule,
-      "a part of " + a.quoted + " and one of " + b.quoted + " are less far apart than stated, along their direction");
+  return {shifted(of_b.least, of_b.e - e) - shifted(of_a.greatest, of_a.e - e), e};
 }
 
-// Requires that each triangle of A is parted from each of B, and that far. The pieces of each that are parted from all of
-// the other.
+// That it is as far as square / over * 2^e, squared. length: of what that is made of.
+Besides far_apart(const char* rule, const MeshBody& a, const MeshBody& b, const Integer& square, const Integer& over,
+                  std::int64_t e, std::size_t length) {
+  return [=, &a, &b](const Integers& direction, const Pair&, const Extent& of_a, const Extent& of_b) {
+    const std::size_t size = bits(direction) + a.size() + b.size() + length;
+    take_steps(16, size, size);
+    const Scalar gap = gap_between(of_a, of_b);
+    require(
+        compare(gap.n * gap.n * over, 2 * gap.e, square * dot(direction, direction), e) >= 0, rule,
+        "a part of " + a.quoted + " and one of " + b.quoted + " are less far apart than stated, along their direction");
+  };
+}
+
+// Requires that each triangle of A is parted from each of B. The pieces of each that are parted from all of the other.
 std::array<Pieces, 2> parted(const char* rule, const Groups& cuts, const Points& directions, const MeshBody& a,
-                             const MeshBody& b, const Width* width = nullptr) {
+                             const MeshBody& b, const Besides& besides = {}) {
   const std::array<const MeshBody*, 2> meshes{&a, &b};
   const Pair whole{Part{0, a.pieces->triangles.size()}, Part{0, b.pieces->triangles.size()}};
   std::array<Pieces, 2> outside;
@@ -164,7 +173,7 @@ std::array<Pieces, 2> parted(const char* rule, const Groups& cuts, const Points&
     const Extent of_a = extent(a, direction, pair[0]), of_b = extent(b, direction, pair[1]);
     require(compare(of_a.greatest, of_a.e, of_b.least, of_b.e) < 0, rule,
             "a part of " + a.quoted + " is not strictly less far along its direction than one of " + b.quoted);
-    if (width != nullptr) require_width(rule, *width, direction, of_a, of_b, a, b);
+    if (besides) besides(direction, pair, of_a, of_b);
     for (const std::size_t which : {0u, 1u}) {
       if (pair[1 - which] != whole[1 - which]) continue;
       const auto piece = meshes[which]->pieces->piece.begin();
@@ -208,11 +217,16 @@ void require_outside(const char* rule, const MeshBody& mesh, const MeshBody& oth
           "a piece of " + mesh.quoted + " is not shown to be outside of " + other.quoted);
 }
 
+void require_covered(const char* rule, const Groups& cuts, const Points& directions, const StatedRays& rays_a,
+                     const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const Besides& besides = {}) {
+  const std::array<Pieces, 2> outside = parted(rule, cuts, directions, a, b, besides);
+  require_outside(rule, a, b, rays_a, outside[0]);
+  require_outside(rule, b, a, rays_b, outside[1]);
+}
+
 void check_covered(const Groups& cuts, const Points& directions, const StatedRays& rays_a, const StatedRays& rays_b,
                    const MeshBody& a, const MeshBody& b) {
-  const std::array<Pieces, 2> outside = parted("covered", cuts, directions, a, b);
-  require_outside("covered", a, b, rays_a, outside[0]);
-  require_outside("covered", b, a, rays_b, outside[1]);
+  require_covered("covered", cuts, directions, rays_a, rays_b, a, b);
 }
 
 void check_covered_apart(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
@@ -220,18 +234,44 @@ void check_covered_apart(const Groups& cuts, const Points& directions, const Sta
                          const Numbers& to_b) {
   const Integers p = projective(from_a), q = projective(to_b), way = way_between(p, q);
   const Integer over = p.back() * q.back();
-  const Width width{dot(way, way), over * over, 0, length(from_a) + length(to_b)};
-  const std::array<Pieces, 2> outside = parted("covered_apart", cuts, directions, a, b, &width);
-  require_outside("covered_apart", a, b, rays_a, outside[0]);
-  require_outside("covered_apart", b, a, rays_b, outside[1]);
+  constexpr const char* rule = "covered_apart";
+  require_covered(rule, cuts, directions, rays_a, rays_b, a, b,
+                  far_apart(rule, a, b, dot(way, way), over * over, 0, length(from_a) + length(to_b)));
 }
 
 void check_covered_clear(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
                          const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const Number& least) {
-  const Width width{least.n * least.n, 1, 2 * least.e, length({least})};
-  const std::array<Pieces, 2> outside = parted("covered_clear", cuts, directions, a, b, &width);
-  require_outside("covered_clear", a, b, rays_a, outside[0]);
-  require_outside("covered_clear", b, a, rays_b, outside[1]);
+  constexpr const char* rule = "covered_clear";
+  require_covered(rule, cuts, directions, rays_a, rays_b, a, b,
+                  far_apart(rule, a, b, least.n * least.n, 1, 2 * least.e, length({least})));
+}
+
+void check_covered_all_along(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
+                             const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const MeshBody& to_a,
+                             const MeshBody& to_b) {
+  const auto are_parted = [&](const Integers& direction, const Pair& parts, const Extent&, const Extent&) {
+    const Extent of_a = extent(to_a, direction, parts[0]), of_b = extent(to_b, direction, parts[1]);
+    require(
+        compare(of_a.greatest, of_a.e, of_b.least, of_b.e) < 0, "covered_all_along",
+        "at the end a part of " + a.quoted + " is not strictly less far along its direction than one of " + b.quoted);
+  };
+  require_covered("covered_all_along", cuts, directions, rays_a, rays_b, a, b, are_parted);
+}
+
+void check_covered_before(const Groups& cuts, const Points& directions, const StatedRays& rays_a,
+                          const StatedRays& rays_b, const MeshBody& a, const MeshBody& b, const MeshBody& to_a,
+                          const MeshBody& to_b, const Number& time) {
+  const Integers ends = common({time, {1, 1, 0}}).integers;
+  const Integer &now = ends[0], left = ends[1] - now;
+  const auto are_parted = [&](const Integers& direction, const Pair& parts, const Extent& of_a, const Extent& of_b) {
+    const Extent at_end_a = extent(to_a, direction, parts[0]), at_end_b = extent(to_b, direction, parts[1]);
+    const std::size_t size = bits(direction) + a.size() + b.size() + to_a.size() + to_b.size() + length({time});
+    take_steps(16, size, size);
+    const Scalar first = gap_between(of_a, of_b), end = gap_between(at_end_a, at_end_b);
+    require(compare(first.n * left, first.e, -end.n * now, end.e) >= 0, "covered_before",
+            "at the time a part of " + a.quoted + " is further along its direction than one of " + b.quoted);
+  };
+  require_covered("covered_before", cuts, directions, rays_a, rays_b, a, b, are_parted);
 }
 
 void check_covered_within(const Groups& cuts, const Points& directions, const StatedRays& inner,
@@ -281,14 +321,24 @@ void check_clear_beside(const Groups& until, const Points& directions, const Poi
   require_beside("clear_beside", until, directions, away, a, b, least);
 }
 
-void check_on_triangle(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
-                       const Numbers& point) {
+void require_on_triangle(const char* rule, std::size_t triangle, const WeightList& weights, const MeshBody& mesh,
+                         const Numbers& point) {
   const MeshTriangle& corners = mesh.pieces->triangles[triangle];
   for (const std::size_t k : weights.named) {
-    require(std::find(corners.begin(), corners.end(), k) != corners.end(), "on_triangle",
+    require(std::find(corners.begin(), corners.end(), k) != corners.end(), rule,
             "a weight is not of a corner of the triangle");
   }
   holds(weights, {}, mesh, point);
+}
+
+void check_on_triangle(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
+                       const Numbers& point) {
+  require_on_triangle("on_triangle", triangle, weights, mesh, point);
+}
+
+void check_on_triangle_at(const std::size_t& triangle, const WeightList& weights, const MeshBody& mesh,
+                          const MeshBody& to, const Number& time, const Numbers& point) {
+  require_on_triangle("on_triangle_at", triangle, weights, mesh, moved_back(point, time, mesh, to));
 }
 
 void check_encloses(const Numbers& along, const MeshBody& mesh, const Numbers& point) {
@@ -478,6 +528,8 @@ const ClaimRows claims_of_meshes{
     {"covered", cover, rule<check_covered>},
     {"covered_apart", cover, rule<check_covered_apart>},
     {"covered_clear", cover, rule<check_covered_clear>},
+    {"covered_all_along", cover, rule<check_covered_all_along>},
+    {"covered_before", cover, rule<check_covered_before>},
     {"covered_within", "cuts: cuts; directions: points; rays_inner: told rays; rays_outer: told rays",
      rule<check_covered_within>},
     {"beside", parts, rule<check_beside>},
@@ -486,6 +538,7 @@ const ClaimRows claims_of_meshes{
     {"part_of", partition, rule<check_part_of>},
     {"equal_insides", partition, rule<check_equal_insides>},
     {"on_triangle", "triangle: triangle of subject; weights: weights of subject", rule<check_on_triangle>},
+    {"on_triangle_at", "triangle: triangle of subject; weights: weights of subject", rule<check_on_triangle_at>},
     {"encloses", "direction: point", rule<check_encloses>},
 };
 

@@ -28,6 +28,9 @@ extern const ClaimRows claims_of_bodies, claims_of_polytopes, claims_of_hulls, c
 // core than that?
 bool holds(const WeightList& list, const Numbers& from, const HullBody& body, const Numbers& point);
 
+// A point, less how far a body that moves straight from one place to another has come by that time.
+Numbers moved_back(const Numbers& point, const Number& time, const HullBody& begin, const HullBody& end);
+
 // Requires by that rule that along the direction, which is not zero, all of the body is further than last * 2^e, and by
 // `least`, if that is not 0, in units of the direction's length; `size`: the bits of what that is made of.
 struct EndOfPart {

@@ -533,6 +533,12 @@ Shape shape_named(const std::string& shape) {
       {"holders", read_holders_of},
       {"held",
        [](const Told& t) -> Value { return read_indices(t.value, count_in(t), t.where, count_in(t.scope["a"])); }},
+      {"end mesh",
+       [](const Told& t) -> Value {
+         const MeshBody& end = t.tables.meshes[read_index(t.value, t.tables.meshes.size(), t.where)];
+         if (!is_moved(as<MeshBody>(of(t)), end)) refuse_form(t.where + " is not the same body, moved");
+         return &end;
+       }},
       {"triangle",
        [](const Told& t) -> Value {
          return read_index(t.value, as<MeshBody>(of(t)).pieces->triangles.size(), t.where);

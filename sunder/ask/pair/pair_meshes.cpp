@@ -223,9 +223,10 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
                             io::quote(mesh.file), mesh.why_hull, what),
                 place);
   };
+  const bool are_bounded = a.bounded && b.bounded;
   const std::pair<bool, const char*> options[] = {{call.depth, "--depth"},
-                                                  {!call.a.to.empty(), "--to-a"},
-                                                  {!call.b.to.empty(), "--to-b"},
+                                                  {!call.a.to.empty() && !are_bounded, "--to-a"},
+                                                  {!call.b.to.empty() && !are_bounded, "--to-b"},
                                                   {is_hull_with_radius(a), "--radius-a"},
                                                   {is_hull_with_radius(b), "--radius-b"},
                                                   {call.support, "--support"}};
@@ -254,6 +255,7 @@ Report run_mesh_pair(const PairCall& call, const SpaceInput& a, const SpaceInput
                 "a body with a radius is asked about with what is bounded; give no line, ray or plane");
   }
   if (a.flat || b.flat) return run_mesh_flat_pair(call, a, b, files);
+  if (!call.a.to.empty() || !call.b.to.empty()) return run_mesh_motion_pair(call, *a.bounded, *b.bounded, files);
   const MeshMethod method = method_by(call.method, mesh_methods, ", for meshes that are not convex");
   const solid::Mesh mesh_a = mesh_of_placed(*a.bounded), mesh_b = mesh_of_placed(*b.bounded);
   require_range(mesh_a, a.bounded->pose, call.a);

@@ -22,6 +22,9 @@ PairObject object_of_mesh(const PlacedBody& placed, const solid::Mesh& mesh);
 // How many pieces are surfaces, which bound nothing?
 std::size_t open_pieces(const solid::Mesh& mesh);
 
+// Answers a pair of meshes of which one moves, or both. Throws Error where one turns, or its numbers are out of range.
+Report run_mesh_motion_pair(const PairCall& call, const PlacedBody& a, const PlacedBody& b, const PairFiles& files);
+
 class MeshQuestion : public PairQuestion {
  public:
   using PairQuestion::PairQuestion;

@@ -1,5 +1,6 @@
 // sunder pair A B --to-a POSE --to-b POSE: do two bodies meet at any time, while they go straight from pose to pose?
 #include <sunder/ask/evidence.h>
+#include <sunder/ask/pair/pair_motion.h>
 #include <sunder/ask/pair/pair_space.h>
 
 #include <sunder/base/error.h>
@@ -17,15 +18,15 @@
 
 namespace sunder::ask {
 
-namespace {
-
 using solid::PlacedRound;
 using solid::SweepContact;
 using solid::Translation;
 
-// The motion that the call gives this body. Throws Error where the body would turn.
-Translation motion_of(const solid::Pose& begin, const PairSide& side) {
+Translation motion_of(const solid::Pose& begin, const PlacedBody* body, const PairSide& side) {
   if (side.to.empty()) return Translation(begin);
+  if (body != nullptr && body->object && body->object->frame) {
+    throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space", side.option("to"));
+  }
   const solid::Pose end = parse_pose(side.to, side.option("to"));
   if (!is_translation(begin, end)) {
     throw Error(ErrorCode::bad_pose,
@@ -45,14 +46,27 @@ void tell_motion(const Translation& motion, PairObject& object) {
   object.json["moves"] = {{"from", from}, {"to", to}};
 }
 
+Fact told_first_time(const Interval& time) {
+  const auto [low, high] = time;
+  return {"time",
+          {{"low", low}, {"high", high}},
+          high - low <= 0x1p-40
+              ? fmt::format("{}{:.12g} of 0 to 1: they meet then, and not before", low == high ? "" : "about ", high)
+              : fmt::format("{:.12g} of 0 to 1: they meet then, and not before {:.12g}", high, low)};
+}
+
+namespace {
+
+const PlacedBody* core_of(const PlacedRoundBody& body) { return body.core ? &*body.core : nullptr; }
+
 class MotionPair : public PairQuestion {
  public:
   MotionPair(const PairCall& asked, const PlacedRoundBody& a, const PlacedRoundBody& b, const PairFiles& files)
       : PairQuestion(asked, a.object_of(), b.object_of(), files),
         round_a_(a),
         round_b_(b),
-        of_a_(motion_of(a.pose, asked.a)),
-        of_b_(motion_of(b.pose, asked.b)) {
+        of_a_(motion_of(a.pose, core_of(a), asked.a)),
+        of_b_(motion_of(b.pose, core_of(b), asked.b)) {
     tell_motion(of_a_, a_);
     tell_motion(of_b_, b_);
   }
@@ -73,7 +87,7 @@ class MotionPair : public PairQuestion {
     if (!meet_) return facts_.push_back(told_apart());
     first_ = round_round_first_contact(round_a_.body, of_a_, round_b_.body, of_b_, answer_);
     facts_.push_back(told_point());
-    facts_.push_back(told_time());
+    facts_.push_back(told_first_time(first_->time));
     const SweepContact& contact = first_->contact;
     const bool is_proved = std::any_of(contact.direction.begin(), contact.direction.end(),
                                        [](const Dyadic& x) { return x.sign() != Sign::zero; });
@@ -103,15 +117,6 @@ class MotionPair : public PairQuestion {
   Fact told_point() const {
     const Point3 at = nearest(first_->contact.point.at), p{at.x + 0.0, at.y + 0.0, at.z + 0.0};
     return {"evidence", {{"point", to_json(p)}}, fmt::format("a common point then at about {}", about(p))};
-  }
-
-  Fact told_time() const {
-    const auto [low, high] = first_->time;
-    return {"time",
-            {{"low", low}, {"high", high}},
-            high - low <= 0x1p-40
-                ? fmt::format("{}{:.12g} of 0 to 1: they meet then, and not before", low == high ? "" : "about ", high)
-                : fmt::format("{:.12g} of 0 to 1: they meet then, and not before {:.12g}", high, low)};
   }
 
   // The empty slab between the bodies. For two polyhedra it also names the two vertices that bound the slab.
@@ -152,12 +157,6 @@ class MotionPair : public PairQuestion {
 Report run_motion_pair(const PairCall& call, const SpaceInput& a, const SpaceInput& b, const PairFiles& files) {
   require_pair_fit(call, {pair_kind::moving});
   const PlacedRoundBody of_a = round_of(a), of_b = round_of(b);
-  for (const auto& [body, side] : {std::pair(&of_a, &call.a), std::pair(&of_b, &call.b)}) {
-    if (!side->to.empty() && body->core && body->core->object && body->core->object->frame) {
-      throw Error(ErrorCode::bad_call, "is not for a polygon in a frame; give its vertices in space",
-                  side->option("to"));
-    }
-  }
   return ask::answer(MotionPair(call, of_a, of_b, files), files.talk);
 }
 

@@ -146,7 +146,8 @@ namespace pair_kind {
 inline const std::string polytopes = "polytopes", planar = "planar objects that are bounded",
                          planar_lines = "planar lines, rays and half-planes", bodies = "bounded objects of space",
                          flats = "lines, rays and planes of space", round = "bodies with a radius",
-                         moving = "moving bodies", meshes = "meshes that are not convex";
+                         moving = "moving bodies", meshes = "meshes that are not convex",
+                         moving_meshes = "moving meshes that are not convex";
 }  // namespace pair_kind
 
 // Throws Error bad_call for an option that is for none of these kinds.

@@ -38,7 +38,8 @@ Report run(const PairCall& call, Talk& talk) {
     require_pair_fit(call, {pair_kind::planar, pair_kind::planar_lines});
     return run_planar_pair(call, talk);
   }
-  require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving, pair_kind::meshes});
+  require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving, pair_kind::meshes,
+                          pair_kind::moving_meshes});
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
   PairFiles files(call, talk);
@@ -147,11 +148,13 @@ std::vector<Option> pair_options(PairCall& call) {
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
-      flats{kind::flats}, meshes{kind::meshes}, measured{kind::planar, kind::bodies, kind::round, kind::meshes};
+      flats{kind::flats}, meshes{kind::meshes, kind::moving_meshes},
+      measured{kind::planar, kind::bodies, kind::round, kind::meshes};
   Kinds any_shape = plane;
   any_shape.insert(any_shape.end(), space.begin(), space.end());
   Kinds any_at_rest = resting;
   any_at_rest.push_back(kind::polytopes);
+  any_at_rest.push_back(kind::moving_meshes);
   const std::map<std::string_view, const Kinds&> of{{"--to-a", solid},
                                                     {"--to-b", solid},
                                                     {"--radius-a", solid},

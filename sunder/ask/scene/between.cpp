@@ -1,4 +1,5 @@
 #include <sunder/ask/scene/between.h>
+#include <sunder/ask/scene/scene_report.h>
 
 #include <sunder/base/error.h>
 #include <sunder/scene/sweep_claims.h>
@@ -27,7 +28,7 @@ struct Stated {
 };
 
 struct Totals {
-  std::uint64_t some = 0, unknown = 0, all_the_way = 0, at_ends_only = 0, stated = 0;
+  std::uint64_t some = 0, unknown = 0, all_the_way = 0, at_ends_only = 0, stated = 0, surfaces_alone = 0;
 
   void add(const Totals& other) {
     some += other.some;
@@ -35,6 +36,7 @@ struct Totals {
     all_the_way += other.all_the_way;
     at_ends_only += other.at_ends_only;
     stated += other.stated;
+    surfaces_alone += other.surfaces_alone;
   }
 };
 
@@ -47,7 +49,8 @@ struct FoundSteps {
 
 class Between : RowRun {
  public:
-  explicit Between(const RowsAsked& asked) : RowRun(asked, true), steps_(table_.rows() - 1) {}
+  explicit Between(const RowsAsked& asked)
+      : RowRun(asked, true), steps_(table_.rows() - 1), surfaces_consented_(asked.surfaces_consented) {}
 
   int run() {
     asked_ = run_rows<FoundSteps>(
@@ -61,7 +64,8 @@ class Between : RowRun {
     if (!call_.meeting_certificate.empty()) write_certificate();
     files_.commit();
     talk_.print_for_people(summary());
-    return totals_.some + totals_.unknown > 0 ? exit_code::yes : exit_code::no;
+    const bool is_open = totals_.surfaces_alone > 0 && !surfaces_consented_;
+    return totals_.some + totals_.unknown > 0 || is_open ? exit_code::yes : exit_code::no;
   }
 
  private:
@@ -69,7 +73,8 @@ class Between : RowRun {
   bool take(std::size_t k, SweptAnswer answer, FoundSteps& found) const {
     lines_.add(k, answer, found.lines);
     found.totals.add({answer.some_meet(), !answer.some_meet() && !answer.none_meet(),
-                      answer.counts.by_boxes + answer.counts.by_method, answer.counts.at_ends_only});
+                      answer.counts.by_boxes + answer.counts.by_method, answer.counts.at_ends_only, 0,
+                      answer.counts.surfaces_alone});
     const bool goes_on = !call_.first || !answer.some_meet();
     if (!call_.meeting_certificate.empty() && !answer.pairs.empty()) {
       for (const SweptPair& pair : answer.pairs) found.totals.stated += !pair.undecided();
@@ -101,10 +106,12 @@ class Between : RowRun {
     if (totals_.at_ends_only > 0) {
       text += fmt::format("; pairs tested only at both ends, because a part turns: {}", totals_.at_ends_only);
     }
+    if (totals_.surfaces_alone > 0) text += "; " + surfaces_alone_text(totals_.surfaces_alone, surfaces_consented_);
     return text + ending(count_of(totals_.stated, "pair"), "there is nothing to be stated");
   }
 
   const std::size_t steps_;
+  const bool surfaces_consented_;
   std::vector<Stated> stated_;  // where there is to be a certificate
   std::size_t asked_ = 0;
   Totals totals_;

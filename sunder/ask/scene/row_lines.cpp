@@ -153,7 +153,7 @@ void RowLines::add(std::size_t step, const scene::SweptAnswer& answer, LineTexts
     each([&](const SweptPair& pair) {
       const Names names = of(pair);
       add_to(list, "{}{} {}{}", list.empty() ? "" : "; ", names.both(), pair.meet() ? "meet" : "undecided",
-             names.hulls());
+             pair.is_of_meshes() ? "" : names.hulls());
       if (pair.meet()) list += " " + time_text(pair);
     });
     if (list.empty()) list = answer.none_meet() ? "none meet" : "none is known to meet";
@@ -177,7 +177,7 @@ void RowLines::add(std::size_t step, const scene::SweptAnswer& answer, LineTexts
     each([&](const SweptPair& pair) {
       const Names names = of(pair);
       add_to(list, "{}{} ({}{})", list.empty() ? "" : "; ", names.both(), pair.meet() ? time_text(pair) : "undecided",
-             names.hulls(", as hulls"));
+             pair.is_of_meshes() ? "" : names.hulls(", as hulls"));
     });
     add_to(lines.csv, "{},{},{},{}\n", step, answer.verdict(), answer.counts.meeting, quoted_csv(list));
   }
@@ -255,15 +255,20 @@ void RowLines::add_json(const PartDistance& pair, std::optional<double> margin, 
 
 void RowLines::add_json(const SweptPair& pair, JsonLine& json) const {
   open_pair(pair, json);
-  json.member("answer", pair.meet() ? "meet" : "undecided").member("said_of", of(pair).said_of());
+  json.member("answer", pair.meet() ? "meet" : "undecided")
+      .member("said_of", pair.is_of_meshes() ? "meshes" : of(pair).said_of());
   json.member("all_the_way", pair.all_the_way());
   if (pair.meet()) {
     const Interval time = pair.time();
     json.key("time").open('{').member("low", time.low).member("high", time.high).close('}');
   }
-  if (const auto* meet = std::get_if<scene::MeetOnTheWay>(&pair.evidence)) {
-    const Point3 p = nearest(meet->first->contact.point.at);
+  const auto add_point = [&](const Point3& p) {
     json.key("evidence").open('{').member("point", std::array{p.x + 0.0, p.y + 0.0, p.z + 0.0}).close('}');
+  };
+  if (const auto* meet = std::get_if<scene::MeetOnTheWay>(&pair.evidence)) {
+    add_point(nearest(meet->first->contact.point.at));
+  } else if (const auto* meshes = std::get_if<scene::MeshesMeetOnTheWay>(&pair.evidence)) {
+    add_point(meshes->point);
   }
   json.close('}');
 }

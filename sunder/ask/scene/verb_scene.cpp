@@ -166,10 +166,8 @@ void draw(const Talk& talk, const SceneCall& call, const SceneReport& report) {
                   picture::scene_gltf(panels, is_binary ? picture::GltfForm::binary : picture::GltfForm::json));
 }
 
-// Motion is that of hulls.
 void note_meshes(Talk& talk, const SceneCall& call, const SceneReport& report) {
-  const bool are_hulls = call.hull || call.between;
-  (are_hulls ? note_hulls : note_remarks)(talk, meshes_of(report.cell));
+  (call.hull ? note_hulls : note_remarks)(talk, meshes_of(report.cell));
 }
 
 Report run(const SceneCall& call, Talk& talk) {

@@ -1,13 +1,16 @@
 #include <sunder/base/contract.h>
 #include <sunder/base/interruption.h>
+#include <sunder/number/interval.h>
 #include <sunder/number/root.h>
 #include <sunder/predicate/point/along.h>
 #include <sunder/predicate/point/further_by.h>
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/exact/exact_gjk.h>
+#include <sunder/solid/exact/sweep_simplex.h>
 #include <sunder/solid/mesh/mesh_cover.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
+#include <sunder/solid/object/convex_polyhedron.h>
 #include <sunder/solid/search/gjk.h>
 #include <sunder/solid/search/search_vector.h>
 
@@ -77,15 +80,58 @@ struct Part {
   }
 };
 
-// The support of the hulls of some points for the search of Gilbert, Johnson and Keerthi (gjk.h): all are looked at.
+// How both meshes move, up to the first contact, or to the end.
+class Motion {
+ public:
+  Motion(const Mesh& mesh_a, const Translation& way_a, const Mesh& mesh_b, const Translation& way_b,
+         const SweepContact* contact)
+      : of_a(way_a), of_b(way_b), end_a(mesh_a, way_a.end()), end_b(mesh_b, way_b.end()), first(contact) {
+    const Interval time = contact != nullptr ? contact->time.enclosure() : Interval(1);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto at = [c](const Pose& pose) { return Interval(pose.affine().translation[c]); };
+      path_[c] = ((at(of_b.end()) - at(of_b.begin())) - (at(of_a.end()) - at(of_a.begin()))) * time;
+    }
+  }
+
+  // How B moves as seen from A: in an interval, and rounded.
+  const Interval& path(std::size_t axis) const { return path_[axis]; }
+  Point3 rounded_path() const {
+    const auto middle = [](const Interval& x) { return x.low / 2 + x.high / 2; };
+    return {middle(path_[0]), middle(path_[1]), middle(path_[2])};
+  }
+
+  // Does B's first corner along a direction come strictly behind A's last one at the end, or weakly at the contact?
+  // Requires that it is strictly behind it at time 0. Of each its place at time 0, and at the end.
+  bool stay_parted(const WorldDirection& direction, const std::array<Posed3, 2>& last,
+                   const std::array<Posed3, 2>& first_of_b) const {
+    const Sign at_end = compare_along(direction, last[1], first_of_b[1]);
+    if (at_end == Sign::positive || first == nullptr) return at_end == Sign::positive;
+    const Vector3<Dyadic> d = direction.exact();
+    const auto gap = [&](std::size_t k) {
+      return dot(d, coordinates<Dyadic>(first_of_b[k]) - coordinates<Dyadic>(last[k]));
+    };
+    const auto& [time, over] = first->time;
+    return (gap(0) * (over - time) + gap(1) * time).sign() != Sign::negative;
+  }
+
+  const Translation &of_a, &of_b;
+  const PlacedMesh end_a, end_b;
+  const SweepContact* const first;
+
+ private:
+  std::array<Interval, 3> path_;
+};
+
+// The support of the hulls of some points for the search of Gilbert, Johnson and Keerthi (gjk.h): all are looked at. Where
+// B moves by `path`, of the difference and what that is moved by.
 class CornersSupport {
  public:
   using Vector = Point3;
   using Vertex = DifferenceVertex;
 
   CornersSupport(const Searched& a, const Searched& b, const std::vector<std::uint32_t>& of_a,
-                 const std::vector<std::uint32_t>& of_b)
-      : a_(a), b_(b), of_a_(of_a), of_b_(of_b) {}
+                 const std::vector<std::uint32_t>& of_b, const Point3& path)
+      : a_(a), b_(b), of_a_(of_a), of_b_(of_b), path_(path) {}
 
   double scale = 1;
 
@@ -94,15 +140,17 @@ class CornersSupport {
     return dot(d, d) > 0 ? d : Vector{1, 0, 0};
   }
   Vertex furthest(const Vector& d, const DifferenceSimplex&, Cost&) const {
-    return of_vertices(extreme(a_, of_a_, d), extreme(b_, of_b_, {-d.x, -d.y, -d.z}));
+    Vertex w = of_vertices(extreme(a_, of_a_, d), extreme(b_, of_b_, {-d.x, -d.y, -d.z}));
+    if (dot(d, path_) < 0) w.at = difference(w.at, path_);
+    return w;
   }
-  static bool are_same(const Vertex& v, const Vertex& w) { return (v.a == w.a) & (v.b == w.b); }
+  static bool are_same(const Vertex& v, const Vertex& w) { return (v.a == w.a) & (v.b == w.b) & (v.at == w.at); }
   static double noise(const Vector& d, const Vertex& w) {
     return 0x1p-44 * (std::fabs(d.x * w.at.x) + std::fabs(d.y * w.at.y) + std::fabs(d.z * w.at.z));
   }
   double noise2(const Vertex& v) const {
     const Point3 &p = a_.images[v.a], &q = b_.images[v.b];
-    return 0x1p-92 * (dot(p, p) + dot(q, q));
+    return 0x1p-92 * (dot(p, p) + dot(q, q) + dot(path_, path_));
   }
   static bool is_coarse() { return false; }
   static void refine() {}
@@ -118,12 +166,24 @@ class CornersSupport {
 
   const Searched &a_, &b_;
   const std::vector<std::uint32_t>&of_a_, &of_b_;
+  Point3 path_;
 };
 
 class Covering {
  public:
-  Covering(const PlacedMesh& a, const PlacedMesh& b, double scale, const CoverWidth& width)
-      : a_(a, scale), b_(b, scale), width_(width), is_wide_(width.squared.numerator.sign() != Sign::zero) {
+  // motion: null where both rest; then `width` is of no width.
+  Covering(const PlacedMesh& a, const PlacedMesh& b, double scale, const CoverWidth& width,
+           const Motion* motion = nullptr)
+      : a_(a, scale),
+        b_(b, scale),
+        width_(width),
+        way_(width.way),
+        motion_(motion),
+        is_wide_(width.squared.numerator.sign() != Sign::zero) {
+    if (motion != nullptr) {
+      const Point3 path = motion->rounded_path();
+      path_ = {path.x * scale, path.y * scale, path.z * scale};
+    }
     if (is_wide_) {
       const auto [low, high] = root(width.squared);
       wide_ = high;
@@ -213,15 +273,17 @@ class Covering {
 
   std::optional<std::array<Dyadic, 3>> direction_between(const Part& of_a, const Part& of_b) {
     for (std::size_t c = 0; c < 3; ++c) {
-      const bool is_up = is_behind(of_b.box.low[c], of_a.box.high[c]);
-      if (!is_up && !is_behind(of_a.box.low[c], of_b.box.high[c])) continue;
+      const Interval path = motion_ != nullptr ? hull_with_zero(motion_->path(c)) : Interval();
+      const Interval of_b_c = Interval(of_b.box.low[c], of_b.box.high[c]) + path;
+      const bool is_up = is_behind(of_b_c.low, of_a.box.high[c]);
+      if (!is_up && !is_behind(of_a.box.low[c], of_b_c.high)) continue;
       std::array<Dyadic, 3> axis;
       axis[c] = is_up ? 1.0 : -1.0;
       return axis;
     }
     corners_a_ = a_.corners_of(of_a.triangles);
     corners_b_ = b_.corners_of(of_b.triangles);
-    Gjk<double, CornersSupport> search(a_, b_, corners_a_, corners_b_);
+    Gjk<double, CornersSupport> search(a_, b_, corners_a_, corners_b_, path_);
     search.begin({});
     Cost cost;
     std::optional<std::array<Dyadic, 3>> found;
@@ -231,10 +293,12 @@ class Covering {
              (found = in_doubles(search.direction));
     });
     if (found) return found;
-    if (width_.way && search.distance2 >= about_ * about_ && (found = shortened(*width_.way))) return found;
+    if (way_ && search.distance2 >= about_ * about_ && (found = shortened(*way_))) return found;
     if (of_a.is_node(a_.placed) || of_b.is_node(b_.placed)) return std::nullopt;
-    return exactly(search.simplex);
+    return motion_ != nullptr ? exactly_on_the_way() : exactly(search.simplex);
   }
+
+  static Interval hull_with_zero(const Interval& x) { return {std::min(x.low, 0.0), std::max(x.high, 0.0)}; }
 
   // The direction, if it parts the corners.
   std::optional<std::array<Dyadic, 3>> in_doubles(Point3 d) {
@@ -246,7 +310,11 @@ class Covering {
     const std::uint32_t last_a = extreme(a_, corners_a_, direction, Sign::positive, corners_a_.front()),
                         first_b = extreme(b_, corners_b_, direction, Sign::negative, corners_b_.front());
     const Posed3 last = a_.placed.at(last_a), first = b_.placed.at(first_b);
-    if (!is_wide_) return compare_along(direction, last, first) == Sign::positive;
+    if (!is_wide_) {
+      return compare_along(direction, last, first) == Sign::positive &&
+             (motion_ == nullptr ||
+              motion_->stay_parted(direction, {last, motion_->end_a.at(last_a)}, {first, motion_->end_b.at(first_b)}));
+    }
     return is_further_by(direction, last, first, width_.squared);
   }
 
@@ -265,6 +333,27 @@ class Covering {
   // What begins at `low` along an axis, behind what ends at `high`?
   bool is_behind(double low, double high) const {
     return high < low && (!is_wide_ || std::nextafter(low - high, 0.0) >= wide_);
+  }
+
+  // By the linear program of sweep_simplex.h, of few corners. Its direction of the first contact parts them before, and at
+  // that time weakly; so it will do, if that is not before what is asked.
+  std::optional<std::array<Dyadic, 3>> exactly_on_the_way() {
+    const auto hull_of = [](const Searched& of, const std::vector<std::uint32_t>& corners) {
+      std::vector<Point3> points;
+      for (const std::uint32_t corner : corners) points.push_back(of.placed.mesh().points()[corner]);
+      return ConvexPolyhedron(points);
+    };
+    const ConvexPolyhedron of_a = hull_of(a_, corners_a_), of_b = hull_of(b_, corners_b_);
+    Cost cost;
+    StageTally tally;
+    const SweepOutcome outcome =
+        decide_by_sweep_simplex(of_a, motion_->of_a, of_b, motion_->of_b,
+                                motion_->first != nullptr ? SweepTime::first : SweepTime::any, 0, 0, cost, tally);
+    const auto& [x, y, z] = outcome.contact ? outcome.contact->direction : outcome.direction;
+    if (x.sign() == Sign::zero && y.sign() == Sign::zero && z.sign() == Sign::zero) return std::nullopt;
+    std::optional<std::array<Dyadic, 3>> found = shortened({x, y, z});
+    if (found) way_ = {(*found)[0], (*found)[1], (*found)[2]};
+    return found;
   }
 
   // The exact search, of few corners. Nothing where their hulls meet, or are not that far apart.
@@ -335,6 +424,10 @@ class Covering {
 
   Searched a_, b_;
   const CoverWidth& width_;
+  std::optional<Vector3<Dyadic>>
+      way_;  // may do for many parts: that given, or, of a motion, the last one found exactly
+  const Motion* motion_;
+  Point3 path_{};  // of B as seen from A, in units of the search
   bool is_wide_;
   double wide_ = 0, about_ = 0;                       // not less than the width; not more, in units of the search
   std::vector<std::uint32_t> corners_a_, corners_b_;  // of the pair that is looked at
@@ -358,6 +451,17 @@ MeshCover mesh_cover(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pos
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
   const double scale = scale_to_one(std::max(placed_a.at(0u).reach, placed_b.at(0u).reach));
   return Covering(placed_a, placed_b, scale, width).run();
+}
+
+MeshCover mesh_cover_on_the_way(const Mesh& a, const Translation& of_a, const Mesh& b, const Translation& of_b,
+                                const SweepContact* first) {
+  const PlacedMesh placed_a(a, of_a.begin()), placed_b(b, of_b.begin());
+  const Motion motion(a, of_a, b, of_b, first);
+  const double scale = scale_to_one(
+      std::max({placed_a.at(0u).reach, placed_b.at(0u).reach, motion.end_a.at(0u).reach, motion.end_b.at(0u).reach}));
+  CoverWidth width;
+  if (first != nullptr) width.way = {first->direction[0], first->direction[1], first->direction[2]};
+  return Covering(placed_a, placed_b, scale, width, &motion).run();
 }
 
 }  // namespace sunder::solid

@@ -6,8 +6,10 @@
 #include <sunder/number/exact_fraction.h>
 #include <sunder/number/vector.h>
 #include <sunder/predicate/exact_point.h>
+#include <sunder/solid/exact/sweep_contact.h>
 #include <sunder/solid/mesh/mesh.h>
 #include <sunder/solid/object/pose.h>
+#include <sunder/solid/object/translation.h>
 
 #include <array>
 #include <cstdint>
@@ -61,5 +63,12 @@ struct MeshSelfCover {
 // Nothing where a triangle has no area. Requires a mesh without crossings and T-junctions (mesh_crossings.h). Exact, as
 // mesh_cover(). Cost: some twenty pairs for each triangle.
 std::optional<MeshSelfCover> mesh_self_cover(const Mesh& mesh);
+
+// The same of meshes that move: each direction parts the two parts at time 0 and at time 1, and so at all times between, as
+// how far apart they are along it is linear in time. Where a contact is given: at time 0, and at the time of the contact,
+// where they may touch; so they are apart along it before. Rays are of time 0. Requires that the meshes are apart all the
+// time, or before the contact, which is the first one and not at time 0.
+MeshCover mesh_cover_on_the_way(const Mesh& a, const Translation& of_a, const Mesh& b, const Translation& of_b,
+                                const SweepContact* first = nullptr);
 
 }  // namespace sunder::solid

@@ -122,7 +122,7 @@ class Statement {
   void operator()(const MeshesApart&) const {
     begin("apart");
     file_.begin_claims();
-    cover("covered", a_, b_, "rays_a", "rays_b");
+    add_cover("covered", cover(), "rays_a", "rays_b");
     file_.end_statement();
   }
 
@@ -130,14 +130,14 @@ class Statement {
     begin("closest", "mesh_distance");
     const auto [of_a, of_b] = two_points(nearest);
     const ShortestWay<Dyadic> way = nearest.closest.way().way;
-    cover("covered_apart", a_, b_, "rays_a", "rays_b", {nearest.closest.squared(), way.way});
+    add_cover("covered_apart", cover({nearest.closest.squared(), way.way}), "rays_a", "rays_b");
     file_.end_statement();
   }
 
   void kept(double least) const {
     begin_clearance("kept", least);
     file_.begin_claims();
-    cover("covered_clear", a_, b_, "rays_a", "rays_b", {{Dyadic(least) * Dyadic(least)}, {}});
+    add_cover("covered_clear", cover({{Dyadic(least) * Dyadic(least)}, {}}), "rays_a", "rays_b");
     file_.end_statement();
   }
   void broken(double least, const NearTriangles& near) const {
@@ -181,6 +181,37 @@ class Statement {
   void operator()(const PointWithin& within) const {
     begin(within.is_of_a ? "a_within" : "b_within");
     point_within(within);
+  }
+
+  void motion(const StatedMotion& a, const StatedMotion& b, const MeshMotion& answer) const {
+    const SweepContact* const contact = contact_on_the_way(answer);
+    const auto* const meeting = std::get_if<MeetingTriangles>(&answer.evidence);
+    const auto* const within = std::get_if<PointWithin>(&answer.evidence);
+    begin(contact != nullptr   ? "first"
+          : meeting != nullptr ? "meet"
+          : within == nullptr  ? "apart"
+          : within->is_of_a    ? "a_within"
+                               : "b_within",
+          "mesh_motion");
+    file_.index("to_a", a.end);
+    file_.index("to_b", b.end);
+    if (within != nullptr) return point_within(*within);
+    if (contact != nullptr) {
+      const auto& later = std::get<TrianglesOnTheWay>(answer.evidence);
+      file_.fraction("time", contact->time.numerator, contact->time.denominator);
+      on_both(contact->point, later.of_a, later.of_b, "on_triangle_at");
+    } else if (meeting != nullptr) {
+      file_.fraction("time", Dyadic(), Dyadic(1.0));
+      on_both(common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, *meeting), meeting->of_a, meeting->of_b,
+              "on_triangle_at");
+    } else {
+      file_.begin_claims();
+    }
+    if (meeting == nullptr) {
+      add_cover(contact != nullptr ? "covered_before" : "covered_all_along",
+                mesh_cover_on_the_way(a_.mesh, a.of, b_.mesh, b.of, contact), "rays_a", "rays_b");
+    }
+    file_.end_statement();
   }
   void broken(double least, const PointWithin& within) const {
     begin_clearance(within.is_of_a ? "a_within" : "b_within", least);
@@ -242,11 +273,13 @@ class Statement {
   }
 
   void common_point_of(const MeetingTriangles& meeting) const {
-    const CommonPoint point = common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting);
+    on_both(common_point(a_.mesh, a_.pose, b_.mesh, b_.pose, meeting), meeting.of_a, meeting.of_b, "on_triangle");
+  }
+  void on_both(const CommonPoint& point, std::uint32_t triangle_a, std::uint32_t triangle_b, const char* rule) const {
     file_.fractions("point", point.at);
     file_.begin_claims();
-    add_on_triangle(file_, meeting.of_a, point.of_a);
-    add_on_triangle(file_, meeting.of_b, point.of_b);
+    add_on_triangle(file_, triangle_a, point.of_a, rule);
+    add_on_triangle(file_, triangle_b, point.of_b, rule);
   }
 
   // Begins the claims: that triangles hold the nearest points, or others.
@@ -271,13 +304,13 @@ class Statement {
   void within(const char* verdict, const StatedMesh& inner, const StatedMesh& outer) const {
     begin(verdict);
     file_.begin_claims();
-    cover("covered_within", inner, outer, "rays_inner", "rays_outer");
+    add_cover("covered_within", mesh_cover(inner.mesh, inner.pose, outer.mesh, outer.pose), "rays_inner", "rays_outer");
     file_.end_statement();
   }
 
-  void cover(const char* rule, const StatedMesh& a, const StatedMesh& b, const char* key_a, const char* key_b,
-             const CoverWidth& width = {}) const {
-    const MeshCover cover = mesh_cover(a.mesh, a.pose, b.mesh, b.pose, width);
+  MeshCover cover(const CoverWidth& width = {}) const { return mesh_cover(a_.mesh, a_.pose, b_.mesh, b_.pose, width); }
+
+  void add_cover(const char* rule, const MeshCover& cover, const char* key_a, const char* key_b) const {
     file_.begin_claim(rule);
     add_walk(file_, cover.cuts, cover.directions);
     add_rays(file_, key_a, cover.rays_a);
@@ -328,8 +361,8 @@ StatedMesh add_named(MeshClaims& meshes, const NamedMesh& of) {
 
 }  // namespace
 
-void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights) {
-  file.begin_claim("on_triangle");
+void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights, const char* rule) {
+  file.begin_claim(rule);
   file.index("triangle", triangle);
   add_weights(file, "weights", weights);
   file.end_claim();
@@ -454,6 +487,10 @@ void MeshClaims::add_clearance(const StatedMesh& a, const StatedMesh& b, const M
   statement.kept(least);
 }
 
+void MeshClaims::add_motion(const StatedMotion& a, const StatedMotion& b, const MeshMotion& answer) {
+  Statement(file_, a.begin, b.begin).motion(a, b, answer);
+}
+
 void MeshClaims::add_crossing(std::uint32_t index, const Mesh& mesh, const CrossingTriangles& pair) {
   const CommonPoint point = crossing_point(mesh, pair);
   file_.begin_statement("mesh_crossing");
@@ -496,6 +533,21 @@ void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, cons
   meshes.add_pair(stated_a, stated_b, answer.evidence, relation);
   if (measures.tells_distance) meshes.add_distance(stated_a, stated_b, *measures.distance);
   if (measures.least > 0) meshes.add_clearance(stated_a, stated_b, *measures.distance, measures.least);
+}
+
+void add_claims(ClaimsWriter& file, const NamedMotion& a, const NamedMotion& b, const MeshMotion& answer) {
+  MeshClaims meshes(file);
+  const auto add = [&](const NamedMotion& of) {
+    const std::uint32_t mesh = meshes.add_mesh(of.name, of.mesh, of.said);
+    const auto placed = [&](const Pose& pose) {
+      return pose.affine() == Affine3() ? mesh : meshes.add_placed(of.name, mesh, pose);
+    };
+    const std::uint32_t first = placed(of.of.begin()), last = of.of.rests() ? first : placed(of.of.end());
+    return StatedMotion{{first, of.mesh, of.of.begin()}, last, of.of};
+  };
+  const StatedMotion stated_a = add(a), stated_b = add(b);
+  meshes.end_table();
+  meshes.add_motion(stated_a, stated_b, answer);
 }
 
 void prove(const TextSink& sink, const AskedPair<Mesh, Pose>& asked, const MeshAnswer& answer) {

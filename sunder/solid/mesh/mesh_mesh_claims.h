@@ -12,6 +12,7 @@
 #include <sunder/solid/mesh/mesh_distance.h>
 #include <sunder/solid/mesh/mesh_holders.h>
 #include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_motion.h>
 #include <sunder/solid/mesh/mesh_relation.h>
 
 #include <string>
@@ -41,14 +42,22 @@ Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const
 Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                         const MeshEvidence& evidence);
 
-// The claim that the weights of corners of the triangle make the point of the statement.
-void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights);
+// The claim that the weights of corners of the triangle make the point of the statement; rule on_triangle_at: at its time.
+void add_on_triangle(ClaimsWriter& file, std::uint32_t triangle, const Combination& weights,
+                     const char* rule = "on_triangle");
 
 // A placed mesh, and its index in the table.
 struct StatedMesh {
   std::uint32_t index;
   const Mesh& mesh;
   const Pose& pose;
+};
+
+// A mesh that moves: where it begins, and the index of where it ends.
+struct StatedMotion {
+  StatedMesh begin;
+  std::uint32_t end;
+  const Translation& of;
 };
 
 // Calls follow the file: meshes and where they are placed, the end of the table, pairs. Keeps a reference to it.
@@ -78,6 +87,9 @@ class MeshClaims {
   // That they are `least` apart, or two points that are nearer, or a point of one that is inside of the other.
   void add_clearance(const StatedMesh& a, const StatedMesh& b, const MeshDistance& distance, double least);
 
+  // Whether they meet on the way, and when first.
+  void add_motion(const StatedMotion& a, const StatedMotion& b, const MeshMotion& answer);
+
   // That two triangles of a mesh of the table cross. Requires that they do.
   void add_crossing(std::uint32_t index, const Mesh& mesh, const CrossingTriangles& pair);
 
@@ -105,6 +117,15 @@ struct MeshMeasures {
 // MeshClaims::add_pair(), for each.
 void add_claims(ClaimsWriter& file, const NamedMesh& a, const NamedMesh& b, const MeshAnswer& answer,
                 const MeshRelation* relation = nullptr, const MeshMeasures& measures = {});
+
+// A mesh that moves, with its name in the file. Poses are those of the motion.
+struct NamedMotion {
+  std::string name;
+  const Mesh& mesh;
+  const Translation& of;
+  Said said{};
+};
+void add_claims(ClaimsWriter& file, const NamedMotion& a, const NamedMotion& b, const MeshMotion& answer);
 
 // The certificate file of the answer, whole (asked_pair.h). tells_relation: how they lie to each other, as far as that is
 // found (mesh_relation.h).

@@ -176,7 +176,7 @@ class PlacedBoxes {
     return side(a) >= side(b) * size_;
   }
 
- private:
+ protected:
   // Two boxes in the frame of the first: its axes, those of the second one, the way from one middle to the other, and the sum
   // of the sizes of all these numbers.
   struct Seen {

@@ -6,7 +6,7 @@ import math
 
 from .linear import aligned, way_between
 from .reader import LIST, bits, common, form, length, projective, require
-from .rules import beyond, holds
+from .rules import beyond, holds, moved_back
 from .sentences import counted
 from .tables import Body, cross, dot
 
@@ -148,9 +148,9 @@ def meshes(value, where, read):
     return result
 
 
-def parted(rule, steps, cuts, directions, a, b, width=None):
-    """Each triangle of A is parted from each of B, and that far; the pieces of each that are parted from all of the other.
-    width: n, m, e and its length, for n / m * 2^e, the square of a distance."""
+def parted(rule, steps, cuts, directions, a, b, besides=None):
+    """Each triangle of A is parted from each of B; the pieces of each that are parted from all of the other. besides(d, parts,
+    last, e, begin, f) is asked of each two parts: A's ends at last * 2^e, B's begins at begin * 2^f."""
     whole = [(0, len(mesh.triangles)) for mesh in (a, b)]
     pairs, outside, left = [whole], (set(), set()), iter(directions)
     for k in cuts:
@@ -169,18 +169,24 @@ def parted(rule, steps, cuts, directions, a, b, width=None):
         (_, last, e), (begin, _, f) = a.ends(steps, d, *parts[0]), b.ends(steps, d, *parts[1])
         require(last << max(e - f, 0) < begin << max(f - e, 0), rule,
                 "a part of %s is not strictly less far along its direction than one of %s" % (a.name, b.name))
-        if width:
-            square, over, unit, size = width
-            size += bits(d) + a.size + b.size
-            steps.take(16, size, size)
-            begin, last = aligned(begin, f, last, e)
-            far, asked = aligned((begin - last) ** 2 * over, 2 * min(e, f), square * dot(d, d), unit)
-            require(far >= asked, rule, "a part of %s and one of %s are less far apart than stated, along their direction" % (a.name, b.name))
+        if besides:
+            besides(d, parts, last, e, begin, f)
         for mesh, of, part, other in (a, 0, parts[0], 1), (b, 1, parts[1], 0):
             if parts[other] == whole[other]:
                 outside[of].update(mesh.piece[part[0]:part[1]])
     require(not pairs and next(left, None) is None, rule, "the walk does not end with its numbers and directions")
     return outside
+
+
+def far_apart(rule, steps, a, b, square, over, unit, size):
+    """Parts are so far apart along their direction: square / over * 2^unit, squared; size: its length."""
+    def are_far_apart(d, _, last, e, begin, f):
+        of_all = size + bits(d) + a.size + b.size
+        steps.take(16, of_all, of_all)
+        begin, last = aligned(begin, f, last, e)
+        far, asked = aligned((begin - last) ** 2 * over, 2 * min(e, f), square * dot(d, d), unit)
+        require(far >= asked, rule, "a part of %s and one of %s are less far apart than stated, along their direction" % (a.name, b.name))
+    return are_far_apart
 
 
 def told_pieces(rule, steps, mesh, other, rays, inside):
@@ -199,25 +205,51 @@ def outside_of(rule, steps, mesh, other, rays, parted_pieces):
             "a piece of %s is not shown to be outside of %s" % (mesh.name, other.name))
 
 
-def covered(steps, cuts, directions, rays_a, rays_b, a, b, rule="covered", width=None):
+def covered(steps, cuts, directions, rays_a, rays_b, a, b, rule="covered", besides=None):
     """Each triangle of A is parted from each of B; and each piece of one is outside of the other."""
-    outside = parted(rule, steps, cuts, directions, a, b, width)
+    outside = parted(rule, steps, cuts, directions, a, b, besides)
     outside_of(rule, steps, a, b, rays_a, outside[0])
     outside_of(rule, steps, b, a, rays_b, outside[1])
 
 
 def covered_apart(steps, cuts, directions, rays_a, rays_b, a, b, from_a, to_b):
     """Likewise, and as far apart as two points."""
-    p, q = projective(from_a), projective(to_b)
+    rule, p, q = "covered_apart", projective(from_a), projective(to_b)
     way = way_between(p, q)
-    width = dot(way, way), (p[3] * q[3]) ** 2, 0, length(from_a) + length(to_b)
-    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_apart", width)
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, rule, far_apart(
+        rule, steps, a, b, dot(way, way), (p[3] * q[3]) ** 2, 0, length(from_a) + length(to_b)))
 
 
 def covered_clear(steps, cuts, directions, rays_a, rays_b, a, b, least):
     """Likewise, and that far apart."""
-    width = least[0] ** 2, 1, 2 * least[2], length([least])
-    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_clear", width)
+    rule = "covered_clear"
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, rule, far_apart(
+        rule, steps, a, b, least[0] ** 2, 1, 2 * least[2], length([least])))
+
+
+def covered_all_along(steps, cuts, directions, rays_a, rays_b, a, b, to_a, to_b):
+    """Likewise, and so at the end of their ways."""
+    def are_parted(d, parts, *_):
+        (_, last, e), (begin, _, f) = to_a.ends(steps, d, *parts[0]), to_b.ends(steps, d, *parts[1])
+        require(last << max(e - f, 0) < begin << max(f - e, 0), "covered_all_along",
+                "at the end a part of %s is not strictly less far along its direction than one of %s" % (a.name, b.name))
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_all_along", are_parted)
+
+
+def covered_before(steps, cuts, directions, rays_a, rays_b, a, b, to_a, to_b, time):
+    """Likewise before a time, when parts may touch."""
+    (now, whole), _, _ = common([time, (1, 1, 0)])
+
+    def are_parted(d, parts, last, e, begin, f):
+        (_, to_last, g), (to_begin, _, h) = to_a.ends(steps, d, *parts[0]), to_b.ends(steps, d, *parts[1])
+        size = bits(d) + a.size + b.size + to_a.size + to_b.size + length([time])
+        steps.take(16, size, size)
+        begin, last = aligned(begin, f, last, e)
+        to_begin, to_last = aligned(to_begin, h, to_last, g)
+        first, end = aligned((begin - last) * (whole - now), min(e, f), (to_begin - to_last) * now, min(g, h))
+        require(first + end >= 0, "covered_before",
+                "at the time a part of %s is further along its direction than one of %s" % (a.name, b.name))
+    covered(steps, cuts, directions, rays_a, rays_b, a, b, "covered_before", are_parted)
 
 
 def covered_within(steps, cuts, directions, inner, outer, a, b):
@@ -388,11 +420,16 @@ def around(steps, holders, held, a, b):
                 "point %d of %s is not where it is said to be held" % (k, a.name))
 
 
-def on_triangle(steps, triangle, weights, mesh, point):
+def on_triangle(steps, triangle, weights, mesh, point, rule="on_triangle"):
     """A triangle of a mesh holds a point."""
     for k, _ in weights:
-        require(k in mesh.triangles[triangle], "on_triangle", "a weight is not of a corner of the triangle")
+        require(k in mesh.triangles[triangle], rule, "a weight is not of a corner of the triangle")
     holds(steps, weights, None, mesh, point)
+
+
+def on_triangle_at(steps, triangle, weights, mesh, to, time, point):
+    """A triangle of a mesh on its way holds a point at that time."""
+    on_triangle(steps, triangle, weights, mesh, moved_back(steps, point, time, mesh, to), "on_triangle_at")
 
 
 def corners_around(steps, triangle, weights, mesh, point):

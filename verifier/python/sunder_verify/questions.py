@@ -441,14 +441,14 @@ CLAIMS = {
         polytopes.contradicted, polytopes.spans, polytopes.enclosed, polytopes.tops)},
     "tops_only": (partial(polytopes.tops, is_only=True), "multipliers"),
     **{rule.__name__: (rule, "cuts", "directions", "rays_a", "rays_b") for rule in (
-        meshes.covered, meshes.covered_apart, meshes.covered_clear)},
+        meshes.covered, meshes.covered_apart, meshes.covered_clear, meshes.covered_all_along, meshes.covered_before)},
     "no_crossings": (meshes.no_crossings, "cuts", "directions"),
     "covered_within": (meshes.covered_within, "cuts", "directions", "rays_inner", "rays_outer"),
     **{rule.__name__: (rule, "until", "directions", "away") for rule in (meshes.beside, meshes.clear_beside)},
     **{rule.__name__: (rule, "cuts", "planes", "cells", "rays_first", "rays_second") for rule in (
         meshes.insides_apart, meshes.part_of, meshes.equal_insides)},
     "around": (meshes.around, "holders", "held"),
-    "on_triangle": (meshes.on_triangle, "triangle", "weights"),
+    **{rule.__name__: (rule, "triangle", "weights") for rule in (meshes.on_triangle, meshes.on_triangle_at)},
     "triangles_cross": (meshes.triangles_cross, "triangle", "weights", "other_triangle", "other_weights"),
     "encloses": (meshes.encloses, "direction"),
     "normal_fan": (vertices.normal_fan, "fans"),
@@ -546,6 +546,12 @@ QUESTIONS = {
     "mesh_crossing": ("meshes", "a", {"two": "triangles_cross a point", "none": "no_crossings a"}),
     "mesh_distance": ("meshes", "a b", {
         "closest": "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b"}),
+    "mesh_motion": ("meshes", "a b to_a to_b", {
+        "apart": "covered_all_along a b to_a to_b",
+        "meet": "on_triangle_at a to_a time point, on_triangle_at b to_b time point",
+        "first": "on_triangle_at a to_a time point, on_triangle_at b to_b time point, covered_before a b to_a to_b time",
+        "a_within": "on_triangle a point, encloses b point",
+        "b_within": "encloses a point, on_triangle b point"}),
     "mesh_clearance": ("meshes", "a b least", {
         "kept": "covered_clear a b least",
         "broken": "on_triangle a from_a, on_triangle b to_b, nearer from_a to_b least",

@@ -1,0 +1,321 @@
+#include <verifier/cpp/question_rows.h>
+
+#include <utility>
+
+namespace sunder_verifier {
+namespace {
+
+// What is the common part of half-planes?
+QuestionRow common_part(const std::string& name, const std::string& table, const std::string& says,
+                        const std::string& given, const std::string& of) {
+  const std::string sentence = of + " is {region}";
+  QuestionRow row{name, table, says, {{"empty", "", "contradict " + given, sentence}}};
+  for (const char* kind : {"point", "segment", "ray", "line", "strip", "half-plane", "unbounded", "bounded"}) {
+    row.verdicts.push_back({kind, "sides: indices of " + given, "cones " + given + " verdict sides", sentence});
+  }
+  return row;
+}
+
+// Which entries of a table have a contact that counts? The claims of `none`, `these` and `count`.
+QuestionRow meetings(const std::string& table, VerdictRow some, const std::string& contacts, const std::string& none,
+                     const std::string& these, const std::string& count) {
+  const std::string of = " " + table + " groups allowed";
+  return {table,
+          table,
+          "allowed: allowed; [groups]: groups of " + table,
+          {std::move(some),
+           {"none", "", none + of, "no two of the {all} meet"},
+           {"these", "contacts: " + contacts + " of " + table, these + of + " contacts", "exactly {meeting}"},
+           {"count", "number: count", count + of + " number", "exactly {meeting}"}}};
+}
+
+VerdictRow contact_of(const std::string& table) {
+  return {"some", "i, j: index of " + table + "; kind: kind of " + table + "; point: point",
+          "contact " + table + " i j kind point groups allowed",
+          "{question} {i} and {j} of {all} meet at {point}: {kind}"};
+}
+
+// Polygons touch or overlap.
+QuestionRow with_kinds(QuestionRow row) {
+  row.verdicts.push_back(
+      {"these_kinds", "kinds: contacts of polygons", "these_kinds polygons groups allowed kinds", "exactly {meeting}"});
+  row.verdicts.push_back({"count_kinds", "overlapping, touching: count",
+                          "kinds_count polygons groups allowed overlapping touching",
+                          "of the {all}, so many pairs overlap: {overlapping}; touch: {touching}"});
+  return row;
+}
+
+QuestionRow two_polygons() {
+  QuestionRow row{"two_polygons", "polygons", "pair: two parts", {}};
+  for (const char* kind : {"apart", "touching", "overlapping"}) {
+    row.verdicts.push_back({kind, "", "how_two_meet pair verdict", "polygons {pair} of {all} are {verdict}"});
+  }
+  return row;
+}
+
+QuestionRow covered(const std::string& table) {
+  QuestionRow row = meetings(table, contact_of(table), "contacts", "cover", "cover", "cover");
+  row.verdicts[1].claims += " none";
+  return row;
+}
+
+const std::string not_valid = "polygons {parts} of {all}: not {rule}, as ";
+
+}  // namespace
+
+const std::vector<QuestionRow> question_rows{
+    {"pair",
+     "bodies",
+     "a, b: body",
+     {{"apart", "", "parted a b", "{a} and {b} are apart"},
+      {"meet", "point: point", "holds a point, holds b point", "{a} and {b} meet at {point}"},
+      {"touching", "point: point", "holds a point, holds b point, parted_weakly a b", "{a} and {b} touch at {point}"},
+      {"overlapping", "point: point", "inside a point, inside b point", "{a} and {b} overlap at {point}"}}},
+    {"distance",
+     "bodies",
+     "a, b: plain body",
+     {{"closest", "from_a, to_b: point", "holds a from_a, holds b to_b, slab a b from_a to_b",
+       "{a} and {b} are closest at {from_a} and {to_b}"}}},
+    {"common_part",
+     "bodies",
+     "a, b: plain body",
+     {{"between", "first, last: point",
+       "holds a first, holds b first, holds a last, holds b last, no_further a b first last",
+       "{a} and {b} have in common what is between {first} and {last}"}}},
+    {"nearest",
+     "bodies",
+     "a: bounded body; b: plain body",
+     {{"point", "i: index of a", "first_along a b i",
+       "no point of {a} is nearer to {b}, or further within it, than its point {i}"}}},
+    {"support",
+     "bodies",
+     "a: placed points in space; b: plain body",
+     {{"two", "on_first, on_last: indices of a", "wedge a b on_first on_last",
+       "of the planes through {b}, two have all of {a} on one side and a point of it beside the line; they touch it at "
+       "its points {on_first}, and {on_last}"},
+      {"one", "on_plane: indices of a", "rests a b on_plane",
+       "of the planes through {b}, one has all of {a} on one side; it touches it at its points {on_plane}"},
+      {"none", "point: point", "inside a point, holds b point, full a",
+       "no plane through {b} has all of {a} on one side, as {point} is inside"}}},
+    {"clearance",
+     "bodies",
+     "a, b: body; least: above zero",
+     {{"kept", "", "clear a b least", "{a} and {b} are {least} apart, or more"},
+      {"broken", "from_a, to_b: point", "holds a from_a, holds b to_b, nearer from_a to_b least",
+       "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"}}},
+    {"depth",
+     "bodies",
+     "a, b: body without ways",
+     {{"at_most", "most: not negative", "leaves a b most", "{a} moved by {most}, in a direction, does not overlap {b}"},
+      {"at_least", "least: above zero", "surrounds a b least", "{a} moved by {least}, in any direction, meets {b}"}}},
+    {"motion",
+     "bodies",
+     "a, b: body; to_a: end of a; to_b: end of b",
+     {{"apart", "", "parted_all_along a b to_a to_b", "{a} and {b} are apart all along their ways"},
+      {"meet", "time: time; point: point", "holds_at a to_a time point, holds_at b to_b time point",
+       "{a} and {b} meet on their ways, at time {time}, at {point}"},
+      {"first", "time: time; point: point",
+       "holds_at a to_a time point, holds_at b to_b time point, not_before a b to_a to_b time point",
+       "{a} and {b} first meet on their ways at time {time}, at {point}"}}},
+    {"bodies",
+     "bodies",
+     "members: members; allowed: allowed; except: pairs of members; [groups]: groups of members; "
+     "[as_meshes]: meshes of members",
+     {{"these", "contacts: pairs of members", "each_pair members groups except allowed as_meshes proved contacts",
+       "exactly {meeting}"}}},
+    {"clearances",
+     "bodies",
+     "members: members; except: pairs of members; least: above zero; [groups]: groups of members; "
+     "[as_meshes]: meshes of members",
+     {{"kept", "", "each_clearance members groups except least as_meshes proved none",
+       "all pairs of the {all} are {least} apart, or more"},
+      {"broken", "nearer: some pairs of members", "each_clearance members groups except least as_meshes proved nearer",
+       "exactly {pairs} nearer than {least}: {nearer}"}}},
+    {"meshes",
+     "meshes",
+     "a, b: mesh",
+     {{"apart", "", "covered a b", "{a} and {b} are apart"},
+      {"meet", "point: point", "on_triangle a point, on_triangle b point", "{a} and {b} meet at {point}"},
+      {"overlapping", "point: point", "encloses a point, encloses b point", "{a} and {b} overlap at {point}"},
+      {"touching", "point: point", "on_triangle a point, on_triangle b point, insides_apart a b",
+       "{a} and {b} meet at {point}, and no point is inside of both"},
+      {"a_part_of_b", "", "part_of a b", "what is inside of {a} is inside of {b} or on its triangles"},
+      {"b_part_of_a", "", "part_of b a", "what is inside of {b} is inside of {a} or on its triangles"},
+      {"equal", "", "equal_insides a b", "{a} and {b} have the same inside, but for points on their triangles"},
+      {"a_inside_b", "", "covered_within a b", "{a} is inside of {b}, away from its surface"},
+      {"b_inside_a", "", "covered_within b a", "{b} is inside of {a}, away from its surface"},
+      {"a_within", "point: point", "on_triangle a point, encloses b point", "{point} of {a} is inside of {b}"},
+      {"b_within", "point: point", "encloses a point, on_triangle b point", "{point} of {b} is inside of {a}"}}},
+    {"around",
+     "meshes",
+     "a: unplaced mesh; b: unplaced body",
+     {{"around", "", "around a b", "{b} holds all points of {a}"}}},
+    {"mesh_body",
+     "meshes",
+     "a: mesh; b: body",
+     {{"apart", "", "beside a b", "{a} and {b} are apart"},
+      {"meet", "point: point", "on_triangle a point, holds b point", "{a} and {b} meet at {point}"},
+      {"b_within", "point: point", "encloses a point, holds b point", "{point} of {b} is inside of {a}"}}},
+    {"mesh_body_clearance",
+     "meshes",
+     "a: mesh; b: body; least: above zero",
+     {{"kept", "", "clear_beside a b least", "{a} and {b} are {least} apart, or more"},
+      {"broken", "from_a, to_b: point", "on_triangle a from_a, holds b to_b, nearer from_a to_b least",
+       "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+      {"b_within", "point: point", "encloses a point, holds b point",
+       "{a} and {b} are nearer than {least}, as {point} of {b} is inside of {a}"}}},
+    {"mesh_crossing",
+     "meshes",
+     "a: mesh",
+     {{"two", "point: point", "triangles_cross a point", "two triangles of {a} cross at {point}"},
+      {"none", "", "no_crossings a", "no two triangles of {a} have more in common than corners, or an edge, of both"}}},
+    {"mesh_distance",
+     "meshes",
+     "a, b: mesh",
+     {{"closest", "from_a, to_b: point", "on_triangle a from_a, on_triangle b to_b, covered_apart a b from_a to_b",
+       "{a} and {b} are closest at {from_a} and {to_b}"}}},
+    {"mesh_motion",
+     "meshes",
+     "a, b: mesh; to_a: end mesh of a; to_b: end mesh of b",
+     {{"apart", "", "covered_all_along a b to_a to_b", "{a} and {b} are apart all along their ways"},
+      {"meet", "time: time; point: point", "on_triangle_at a to_a time point, on_triangle_at b to_b time point",
+       "{a} and {b} meet on their ways, at time {time}, at {point}"},
+      {"first", "time: time; point: point",
+       "on_triangle_at a to_a time point, on_triangle_at b to_b time point, covered_before a b to_a to_b time",
+       "{a} and {b} first meet on their ways at time {time}, at {point}"},
+      {"a_within", "point: point", "on_triangle a point, encloses b point",
+       "{a} and {b} meet at the beginning of their ways, as {point} of {a} is inside of {b}"},
+      {"b_within", "point: point", "encloses a point, on_triangle b point",
+       "{a} and {b} meet at the beginning of their ways, as {point} of {b} is inside of {a}"}}},
+    {"mesh_clearance",
+     "meshes",
+     "a, b: mesh; least: above zero",
+     {{"kept", "", "covered_clear a b least", "{a} and {b} are {least} apart, or more"},
+      {"broken", "from_a, to_b: point", "on_triangle a from_a, on_triangle b to_b, nearer from_a to_b least",
+       "{a} and {b} are nearer than {least}, at {from_a} and {to_b}"},
+      {"a_within", "point: point", "on_triangle a point, encloses b point",
+       "{a} and {b} are nearer than {least}, as {point} of {a} is inside of {b}"},
+      {"b_within", "point: point", "encloses a point, on_triangle b point",
+       "{a} and {b} are nearer than {least}, as {point} of {b} is inside of {a}"}}},
+    {"polytopes",
+     "polytopes",
+     "a, b: polytope",
+     {{"apart", "", "parted_by a b", "{a} and {b} are apart"},
+      {"apart_by_hyperplanes", "", "parted_by_hyperplanes a b", "{a} and {b} are apart, by half-spaces that hold them"},
+      {"meet", "point: point", "keeps a point, keeps b point", "{a} and {b} meet at {point}"}}},
+    {"half_spaces",
+     "polytopes",
+     "half_spaces: half-spaces",
+     {{"empty", "", "contradicted half_spaces", "{a} is empty"},
+      {"bounded", "dimension: dimension of half_spaces; spanned_by: places",
+       "spans half_spaces dimension spanned_by, enclosed half_spaces", "{a} is bounded, of dimension {dimension}"},
+      {"unbounded", "dimension: dimension of half_spaces; spanned_by: places",
+       "spans half_spaces dimension spanned_by, recedes half_spaces", "{a} is unbounded, of dimension {dimension}"}}},
+    {"half_spaces_vertices",
+     "polytopes",
+     "half_spaces: half-spaces",
+     {{"vertices", "vertices: some places", "normal_fan half_spaces vertices",
+       "{a} is bounded, and has exactly {vertices}"}}},
+    {"half_spaces_program",
+     "polytopes",
+     "half_spaces: half-spaces; objective: objective",
+     {{"one", "point: point", "keeps half_spaces point, tops_only half_spaces objective point",
+       "{point} is the best point of {a} along {objective}"},
+      {"many", "point, as_good: point",
+       "keeps half_spaces point, tops half_spaces objective point, keeps half_spaces as_good, "
+       "another objective point as_good",
+       "{point} is one of many best points of {a} along {objective}"},
+      {"all", "point: point", "keeps half_spaces point, no_objective objective",
+       "{point} is as good as all others of {a} along {objective}"},
+      {"unbounded", "point: point", "keeps half_spaces point, rises half_spaces objective",
+       "there is no best point of {a} along {objective}"},
+      {"infeasible", "", "contradicted half_spaces", "no point is in {a}"}}},
+    {"hull",
+     "bodies",
+     "body: points in space",
+     {{"solid", "faces: faces of body", "surface body faces", "{a} is solid, with the {n_faces} faces {faces}"},
+      {"flat", "outline: outline of body", "outline body outline",
+       "{a} is a polygon with the {n_outline} corners {outline}"},
+      {"segment", "i, j: index of body", "between body i j", "{a} is the segment between its points {i} and {j}"},
+      {"point", "", "one_point body", "{a} is a point"}}},
+    {"polytope_hull",
+     "bodies",
+     "body: points in any dimension",
+     {{"facets", "facets: facets of body", "boundary body facets", "{a} has exactly {facets}"},
+      {"segment", "i, j: index of body", "between body i j", "{a} is the segment between its points {i} and {j}"},
+      {"point", "", "one_point body", "{a} is a point"}}},
+    {"mesh",
+     "bodies",
+     "body: points in space; mesh_faces: faces of body",
+     {{"convex", "", "bounds_hull body mesh_faces proved", "a mesh of {n_mesh_faces} polygons bounds {a} exactly"},
+      {"not_convex", "face: index of mesh_faces", "leaves_hull body mesh_faces face proved",
+       "a mesh of {n_mesh_faces} polygons is not exactly convex: polygon {face} is in no face of {a}"}}},
+    {"section",
+     "bodies",
+     "of: placed points in space; plane: plane",
+     {{"nothing", "", "beyond of plane", "the plane {plane} does not meet {a}"},
+      {"touching", "corners: section corners of of", "touches of plane corners",
+       "the plane {plane} touches {a} at the points {corners}"},
+      {"outlined", "corners: section corners of of", "outlined of plane corners proved",
+       "the section of {a} by the plane {plane} has the {n_corners} corners {corners}"},
+      {"measured", "corners: section corners of of; area_from, area_to: not negative",
+       "outlined of plane corners proved, area of plane corners area_from area_to",
+       "the section of {a} by the plane {plane} has the {n_corners} corners {corners}, and an area from {area_from} to "
+       "{area_to}"}}},
+    meetings("segments", contact_of("segments"), "contacts", "none_counts", "these_count", "number_counts"),
+    covered("circles"),
+    covered("boxes"),
+    with_kinds(
+        meetings("polygons",
+                 {"some", "i, j: index of polygons; point: point", "common_point polygons i j point groups allowed",
+                  "polygons {i} and {j} of {all} meet at {point}"},
+                 "pairs", "none_counts", "these_count", "number_counts")),
+    two_polygons(),
+    common_part("half_planes", "half_planes", "", "half_planes", "the common part of {all}"),
+    common_part("kernel", "rings", "ring: ring", "ring", "the kernel of ring {ring} of {all}"),
+    {"ring", "rings", "ring: ring as part", {{"simple", "", "valid ring simple", "ring {ring} of {all} is simple"}}},
+    common_part("convex_polygons_common_part", "convex_polygons", "", "convex_polygons", "the common part of {all}"),
+    {"circles_common_part",
+     "circles",
+     "",
+     {{"empty", "", "powers circles verdict", "the common part of {all} is empty"},
+      {"point", "point: point", "in_discs circles point verdict, powers circles verdict",
+       "the common part of {all} is the point {point}"},
+      {"region", "point: point; arcs: arcs of circles", "in_discs circles point verdict, arcs circles point arcs",
+       "the common part of {all} is a region around {point}, bounded by {n_arcs} arcs of {arcs}"}}},
+    {"valid",
+     "polygons",
+     "parts: parts; rule: validity",
+     {{"valid", "", "valid parts rule", "polygons {parts} of {all}: {rule}"},
+      {"too_few_points", "ring: index of parts", "too_few_points parts ring",
+       not_valid + "ring {ring} has too few points"},
+      {"edges_meet", "i, j: edge of parts; kind: kind of parts; point: point",
+       "contact parts i j kind point alone touch", not_valid + "edges {i} and {j} meet at {point}: {kind}"},
+      {"comes_twice", "ring: index of parts; point: point", "comes_twice parts rule ring point",
+       not_valid + "ring {ring} comes twice to {point}"},
+      {"crosses", "ring: index of parts; point: point", "crosses parts ring point",
+       not_valid + "ring {ring} crosses itself at {point}"},
+      {"misplaced", "ring: index of parts; point: point", "misplaced parts ring point",
+       not_valid + "ring {ring} is misplaced at {point}"},
+      {"circle", "rings: circle of parts; points: matching points of rings", "circle parts rings points",
+       not_valid + "rings {rings} close a circle"},
+      {"falls_apart", "", "falls_apart parts", not_valid + "one falls apart"},
+      {"repeated", "edge: edge of parts", "repeated parts rule edge", not_valid + "edge {edge} has no length"},
+      {"rings_touch", "ring, other: index of parts; point: point", "rings_touch parts rule ring other point",
+       not_valid + "rings {ring} and {other} touch at {point}"}}},
+    {"linear_program",
+     "half_planes",
+     "objective: objective",
+     {{"one", "point: point", "feasible half_planes point, bounds_only half_planes objective point",
+       "{point} is the best point of {all} along {objective}"},
+      {"many", "point: point",
+       "feasible half_planes point, bounds half_planes objective point, ends half_planes objective point",
+       "{point} is one of many best points of {all} along {objective}"},
+      {"all", "point: point", "feasible half_planes point, no_objective objective",
+       "{point} is as good as all others of {all} along {objective}"},
+      {"unbounded", "point: point", "feasible half_planes point, goes_on half_planes objective",
+       "there is no best point of {all} along {objective}"},
+      {"infeasible", "", "contradict half_planes", "no point is in all of {all}"}}},
+};
+
+}  // namespace sunder_verifier
