@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -231,7 +232,10 @@ void require_meshes_are_asked(const PairCall& call, const SpaceInput& a, const S
                                                   {is_hull_with_radius(b), "--radius-b"},
                                                   {call.support, "--support"}};
   for (const auto& [is_given, option] : options) {
-    if (is_given) refuse("this option is for convex objects", option);
+    if (!is_given) continue;
+    const bool is_motion = std::string_view(option).starts_with("--to-");
+    refuse(is_motion ? "motion is asked of two meshes, or of convex objects" : "this option is for convex objects",
+           option);
   }
 }
 
