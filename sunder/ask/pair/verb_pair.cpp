@@ -44,11 +44,14 @@ Report run(const PairCall& call, Talk& talk) {
   PairFiles files(call, talk);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
-  if (!call.hull && mesh_that_is_not_convex(a, b) != nullptr) return run_mesh_pair(call, a, b, files);
   std::vector<const MeshBody*> bodies;
   for (const SpaceInput* input : {&a, &b}) {
     if (input->bounded) bodies.push_back(&input->bounded->mesh);
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
+  }
+  if (!call.hull && mesh_that_is_not_convex(a, b) != nullptr) {
+    note_remarks(talk, bodies);
+    return run_mesh_pair(call, a, b, files);
   }
   note_hulls(talk, bodies);
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
@@ -64,7 +67,7 @@ std::vector<Option> pair_options(PairCall& call) {
   namespace kind = pair_kind;
   std::vector<Option> options{
       {"A", &call.a.file,
-       "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); a point, segment, flat "
+       "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL, 3MF); a point, segment, flat "
        "polygon, line, ray or plane in space (JSON, WKT Z); a box, ball, capsule, cylinder, cone or ellipsoid (JSON); "
        "a "
        "planar object (WKT, GeoJSON, CSV); or a polytope of 2 to 6 dimensions (CSV, NPY). A planar line is "

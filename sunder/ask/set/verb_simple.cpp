@@ -427,7 +427,8 @@ class ValidQuestion {
 constexpr const char* simple_methods = "automatic, scan";
 
 bool has_ending_of_meshes(const std::string& file) {
-  constexpr std::array<std::string_view, 8> endings{".obj", ".stl", ".ply", ".off", ".dae", ".gltf", ".glb", ".wrl"};
+  constexpr std::array<std::string_view, 9> endings{".obj",  ".stl", ".ply", ".off", ".dae",
+                                                    ".gltf", ".glb", ".wrl", ".3mf"};
   return std::find(endings.begin(), endings.end(), io::ending_of(file)) != endings.end();
 }
 
