@@ -1,4 +1,5 @@
 // sunder pair A B: do two convex objects meet?
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
 #include <sunder/ask/pair/pair_polytopes.h>
@@ -41,6 +42,7 @@ Report run(const PairCall& call, Talk& talk) {
   require_pair_fit(call, {pair_kind::bodies, pair_kind::flats, pair_kind::round, pair_kind::moving, pair_kind::meshes});
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
+  const io::MeshMemory limit = limit_of(call);
   PairFiles files(call, talk);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
@@ -145,12 +147,15 @@ std::vector<Option> pair_options(PairCall& call) {
        "and several that contain B"},
       {"--svg", &call.svg, "planar: draw the objects and the evidence to FILE", "FILE"},
       title_option(call.title),
-      svg_limit_option(call.svg_limit)};
+      svg_limit_option(call.svg_limit),
+      memory_option(call.memory)};
   using Kinds = std::vector<std::string>;
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
-      flats{kind::flats}, meshes{kind::meshes}, measured{kind::planar, kind::bodies, kind::round, kind::meshes};
+      flats{kind::flats}, meshes{kind::meshes},
+      read{kind::bodies, kind::flats, kind::round, kind::moving, kind::meshes},
+      measured{kind::planar, kind::bodies, kind::round, kind::meshes};
   Kinds any_shape = plane;
   any_shape.insert(any_shape.end(), space.begin(), space.end());
   Kinds any_at_rest = resting;
@@ -170,6 +175,7 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--mend", plane},
                                                     {"--hull", any_shape},
                                                     {"--surface", meshes},
+                                                    {"--memory", read},
                                                     {"--project", space},
                                                     {"--drop-z", plane},
                                                     {"--mixed-crs", plane},
