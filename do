@@ -84,7 +84,7 @@ has_package() {
     libfmt-dev) has_header fmt/format.h ;;
     libtinyxml2-dev) has_header tinyxml2.h ;;
     libfast-float-dev) has_header fast_float/fast_float.h ;;
-    nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
+    zlib1g-dev) has_header zlib.h ;; nlohmann-json3-dev) has_header nlohmann/json.hpp ;;
     libgtest-dev) has_header gtest/gtest.h ;;
     librapidcheck-dev) has_header rapidcheck.h ;;
     libfcl-dev) has_header fcl/fcl.h ;;
@@ -227,7 +227,7 @@ pick_clang() {
 }
 
 need_to_build_program() {
-  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev "$@"
+  need cmake ninja-build ccache "$(compiler_package)" libboost-dev libcli11-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libtinyxml2-dev zlib1g-dev "$@"
 }
 need_to_test() {
   need_to_build_program libgtest-dev librapidcheck-dev libgeos-dev python3 python3-dev python3-venv "$@"

@@ -78,6 +78,7 @@ OUTSIDE = {
     "oneapi": {"scene", "ask"},
     "fmt": IO_AND_UP,
     "tinyxml2.h": {"io"},
+    "zlib.h": {"io"},
     "nlohmann": IO_AND_UP,
     "CLI": {"cli"},
     "nanobind": {"python"},

@@ -24,10 +24,14 @@ std::string departure_text(const MeshBody& object) {
 
 void note_remarks(Talk& talk, const std::vector<const MeshBody*>& objects) {
   std::vector<std::string> told;
-  for (const MeshBody* object : objects) {
-    if (object->inner_vertices == 0) continue;
-    std::string text = object->file + ": " + io::inner_vertices_text(object->inner_vertices);
+  const auto tell = [&](const MeshBody& object, const std::string& remark) {
+    std::string text = object.file + ": " + remark;
     if (std::find(told.begin(), told.end(), text) == told.end()) talk.note(told.emplace_back(std::move(text)));
+  };
+  for (const MeshBody* object : objects) {
+    if (object->inner_vertices > 0) tell(*object, io::inner_vertices_text(object->inner_vertices));
+    if (object->mesh == nullptr) continue;
+    for (const std::string& remark : object->mesh->remarks) tell(*object, remark);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <sunder/ask/simple_mesh.h>
 
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/question.h>
 #include <sunder/ask/said_of.h>
@@ -40,6 +41,7 @@ class MeshValid {
         talk_(told),
         method_(method_by(asked.method, crossing_methods, ", for meshes")),
         left_out_(asked.leave_out),
+        limit_(limit_of(asked, bytes_of_crossings)),
         body_(io::read_body(asked.file, false, left_out_, asked.proves() ? &inputs_ : nullptr)),
         mesh_(mesh_as_it_is(body_)) {
     if (body_.mesh == nullptr) io::fail_file(call.file, "is a set of points, and no mesh");
@@ -147,6 +149,7 @@ class MeshValid {
   Talk& talk_;
   Named<CrossingMethod> method_;
   LeftOutList left_out_;
+  io::MeshMemory limit_;
   InputFiles inputs_;
   io::MeshBody body_;
   solid::Mesh mesh_;

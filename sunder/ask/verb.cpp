@@ -1,3 +1,4 @@
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/verb.h>
 
 #include <sunder/base/error.h>
@@ -56,6 +57,14 @@ Option svg_limit_option(std::uint64_t& limit) {
           .help = fmt::format("refuse to draw more than N things, contacts included (default {})", limit),
           .type = "N",
           .needs = "--svg"};
+}
+
+Option memory_option(std::uint64_t& mebibytes) {
+  return {.name = "--memory",
+          .value = &mebibytes,
+          .help = fmt::format(
+              "let meshes take N MiB of memory, by estimate; beyond it the call is refused (default {})", mebibytes),
+          .type = "N"};
 }
 
 Option json_option(bool& json) { return {"--json", &json, "print a report in JSON"}; }

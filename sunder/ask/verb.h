@@ -55,11 +55,15 @@ inline constexpr std::uint64_t most_drawn = 1'000'000;
 // Throws Error bad_call where so many things ("circle") and contacts are more than `most`: it names the option.
 void require_drawable(std::uint64_t things, std::string_view noun, std::uint64_t contacts, std::uint64_t most);
 
+// Questions about meshes: how much memory they may take, in MiB, unless --memory says another number.
+inline constexpr std::uint64_t most_memory = 4096;
+
 // What most calls have.
 struct QuestionCall {
   std::string method = "automatic";
   std::string certificate, svg, title;
   std::uint64_t svg_limit = most_drawn;
+  std::uint64_t memory = most_memory;
   bool json = false;
 
   bool proves() const { return !certificate.empty(); }

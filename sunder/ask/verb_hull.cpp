@@ -86,22 +86,22 @@ Report run(const HullCall& call, Talk& talk) {
 
 Verb hull_verb() {
   const auto call = std::make_shared<HullCall>();
-  return {
-      "hull",
-      "Compute the exact convex hull of points in 2 to 6 dimensions, or the vertices of half-spaces.",
-      "0 the hull or the vertices; 1 the half-spaces have no common point, or their intersection is unbounded",
-      {{"FILE", &call->file,
-        "a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); points x1,..,xd in 2 to 6 dimensions (CSV, "
-        "NPY); or half-spaces a1 x1 + .. + ad xd <= b (CSV, NPY: a1,..,ad,b)",
-        "", true},
-       {"-o,--out", &call->out, "write the hull to FILE: .obj, .off, .ply or .stl for a mesh; .csv for CSV or NPY",
-        "FILE"},
-       certificate_option(call->certificate),
-       {"--half-spaces", &call->half_spaces,
-        "each row of FILE (CSV without column names, or NPY) is a half-space a1,..,ad,b"},
-       {"--leave-out", &call->leave_out, leave_out_help},
-       json_option(call->json)},
-      [call](Talk& talk) { return run(*call, talk); }};
+  return {"hull",
+          "Compute the exact convex hull of points in 2 to 6 dimensions, or the vertices of half-spaces.",
+          "0 the hull or the vertices; 1 the half-spaces have no common point, or their intersection is unbounded",
+          {{"FILE", &call->file,
+            "a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL, 3MF); points x1,..,xd in 2 to 6 dimensions "
+            "(CSV, "
+            "NPY); or half-spaces a1 x1 + .. + ad xd <= b (CSV, NPY: a1,..,ad,b)",
+            "", true},
+           {"-o,--out", &call->out, "write the hull to FILE: .obj, .off, .ply or .stl for a mesh; .csv for CSV or NPY",
+            "FILE"},
+           certificate_option(call->certificate),
+           {"--half-spaces", &call->half_spaces,
+            "each row of FILE (CSV without column names, or NPY) is a half-space a1,..,ad,b"},
+           {"--leave-out", &call->leave_out, leave_out_help},
+           json_option(call->json)},
+          [call](Talk& talk) { return run(*call, talk); }};
 }
 
 }  // namespace sunder::ask

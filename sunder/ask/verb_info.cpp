@@ -43,7 +43,7 @@ struct Format {
   const char *name, *endings, *access, *what;
 };
 
-constexpr std::array<Format, 17> formats{
+constexpr std::array<Format, 18> formats{
     {{"OBJ", ".obj", "read, write", "Wavefront; objects are parts of a body"},
      {"STL", ".stl", "read, write", "binary (read; single precision) and ASCII; equal points are joined"},
      {"PLY", ".ply", "read, write", "ASCII, and binary of either byte order (read)"},
@@ -52,6 +52,7 @@ constexpr std::array<Format, 17> formats{
      {"glTF", ".gltf", "read", "glTF 2.0, meshes in nodes, each a part; single precision, metres"},
      {"glTF", ".glb", "read", "the same in one binary file"},
      {"VRML", ".wrl", "read", "VRML 2, sets of faces, each a part, such as convex decompositions"},
+     {"3MF", ".3mf", "read", "meshes of build items, each a part; double precision, in millimetres by its unit"},
      {"URDF", ".urdf", "read", "robots: links with meshes, boxes, cylinders and the like, joints with limits"},
      {"scene", ".json", "read", "for `sunder scene`: bodies of parts, poses, pairs that may meet"},
      {"CSV", ".csv", "read", "segments: x1,y1,x2,y2; circles: x,y,r; half-planes: a,b,c; others by name"},
@@ -264,6 +265,7 @@ void add_surface(Info& info, const io::Mesh& mesh) {
 Info describe_mesh(const std::string& file, std::string_view bytes) {
   io::Mesh mesh = io::parse_mesh(bytes, file, io::mesh_format(bytes, file));
   const std::uint64_t inner = io::drop_inner_vertices(mesh);
+  const std::vector<std::string> remarks = mesh.remarks;
   const MeshBody object = io::body_of_mesh(mesh, file, false);
   const auto [low, high] = object.hull.box();
   const LeftOutList left_out(file, mesh.left_out);
@@ -280,6 +282,8 @@ Info describe_mesh(const std::string& file, std::string_view bytes) {
   info.add("holds", fmt::format("{} vertices{}, {}, {}", mesh.vertices.size(), in_use,
                                 count_of(mesh.polygon_count(), "polygon"), count_of(mesh.parts.size(), "part")));
   if (inner > 0) info.add("", io::inner_vertices_text(inner));
+  for (const std::string& remark : remarks) info.add("remark", remark);
+  if (!remarks.empty()) info.json["remarks"] = remarks;
   info.add("shape", object.shape == io::BodyShape::convex ? "exactly convex"
                     : object.shape == io::BodyShape::hull ? "not exactly convex: " + object.why_hull
                                                           : "a set of points");

@@ -125,7 +125,7 @@ Verb polar_verb() {
   return {"polar",
           "Compute the polar of a convex body about a point inside it, exactly.",
           "0 the polar was found",
-          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
+          {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL, 3MF", "", true},
            {"--origin", &call->origin, "the point inside the body that is the origin (default: 0,0,0)", "X,Y,Z"},
            {"-o,--out", &call->out,
             "write the polar, as seen from the origin, to FILE: .obj, .off, .ply or .stl, coordinates rounded", "FILE"},

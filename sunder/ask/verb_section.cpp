@@ -312,7 +312,7 @@ Verb section_verb() {
       "section",
       "Cut a convex body with planes: each section is a point, a segment or a convex polygon.",
       "0 no plane meets the body; 1 some do",
-      {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL", "", true},
+      {{"FILE", &call->file, "a mesh or a set of points: OBJ, STL, PLY, OFF, DAE, glTF, WRL, 3MF", "", true},
        {.name = "--plane",
         .value = &call->planes,
         .help = fmt::format("{}; or a .json file with a plane, as for sunder pair", io::plane_forms),

@@ -1,5 +1,6 @@
 // sunder pair where A or B is a mesh that is not convex: both are asked about as they are.
 #include <sunder/ask/evidence.h>
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/pair/pair_bounded.h>
 #include <sunder/ask/pair/pair_meshes.h>
 #include <sunder/ask/pair/pair_space.h>
@@ -111,6 +112,8 @@ class MeshPair : public MeshQuestion {
                   : answer_.decided_by == DecidedBy::evidence ? "signs, with the help of exact arithmetic"
                                                               : decided_text(answer_.decided_by));
     if (call.classify && meet_) {
+      io::MeshMemory::take(call.a.file + ", " + call.b.file, mesh_a_.triangles().size() + mesh_b_.triangles().size(),
+                           bytes_of_relation);
       relation_ = mesh_relation(mesh_a_, pose_a_, mesh_b_, pose_b_, answer_);
       if (relation_.relation != Relation::meeting) contact_ = relation_.relation;
     }

@@ -1,4 +1,5 @@
 // sunder pair A B: do two convex objects meet?
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/objects.h>
 #include <sunder/ask/pair/pair_planar.h>
 #include <sunder/ask/pair/pair_polytopes.h>
@@ -42,14 +43,18 @@ Report run(const PairCall& call, Talk& talk) {
                           pair_kind::moving_meshes});
   if (!space_a && !space_b && call.method != "drums")
     pair_method(call.method, ", drums");  // before what takes time is read
+  const io::MeshMemory limit = limit_of(call);
   PairFiles files(call, talk);
   const SpaceInput a = read_space_input(call, call.a, files), b = read_space_input(call, call.b, files);
   require_projected(call, a, b);
-  if (!call.hull && mesh_that_is_not_convex(a, b) != nullptr) return run_mesh_pair(call, a, b, files);
   std::vector<const MeshBody*> bodies;
   for (const SpaceInput* input : {&a, &b}) {
     if (input->bounded) bodies.push_back(&input->bounded->mesh);
     if (input->round && input->round->core) bodies.push_back(&input->round->core->mesh);
+  }
+  if (!call.hull && mesh_that_is_not_convex(a, b) != nullptr) {
+    note_remarks(talk, bodies);
+    return run_mesh_pair(call, a, b, files);
   }
   note_hulls(talk, bodies);
   const bool is_motion = !call.a.to.empty() || !call.b.to.empty();
@@ -65,7 +70,7 @@ std::vector<Option> pair_options(PairCall& call) {
   namespace kind = pair_kind;
   std::vector<Option> options{
       {"A", &call.a.file,
-       "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL); a point, segment, flat "
+       "the first object: a mesh or a set of points (OBJ, STL, PLY, OFF, DAE, glTF, WRL, 3MF); a point, segment, flat "
        "polygon, line, ray or plane in space (JSON, WKT Z); a box, ball, capsule, cylinder, cone or ellipsoid (JSON); "
        "a "
        "planar object (WKT, GeoJSON, CSV); or a polytope of 2 to 6 dimensions (CSV, NPY). A planar line is "
@@ -143,12 +148,14 @@ std::vector<Option> pair_options(PairCall& call) {
        "and several that contain B"},
       {"--svg", &call.svg, "planar: draw the objects and the evidence to FILE", "FILE"},
       title_option(call.title),
-      svg_limit_option(call.svg_limit)};
+      svg_limit_option(call.svg_limit),
+      memory_option(call.memory)};
   using Kinds = std::vector<std::string>;
   const Kinds plane{kind::planar, kind::planar_lines}, solid{kind::bodies, kind::round, kind::moving},
       space{kind::bodies, kind::flats, kind::round, kind::moving}, bounded{kind::planar, kind::bodies, kind::round},
       resting{kind::planar, kind::planar_lines, kind::bodies, kind::flats, kind::round}, polytopes{kind::polytopes},
       flats{kind::flats}, meshes{kind::meshes, kind::moving_meshes},
+      read{kind::bodies, kind::flats, kind::round, kind::moving, kind::meshes, kind::moving_meshes},
       measured{kind::planar, kind::bodies, kind::round, kind::meshes};
   Kinds any_shape = plane;
   any_shape.insert(any_shape.end(), space.begin(), space.end());
@@ -170,6 +177,7 @@ std::vector<Option> pair_options(PairCall& call) {
                                                     {"--mend", plane},
                                                     {"--hull", any_shape},
                                                     {"--surface", meshes},
+                                                    {"--memory", read},
                                                     {"--project", space},
                                                     {"--drop-z", plane},
                                                     {"--mixed-crs", plane},

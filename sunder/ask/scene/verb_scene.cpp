@@ -1,4 +1,5 @@
 // sunder scene FILE...: which of these bodies meet?
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/outputs.h>
 #include <sunder/ask/packages_option.h>
 #include <sunder/ask/question.h>
@@ -172,6 +173,7 @@ void note_meshes(Talk& talk, const SceneCall& call, const SceneReport& report) {
 
 Report run(const SceneCall& call, Talk& talk) {
   const PairMethod method = pair_method(call.method);
+  const io::MeshMemory limit = limit_of(call);
   InputFiles files;
   InputFiles* const inputs = call.proves() || !call.placements.meeting_certificate.empty() ? &files : nullptr;
   std::vector<io::Srdf> srdfs;
@@ -391,6 +393,7 @@ Verb scene_verb() {
         "FILE"},
        {"--title", &call->title, "the title written on the picture"},
        svg_limit_option(call->svg_limit),
+       memory_option(call->memory),
        json_option(call->json)},
       [call](Talk& talk) { return run(*call, talk); }};
 }

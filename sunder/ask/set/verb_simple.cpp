@@ -1,5 +1,6 @@
 // sunder simple FILE: are the polygons of a file valid? If not, what is wrong, and where?
 #include <sunder/ask/list_stream.h>
+#include <sunder/ask/mesh_memory_option.h>
 #include <sunder/ask/report.h>
 #include <sunder/ask/set/contact_row.h>
 #include <sunder/ask/set/polygons_input.h>
@@ -427,7 +428,8 @@ class ValidQuestion {
 constexpr const char* simple_methods = "automatic, scan";
 
 bool has_ending_of_meshes(const std::string& file) {
-  constexpr std::array<std::string_view, 8> endings{".obj", ".stl", ".ply", ".off", ".dae", ".gltf", ".glb", ".wrl"};
+  constexpr std::array<std::string_view, 9> endings{".obj",  ".stl", ".ply", ".off", ".dae",
+                                                    ".gltf", ".glb", ".wrl", ".3mf"};
   return std::find(endings.begin(), endings.end(), io::ending_of(file)) != endings.end();
 }
 
@@ -502,6 +504,7 @@ Verb simple_verb() {
         .help = "close open rings, remove repeated vertices, spikes and rings without area, then examine the rest",
         .excludes = {"--svg"}},
        svg_limit_option(call->svg_limit),
+       memory_option(call->memory),
        {"--drop-z", &call->drop_z, "ignore the third coordinate of each point"},
        {"--mixed-crs", &call->mixed_crs, mixed_crs_help},
        json_option(call->json)},

@@ -1,5 +1,5 @@
 // Frames of nodes within nodes, as the files of scenes have them (COLLADA, glTF, VRML), and a bound for what instances
-// make of a small file. For readers.
+// make of a small file (of 3MF, too). For readers.
 #pragma once
 
 #include <sunder/base/error.h>

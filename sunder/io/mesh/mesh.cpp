@@ -15,7 +15,7 @@
 namespace sunder::io {
 namespace {
 
-constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY, OFF, COLLADA, glTF or VRML";
+constexpr std::string_view remedy = "export the mesh as OBJ, STL, PLY, OFF, COLLADA, glTF, VRML or 3MF";
 
 std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   const std::string ending = ending_of(path.string());
@@ -26,6 +26,7 @@ std::optional<MeshFormat> format_of_ending(const std::filesystem::path& path) {
   if (ending == ".dae") return MeshFormat::collada;
   if (ending == ".gltf" || ending == ".glb") return MeshFormat::gltf;
   if (ending == ".wrl" || ending == ".vrml") return MeshFormat::vrml;
+  if (ending == ".3mf") return MeshFormat::three_mf;
   return std::nullopt;
 }
 
@@ -59,6 +60,7 @@ std::optional<MeshFormat> mesh_format_of_content(std::string_view bytes) {
   if (is_binary_stl(bytes)) return MeshFormat::stl;
   if (bytes.starts_with("glTF")) return MeshFormat::gltf;
   if (bytes.starts_with("#VRML V2.0 utf8")) return MeshFormat::vrml;
+  if (is_3mf(bytes)) return MeshFormat::three_mf;
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   if (trimmed(bytes.substr(0, 4096)).starts_with('<') && has_in_head(bytes, "<COLLADA")) return MeshFormat::collada;
   if (trimmed(bytes.substr(0, 4096)).starts_with('{') && has_in_head(bytes, "\"asset\"")) return MeshFormat::gltf;
@@ -78,6 +80,7 @@ MeshFormat mesh_format(std::string_view bytes, std::string_view place) {
   if (const ForeignBody known = foreign_body(bytes); !known.what.empty()) {
     fail_file(place, foreign_text(known, place));
   }
+  if (by_name == MeshFormat::three_mf && is_zip(bytes)) return *by_name;
   std::string_view other = foreign_format(bytes);
   if (bytes.starts_with("#VRML")) other = "VRML of another version than 2.0 in utf8";
   if (bytes.starts_with('{') && by_name != MeshFormat::gltf) other = "JSON";
@@ -103,6 +106,7 @@ Mesh parse_mesh(std::string_view bytes, std::string_view place, MeshFormat forma
     case MeshFormat::collada: return parse_collada(bytes, place);
     case MeshFormat::gltf: return parse_gltf(bytes, place);
     case MeshFormat::vrml: return parse_vrml(bytes, place);
+    case MeshFormat::three_mf: return parse_3mf(bytes, place);
   }
   throw Error(ErrorCode::bad_call, "unknown mesh format");
 }
@@ -147,6 +151,7 @@ std::vector<Mesh> split_parts(const Mesh& mesh, std::vector<std::vector<std::uin
     Mesh& part = parts.emplace_back();
     part.name = mesh.parts[i].name;
     part.format = mesh.format;
+    part.remarks = mesh.remarks;
     part.parts.push_back({part.name, 0});
     if (!polygons) {
       part.vertices.assign(mesh.vertices.begin() + begin, mesh.vertices.begin() + end);

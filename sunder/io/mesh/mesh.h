@@ -1,5 +1,5 @@
-// Meshes and point sets out of files: OBJ, STL, PLY, OFF, COLLADA, glTF, VRML. See mesh_formats.h for what each format
-// allows, mesh_write.h for the way back, urdf.h for robots.
+// Meshes and point sets out of files: OBJ, STL, PLY, OFF, COLLADA, glTF, VRML, 3MF. See mesh_formats.h for what each
+// format allows, mesh_write.h for the way back, urdf.h for robots.
 #pragma once
 
 #include <sunder/base/error.h>
@@ -16,7 +16,7 @@
 
 namespace sunder::io {
 
-enum class MeshFormat { obj, stl, ply, off, collada, gltf, vrml };  // the last three are only read
+enum class MeshFormat { obj, stl, ply, off, collada, gltf, vrml, three_mf };  // those from collada on are only read
 
 // What makes a part: an object, or in OBJ also a group ("g NAME"), such as the pieces of a convex decomposition.
 enum class PartsOf { objects, objects_and_groups };
@@ -31,7 +31,7 @@ struct MeshPart {
 //
 // A mesh that a reader returns has these properties:
 // M1. There is a vertex, and every coordinate is finite and not -0. There are fewer than 2^31 vertices.
-// M2. Vertex i is the file's i-th, for OBJ, PLY and OFF; for COLLADA and VRML the i-th in use, of all instances in
+// M2. Vertex i is the file's i-th, for OBJ, PLY and OFF; for COLLADA, VRML and 3MF the i-th in use, of all instances in
 //     their order.
 //     In STL and glTF faces do not share vertices: there equal points are joined into one, in the order of their first
 //     appearance.
@@ -46,16 +46,17 @@ struct Mesh {
   std::vector<std::uint32_t> polygon_begin{0};  // polygon p has the corners
   std::vector<std::uint32_t> polygon_vertices;  // polygon_vertices[polygon_begin[p] .. polygon_begin[p + 1])
   std::vector<MeshPart> parts;
-  std::vector<LeftOut> left_out;  // beside polygons: lines, points, vertices in no polygon, elements of other kinds
-  std::string name;               // as the file says, else (read_mesh only) the file's name without folder and ending
+  std::vector<LeftOut> left_out;     // beside polygons: lines, points, vertices in no polygon, elements of other kinds
+  std::vector<std::string> remarks;  // a line each: what was rounded, or not read, and changes no answer about the rest
+  std::string name;    // as the file says, else (read_mesh only) the file's name without folder and ending
   std::string format;  // for people: "OBJ", "STL (binary)" (single precision), "PLY (binary_little_endian)", ...
 
   std::uint32_t polygon_count() const { return static_cast<std::uint32_t>(polygon_begin.size() - 1); }
 };
 
 // Reads the file whole, finds its format by its first bytes, then by the ending of its name, and parses it.
-// Coordinates are the doubles nearest to the numbers in the file; of COLLADA, glTF and VRML, these moved by the nodes
-// above them (mesh_formats.h). A glTF's buffers are read, too, where they are regular files within its
+// Coordinates are the doubles nearest to the numbers in the file; of COLLADA, glTF, VRML and 3MF, these moved by
+// the nodes above them (mesh_formats.h). A glTF's buffers are read, too, where they are regular files within its
 // folder; a symbolic link that leads out of it is refused.
 // Throws Error bad_file: what is wrong and the remedy, in one line that begins with "FILE:LINE: " (text),
 // "FILE: byte OFFSET: " (binary) or "FILE: ". A file is taken whole or refused: nothing in it is guessed or repaired.

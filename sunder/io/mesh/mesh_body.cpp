@@ -1,5 +1,6 @@
 #include <sunder/base/names.h>
 #include <sunder/io/mesh/mesh_body.h>
+#include <sunder/io/mesh/mesh_memory.h>
 #include <sunder/io/text/text.h>
 #include <sunder/solid/object/pose.h>
 #include <sunder/solid/pair/polyhedron_polyhedron.h>
@@ -64,6 +65,7 @@ Mesh without_unused(Mesh mesh, const std::vector<std::uint32_t>& used) {
 // All vertices of the mesh are in use.
 MeshBody hull_of_mesh(const Mesh& mesh, const Numbering& origin, bool require_convex) {
   const std::string shown = one_line(origin.file.string());
+  MeshMemory::take(shown, mesh.polygon_vertices.size() - 2 * std::uint64_t{mesh.polygon_count()});
   MeshBody body{shown,
                 one_line(origin.file.stem().string()),
                 mesh.format,

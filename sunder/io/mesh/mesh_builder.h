@@ -5,7 +5,10 @@
 #include <sunder/io/mesh/mesh.h>
 
 #include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace sunder::io {
 
@@ -41,6 +44,9 @@ class MeshBuilder {
 
   // Something of the file that the mesh does not hold.
   void leave_out(std::string_view kind, std::uint64_t count);
+
+  // One line about how the file was read (Mesh::remarks).
+  void remark(std::string text) { mesh_.remarks.push_back(std::move(text)); }
 
   // Joins equal vertices into one, in the order of their first appearance.
   void join_equal_vertices();

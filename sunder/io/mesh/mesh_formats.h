@@ -82,4 +82,24 @@ Mesh parse_gltf(std::string_view bytes, std::string_view place, const FileReader
 // Refused: PROTO, nodes that are not of VRML 2, a face with fewer than 3 corners. Errors: see read_mesh. Cost: linear.
 Mesh parse_vrml(std::string_view bytes, std::string_view place);
 
+// Is it a ZIP archive with the name of a model in it?
+bool is_3mf(std::string_view bytes);
+
+// 3MF, of its core specification (1.4): a ZIP archive whose _rels/.rels names a model in XML. The mesh is what its build
+// items make together: each object with a mesh that they name, by components or not, is a part, with its name, else
+// that of the object above it.
+// Coordinates are in millimetres, which is the format's unit where it names none; so nothing is rounded there, and files
+// of different units may be asked about together. The unit is told in `format`. Transforms are composed and applied in
+// exact numbers; then each coordinate is rounded once, to the nearest double, and how many are rounded is a remark. A
+// triangle that a transform turns over, by a negative determinant, is turned back. What no triangle names of <vertices>
+// is no part of the mesh, and neither are objects that no item names.
+// Read, too: other models of the package that the root's items and components name (production extension).
+// Told in left_out: supports (objects of the types support and solidsupport); what extensions say of shapes, such as
+// beam lattices, slices and boolean shapes. Told in remarks: materials, colours and textures.
+// Refused: extensions that the file requires, but for those of models in several parts, of materials and of sets of
+// triangles; transforms that make an object flat; a build without items; objects of other types; more than 64 bytes of
+// models a byte of the file; archives that are encrypted, damaged, or compressed otherwise than by Deflate.
+// Errors: see read_mesh; within the package they name the model, too. Cost: linear.
+Mesh parse_3mf(std::string_view bytes, std::string_view place);
+
 }  // namespace sunder::io

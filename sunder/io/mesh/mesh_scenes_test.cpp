@@ -1,4 +1,4 @@
-// The formats that are scenes: COLLADA, glTF, VRML. See mesh_body_test.cpp for what all formats have in common.
+// The formats that are scenes: COLLADA, glTF, VRML; for 3MF see mesh_3mf_test.cpp. See mesh_body_test.cpp for what all formats have in common.
 #include <sunder/base/error.h>
 #include <sunder/io/mesh/frame_internal.h>
 #include <sunder/io/mesh/mesh_formats.h>

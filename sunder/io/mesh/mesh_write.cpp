@@ -139,6 +139,7 @@ std::string to_text(MeshFormat format, Points vertices, Numbers polygon_begin, N
     case MeshFormat::off: return to_off(vertices, polygon_begin, polygon_vertices);
     case MeshFormat::collada:
     case MeshFormat::gltf:
+    case MeshFormat::three_mf:
     case MeshFormat::vrml: break;
   }
   throw Error(ErrorCode::bad_call, "meshes are written as OBJ, STL, PLY and OFF only");

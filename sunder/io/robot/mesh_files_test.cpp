@@ -92,7 +92,7 @@ TEST(Mesh, SameShapeInEveryFormat) {
       }
       ++compared;
     }
-    EXPECT_EQ(compared, 11);
+    EXPECT_EQ(compared, 12);
   }
 }
 

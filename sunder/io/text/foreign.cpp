@@ -31,7 +31,7 @@ constexpr std::array foreign{
     Foreign{"\x00\x06\x00\x02"sv, "GDSII", "write its polygons as WKT or GeoJSON (KLayout can, by a script)"},
     Foreign{"%SEMI-OASIS"sv, "OASIS", "write its polygons as WKT or GeoJSON (KLayout can, by a script)"},
     Foreign{"\x1f\x8b"sv, "a gzip archive", "unpack it first: gunzip -k {}"},
-    Foreign{"PK\x03\x04"sv, "a zip archive (KMZ, 3MF, USDZ and office files are such)", "unpack it first: unzip {}"},
+    Foreign{"PK\x03\x04"sv, "a zip archive (KMZ, USDZ and office files are such)", "unpack it first: unzip {}"},
     Foreign{"BZh"sv, "a bzip2 archive", "unpack it first: bunzip2 -k {}"},
     Foreign{"\xfd\x37zXZ"sv, "an xz archive", "unpack it first: unxz -k {}"},
     Foreign{"\x28\xb5\x2f\xfd"sv, "a zstd archive", "unpack it first: unzstd {}"},
@@ -115,7 +115,7 @@ Foreign xml(std::string_view text) {
 // A mesh by its first word, or by its ending.
 bool is_mesh(std::string_view text, std::string_view place) {
   const std::string ending = ending_of(place);
-  if (ending == ".obj" || ending == ".stl" || ending == ".ply") return true;
+  if (ending == ".obj" || ending == ".stl" || ending == ".ply" || ending == ".3mf") return true;
   const std::string_view first = trimmed(text.substr(0, text.find_first_of("\r\n")));
   return first == "ply" || first == "OFF" || first.starts_with("solid ") || first.starts_with("v ") ||
          first.starts_with("mtllib ") || ending == ".off";
@@ -141,7 +141,7 @@ std::string_view foreign_format(std::string_view bytes) {
 ForeignBody foreign_body(std::string_view bytes) {
   constexpr std::string_view to_urdf =
       "convert it to URDF and ask sunder scene, or name its meshes one by one (OBJ, STL, PLY, OFF, COLLADA, glTF, "
-      "VRML), each with @POSE";
+      "VRML, 3MF), each with @POSE";
   constexpr std::string_view meshes = "export its meshes as OBJ, STL or glTF (Blender can)";
   if (bytes.starts_with("\xef\xbb\xbf")) bytes.remove_prefix(3);
   if (bytes.starts_with("#usda")) return {"USD", meshes};
@@ -182,7 +182,8 @@ bool is_hexadecimal_wkb(std::string_view word) {
 }
 
 void refuse_foreign(std::string_view bytes, std::string_view place) {
-  if (const Foreign* const found = find_foreign(bytes)) refuse(*found, place);
+  const bool is_package_of_mesh = is_zip(bytes) && ending_of(place) == ".3mf";
+  if (const Foreign* const found = find_foreign(bytes); found != nullptr && !is_package_of_mesh) refuse(*found, place);
   const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
   const std::string_view text = bytes.substr(begin);
   if (text.starts_with('<')) refuse(xml(text), place);

@@ -19,6 +19,9 @@ bool is_hexadecimal_wkb(std::string_view word);
 // What the bytes are, for people: "a PNG image"; empty where nothing is known. For meshes and files of the plane alike.
 std::string_view foreign_format(std::string_view bytes);
 
+// Do they begin as a ZIP archive does? Packages of several formats are such: 3MF, USDZ, KMZ, those of offices.
+inline bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
+
 // Text of robots, worlds and scenes that people give where a body is expected, and the way out; {} is the file.
 // `what` is empty where nothing is known.
 struct ForeignBody {
