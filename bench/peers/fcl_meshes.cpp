@@ -78,6 +78,28 @@ Run distances(const MeshScenario& scenario) {
 
 }  // namespace
 
+Run fcl_make_meshes(const std::vector<MeshSoup>& soups) {
+  struct Input {
+    std::vector<fcl::Vector3<double>> points;
+    std::vector<fcl::Triangle> triangles;
+  };
+  std::vector<Input> inputs;
+  for (const MeshSoup& soup : soups) {
+    Input& input = inputs.emplace_back();
+    for (const sunder::Point3& p : soup.points) input.points.emplace_back(p.x, p.y, p.z);
+    for (std::size_t k = 0; k < soup.corners.size(); k += 3) {
+      input.triangles.emplace_back(soup.corners[k], soup.corners[k + 1], soup.corners[k + 2]);
+    }
+  }
+  return each([inputs = std::move(inputs)](std::size_t k) {
+    fcl::BVHModel<fcl::OBBRSS<double>> model;
+    model.beginModel();
+    model.addSubModel(inputs[k].points, inputs[k].triangles);
+    model.endModel();
+    return model.num_tris;
+  });
+}
+
 std::vector<MeshWay> fcl_mesh_ways() {
   return {{"fcl", "OBBRSS", by_trees<fcl::OBBRSS<double>>}, {"fcl", "OBB", by_trees<fcl::OBB<double>>}};
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -35,6 +36,14 @@ inline Lanes absolute(Lanes a) {
   constexpr std::int64_t all_but_sign = 0x7fffffffffffffff;
   return reinterpret_cast<Lanes>(reinterpret_cast<LanesMask>(a) & all_but_sign);
 }
+inline Lanes root_of(Lanes a) {
+#ifdef __SSE2__
+  return __builtin_ia32_sqrtpd(a);
+#else
+  return Lanes{std::sqrt(a[0]), std::sqrt(a[1])};
+#endif
+}
+
 // As bits, the first lane's the lowest.
 inline std::uint32_t bits_of(LanesMask mask) {
 #ifdef __SSE2__

@@ -66,6 +66,16 @@ TEST(LanesTest, IsAtMost) {
   EXPECT_EQ(bits_of(is_at_most(Lanes{-0.0, 0.0}, Lanes{0.0, -0.0}) & is_at_most(Lanes{1, 2}, Lanes{1, 1})), 1u);
 }
 
+TEST(LanesTest, RootsAreThoseOfSingleDoubles) {
+  Random random(12);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = std::ldexp(random.uniform(0, 1), static_cast<int>(random.between(-1070, 1020))), b = 2 * a;
+    const Lanes roots = root_of(Lanes{a, b});
+    ASSERT_EQ(roots[0], std::sqrt(a));
+    ASSERT_EQ(roots[1], std::sqrt(b));
+  }
+}
+
 TEST(LanesTest, SmallerAndBits) {
   const Lanes a{1, 4}, b{2, 3}, smaller = smaller_of(a, b);
   EXPECT_EQ(smaller[0], 1);

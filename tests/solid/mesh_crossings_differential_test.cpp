@@ -224,6 +224,32 @@ TEST(MeshCrossingsDifferential, ThatThereAreNoneIsProved) {
   }
 }
 
+// Coordinates of any digits, where floating point mostly knows the sides of corners: down the tree it is asked first, by
+// the scan never.
+TEST(MeshCrossingsDifferential, FloatingPointSaysAsSignsDo) {
+  Random random(chosen_seed(4034));
+  std::uint64_t crossings = 0, pairs = 0;
+  for (int i = 0; i < scaled_count(1000); ++i) {
+    Soup soup;
+    const std::uint64_t points = 5 + random.below(20), triangles = 5 + random.below(20);
+    for (std::uint64_t k = 0; k < points; ++k) {
+      soup.points.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)});
+    }
+    for (std::uint64_t k = 0; k < triangles; ++k) {
+      const auto corner = [&] { return static_cast<std::uint32_t>(random.below(points)); };
+      soup.add_face({corner(), corner(), corner()});
+    }
+    const Mesh mesh = soup.mesh();
+    const MeshCrossings found = mesh_crossings(mesh), scan = mesh_crossings_by_scan(mesh);
+    ASSERT_EQ(found.pairs, scan.pairs) << i;
+    ASSERT_EQ(found.t_junctions, scan.t_junctions) << i;
+    crossings += found.pairs.size();
+    pairs += triangles * (triangles - 1) / 2;
+  }
+  EXPECT_GE(crossings, pairs / 20);
+  EXPECT_LE(crossings, pairs * 9 / 10);
+}
+
 // A sphere with bumps does not cross itself; two of them do where they meet, as one mesh. The looks are linear.
 TEST(MeshCrossingsDifferential, LooksGrowLinearly) {
   Random random(chosen_seed(4032));

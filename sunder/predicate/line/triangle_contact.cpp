@@ -3,6 +3,7 @@
 #include <sunder/predicate/point/orient.h>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -102,9 +103,68 @@ bool is_t_junction(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* t
   return false;
 }
 
+// Which corners of one triangle are surely above the plane of another one, and which below it: bit k tells of corner k.
+struct SureSides {
+  unsigned above = 0, below = 0;
+
+  SureSides(const PlaneTriangle& plane_of, const Triangle3& corners) {
+    for (unsigned k = 0; k < 3; ++k) {
+      const unsigned bits = plane_of.plane.sure_bits(plane_of.corners[0], corners[k]);
+      above |= (bits & 1) << k;
+      below |= (bits >> 1) << k;
+    }
+  }
+  bool are_one(unsigned corners) const { return (above & corners) == corners || (below & corners) == corners; }
+  bool are_known(unsigned corners) const { return ((above | below) & corners) == corners; }
+  bool is_above(std::size_t k) const { return (above >> k & 1) != 0; }
+};
+
+// Of three corners, of which some are above and some below: the one that is alone.
+std::size_t lone_corner(const SureSides& sides) {
+  return static_cast<std::size_t>(std::countr_zero(std::has_single_bit(sides.above) ? sides.above : sides.below));
+}
+
+// From this corner on, in their order or against it.
+Triangle3 corners_from(const Triangle3& t, std::size_t k, bool is_in_order) {
+  const Point3 &b = t[next(k)], &c = t[next(next(k))];
+  return {t[k], is_in_order ? b : c, is_in_order ? c : b};
+}
+
+// Each plane parts the other triangle, and has no corner of it. So each triangle has a segment of the line along which the
+// planes cross, which goes from one edge at its lone corner to the other one. Turned so that each sees the other's lone
+// corner above, these segments go opposite ways, and the two signs tell that neither ends before the other begins.
+// Source: Guigue, Devillers 2003, "Fast and robust triangle-triangle overlap test using orientation predicates".
+bool do_segments_meet(const Triangle3& t, const Triangle3& u, const SureSides& of_t, const SureSides& of_u,
+                      StageTally* tally) {
+  const std::size_t i = lone_corner(of_t), j = lone_corner(of_u);
+  const auto [a, b, c] = corners_from(t, i, of_u.is_above(j));
+  const auto [p, q, r] = corners_from(u, j, of_t.is_above(i));
+  return orient_3d(a, b, p, q, tally) != Sign::positive && orient_3d(a, c, p, r, tally) != Sign::negative;
+}
+
 }  // namespace
 
-TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally) {
+TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, const SharedCorners& shared,
+                                 StageTally* tally) {
+  const unsigned rest_of_t = 7 & ~shared.of_t, rest_of_u = 7 & ~shared.of_u;
+  if (rest_of_t == 0) return TriangleContact::crossing;
+  const SureSides of_t(u, t.corners), of_u(t, u.corners);
+  if (of_t.are_one(rest_of_t) || of_u.are_one(rest_of_u)) return TriangleContact::proper;
+  if (!of_t.are_known(rest_of_t) || !of_u.are_known(rest_of_u)) return exact_triangle_contact(t, u, tally);
+  // They share at most one corner, and no corner is on an edge of the other triangle: there is no T-junction.
+  if (shared.of_t == 0) {
+    return do_segments_meet(t.corners, u.corners, of_t, of_u, tally) ? TriangleContact::crossing
+                                                                     : TriangleContact::proper;
+  }
+  // The planes cross along a line through the corner that they share. The edge of each triangle across from that corner
+  // crosses this line, and they have more in common iff both do so to the same side of the corner. That is so iff the
+  // corner of t that comes next is on the same side of the plane of u as the last corner of u of the plane of t.
+  const std::size_t i = next(static_cast<std::size_t>(std::countr_zero(shared.of_t)));
+  const std::size_t j = next(next(static_cast<std::size_t>(std::countr_zero(shared.of_u))));
+  return of_t.is_above(i) == of_u.is_above(j) ? TriangleContact::crossing : TriangleContact::proper;
+}
+
+TriangleContact exact_triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally) {
   const Paired pair(t.corners, u.corners);
   const auto of_t = [&](std::size_t k) -> const Point3& { return t.corners[pair.of_t[k]]; };
   bool is_more = true;  // of equal ones

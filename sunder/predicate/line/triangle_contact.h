@@ -7,6 +7,7 @@
 #include <sunder/predicate/line/space_triangles.h>
 #include <sunder/predicate/point/facet_plane.h>
 
+#include <array>
 #include <cstdint>
 
 namespace sunder {
@@ -30,8 +31,32 @@ struct PlaneTriangle {
   Sign side(const Point3& q) const { return plane.side(corners[0], corners[1], corners[2], q); }
 };
 
-// Corners that are equal are shared. Requires that both have an area. Cost: one side where they share an edge, two for
-// most that share a corner, three for most others.
-TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally = nullptr);
+// Which corners of two triangles with an area are corners of both: bit k tells of corner k.
+struct SharedCorners {
+  unsigned of_t = 0, of_u = 0;
+
+  // By the numbers of points, of which no two are equal, or by their coordinates.
+  template <class Corner>
+  SharedCorners(const std::array<Corner, 3>& t, const std::array<Corner, 3>& u) {
+    for (unsigned i = 0; i < 3; ++i) {
+      for (unsigned j = 0; j < 3; ++j) {
+        const auto is_shared = static_cast<unsigned>(t[i] == u[j]);
+        of_t |= is_shared << i;
+        of_u |= is_shared << j;
+      }
+    }
+  }
+};
+
+// Requires that both have an area. Cost: the sides of all corners, of which floating point mostly knows enough; else two
+// orientations, or, where a corner is in the plane of the other triangle, some more.
+TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, const SharedCorners& shared,
+                                 StageTally* tally = nullptr);
+inline TriangleContact triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally = nullptr) {
+  return triangle_contact(t, u, SharedCorners(t.corners, u.corners), tally);
+}
+
+// The same without a look at what floating point knows.
+TriangleContact exact_triangle_contact(const PlaneTriangle& t, const PlaneTriangle& u, StageTally* tally = nullptr);
 
 }  // namespace sunder

@@ -46,6 +46,12 @@ class FacetPlane {
     return Guess::unsure;
   }
 
+  // The same without branches: bit 0 says surely positive, bit 1 surely negative.
+  unsigned sure_bits(const Point3& a, const Point3& q) const {
+    const double h = height(a, q);
+    return static_cast<unsigned>(h > error_) | static_cast<unsigned>(h < -error_) << 1;
+  }
+
  private:
   // `height` evaluates orient_3d's formula, so R1 to R3 of number/rounded.h bound its error by the bound times the
   // magnitude at q, and the magnitude at q is at most that at the extent, because rounding is monotone. Overflow makes

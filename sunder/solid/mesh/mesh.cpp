@@ -63,15 +63,35 @@ void merge(std::vector<EdgeCount>& edges) {
   edges.resize(kept);
 }
 
-std::vector<EdgeCount> edges_of(std::span<const Mesh::Triangle> triangles) {
+// The edges that are not balanced, in the order of their ends: all are put with their lower end, where those of equal
+// ends are counted.
+std::vector<EdgeCount> unbalanced_edges(std::size_t points, std::span<const Mesh::Triangle> triangles) {
+  const auto for_each_edge = [&](const auto& of_edge) {
+    for (const auto& [a, b, c] : triangles) {
+      if (a != b) of_edge(a, b);
+      if (b != c) of_edge(b, c);
+      if (c != a) of_edge(c, a);
+    }
+  };
+  std::vector<std::size_t> end(points + 1, 0);  // of those of each point; at first where they begin
+  for_each_edge([&](std::uint32_t from, std::uint32_t to) { ++end[std::min(from, to) + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::uint32_t> others(end.back());  // twice the higher end, and 1 where the edge comes back from there
+  for_each_edge([&](std::uint32_t from, std::uint32_t to) {
+    others[end[std::min(from, to)]++] = 2 * std::max(from, to) + (from < to ? 0 : 1);
+  });
   std::vector<EdgeCount> edges;
-  for (const Mesh::Triangle& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t from = t[k], to = t[k == 2 ? 0 : k + 1];
-      if (from != to) edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : 0, from < to ? 0 : 1});
+  std::size_t first = 0;
+  for (std::uint32_t low = 0; low < points; ++low) {
+    std::sort(others.begin() + static_cast<std::ptrdiff_t>(first),
+              others.begin() + static_cast<std::ptrdiff_t>(end[low]));
+    while (first < end[low]) {
+      EdgeCount edge{low, others[first] / 2, 0, 0};
+      for (; first < end[low] && others[first] / 2 == edge.high; ++first)
+        ++(others[first] % 2 == 0 ? edge.there : edge.back);
+      if (!edge.is_balanced()) edges.push_back(edge);
     }
   }
-  merge(edges);
   return edges;
 }
 
@@ -163,7 +183,7 @@ std::string_view name_of(PieceKind kind) { return name_in<PieceKind::open>({"ori
 Mesh::Mesh(const MeshView& given) {
   if (given.polygon_count() == 0) throw Error(ErrorCode::bad_shape, "the mesh has no face; give one that has");
   require_whole(given);
-  const MeshSides sides(given);
+  const MeshCorners topology(given);
   std::vector<std::uint32_t> number(given.vertices.size(), 0);  // of a point, plus 1; 0: not a corner yet
   const auto point_of = [&](std::uint32_t vertex) {
     if (number[vertex] == 0) {
@@ -172,13 +192,17 @@ Mesh::Mesh(const MeshView& given) {
     }
     return number[vertex] - 1;
   };
+  triangles_.reserve(given.polygon_count());
+  face_of_.reserve(given.polygon_count());
   std::vector<std::uint32_t> corners;
   for (std::uint32_t face = 0; face < given.polygon_count(); ++face) {
     may_be_interrupted(10);
     corners.clear();
-    for (const std::uint32_t v : sides.corners_of(face)) corners.push_back(point_of(v));
+    for (const std::uint32_t v : topology.corners_of(face)) corners.push_back(point_of(v));
     if (corners.size() < 3) {
       triangles_.push_back({corners.front(), corners.back(), corners.back()});
+    } else if (corners.size() == 3) {
+      triangles_.push_back({corners[0], corners[1], corners[2]});
     } else {
       const FaceTriangles of_face = face_triangles(points_, corners);
       triangles_.insert(triangles_.end(), of_face.triangles.begin(), of_face.triangles.end());
@@ -192,6 +216,7 @@ Mesh::Mesh(const MeshView& given) {
   tree_ = MeshTree(points_, triangles_, order);
   const auto in_order = [&order](const auto& items) {
     std::remove_cvref_t<decltype(items)> result;
+    result.reserve(items.size());
     for (const std::uint32_t k : order) result.push_back(items[k]);
     return result;
   };
@@ -203,8 +228,7 @@ Mesh::Mesh(const MeshView& given) {
 
 // By their points; then what kind each is.
 void Mesh::find_pieces() {
-  std::vector<EdgeCount> edges = edges_of(triangles_);
-  std::erase_if(edges, [](const EdgeCount& e) { return e.is_balanced(); });
+  const std::vector<EdgeCount> edges = unbalanced_edges(points_.size(), triangles_);
   const std::vector<EdgeCut> cuts = cuts_of(points_, edges);
   Joined joined(points_.size());
   for (const Triangle& t : triangles_) {
@@ -214,6 +238,7 @@ void Mesh::find_pieces() {
   for (const EdgeCut& cut : cuts) joined.join(edges[cut.edge].low, cut.point);
   constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> piece_of_root(points_.size(), none);
+  piece_of_.reserve(triangles_.size());
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     std::uint32_t& piece = piece_of_root[joined.find(triangles_[t][0])];
     if (piece == none) {

@@ -12,10 +12,24 @@
 
 namespace sunder::solid {
 
-// For each point the lowest number of an equal one. Cost: n log n; sorted rather than hashed, so no input is slow.
+// For each point the lowest number of an equal one. By a hash table; sorted where that is slow, so no input is.
+// Cost: n, at most n log n.
 std::vector<std::uint32_t> lowest_of_equals(std::span<const Point3> points);
+std::vector<std::uint32_t> lowest_of_equals_by_sorting(std::span<const Point3> points);
 
-struct MeshSides {
+struct MeshCorners {
+  explicit MeshCorners(const MeshView& mesh);
+
+  std::span<const std::uint32_t> corners_of(std::uint32_t face) const {
+    return std::span(corners).subspan(corner_begin[face], corner_begin[face + 1] - corner_begin[face]);
+  }
+
+  std::vector<std::uint32_t> lowest;      // for each vertex the lowest number of an equal point
+  std::vector<std::uint32_t> corners;     // of all faces, as lowest numbers, repetitions in a row dropped
+  std::vector<std::size_t> corner_begin;  // one entry more than there are faces
+};
+
+struct MeshSides : MeshCorners {
   // An edge of a polygon, from a corner to the next.
   struct Side {
     std::uint32_t from, to, face;
@@ -26,14 +40,7 @@ struct MeshSides {
   // Cost: n log n.
   explicit MeshSides(const MeshView& mesh);
 
-  std::span<const std::uint32_t> corners_of(std::uint32_t face) const {
-    return std::span(corners).subspan(corner_begin[face], corner_begin[face + 1] - corner_begin[face]);
-  }
-
-  std::vector<std::uint32_t> lowest;      // for each vertex the lowest number of an equal point
-  std::vector<std::uint32_t> corners;     // of all faces, as lowest numbers, repetitions in a row dropped
-  std::vector<std::size_t> corner_begin;  // one entry more than there are faces
-  std::vector<Side> sides;                // of different ends, sorted by their ends, then by face
+  std::vector<Side> sides;  // of different ends, sorted by their ends, then by face
 };
 
 }  // namespace sunder::solid

@@ -1,4 +1,5 @@
 #include <sunder/base/contract.h>
+#include <sunder/base/lanes.h>
 #include <sunder/solid/mesh/mesh_tree.h>
 #include <sunder/solid/search/search_vector.h>
 
@@ -7,98 +8,167 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace sunder::solid {
 
 namespace {
 
-Box3 box_of_none() {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-}
+using Matrix = std::array<std::array<double, 3>, 3>;  // symmetric, of which the upper half is used
 
-}  // namespace
-
-namespace {
-
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-// How corners of triangles are spread about their mean: the sum of products of coordinates, each triangle counted by
-// its area, and a little besides. Where that is not finite, it is not asked for.
-Matrix spread(std::span<const Point3> corners) {
-  Matrix sum{};
+// How corners of triangles are spread: their mean, and the sum of products of coordinates about it, each triangle counted
+// by its area, and a little besides.
+struct Spread {
+  double weight = 0;
   Point3 mean;
-  double weights = 0;
-  for (const bool is_second : {false, true}) {
-    for (std::size_t k = 0; k < corners.size(); k += 3) {
-      const Point3 &p = corners[k], &q = corners[k + 1], &r = corners[k + 2];
-      const Point3 n = cross({q.x - p.x, q.y - p.y, q.z - p.z}, {r.x - p.x, r.y - p.y, r.z - p.z});
-      const double weight = std::sqrt(dot(n, n)) + 0x1p-40;
-      for (std::size_t i = k; i < k + 3; ++i) {
-        const Point3& at = corners[i];
-        if (!is_second) {
-          weights += weight;
-          for (std::size_t c = 0; c < 3; ++c) mean[c] += weight * at[c];
-          continue;
-        }
-        for (std::size_t c = 0; c < 3; ++c) {
-          for (std::size_t d = c; d < 3; ++d) sum[c][d] += weight * (at[c] - mean[c]) * (at[d] - mean[d]);
-        }
-      }
+  Matrix sum{};
+
+  // Of both together. Source: Chan, Golub, LeVeque 1979 (updating formulas for variances).
+  friend Spread together(const Spread& a, const Spread& b) {
+    Spread all = a;
+    all.weight = a.weight + b.weight;
+    const double part = b.weight / all.weight;
+    const Point3 way{b.mean.x - a.mean.x, b.mean.y - a.mean.y, b.mean.z - a.mean.z};
+    for (std::size_t c = 0; c < 3; ++c) {
+      all.mean[c] += part * way[c];
+      for (std::size_t d = c; d < 3; ++d) all.sum[c][d] += b.sum[c][d] + a.weight * part * way[c] * way[d];
     }
-    if (!is_second) mean = {mean.x / weights, mean.y / weights, mean.z / weights};
+    return all;
   }
-  return sum;
+};
+
+Spread spread_of(const std::array<Point3, 3>& triangle) {
+  const auto& [p, q, r] = triangle;
+  const Point3 u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z}, n = cross(u, v);
+  const double weight = std::sqrt(dot(n, n)) + 0x1p-40;
+  Spread of;
+  of.weight = 3 * weight;
+  for (std::size_t c = 0; c < 3; ++c) {
+    of.mean[c] = p[c] + (u[c] + v[c]) / 3;
+    for (std::size_t d = c; d < 3; ++d)
+      of.sum[c][d] = weight * (u[c] * u[d] + v[c] * v[d] - (u[c] + v[c]) * (u[d] + v[d]) / 3);
+  }
+  return of;
 }
 
-// The directions in which a symmetric matrix, of which the upper half is given, is about diagonal: Jacobi's rotations.
-std::array<Point3, 3> principal_axes(Matrix m) {
-  std::array<Point3, 3> axes{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
-  const double size = m[0][0] + m[1][1] + m[2][2];
-  for (int turn = 0; turn < 24; ++turn) {
-    const std::size_t i = turn % 3 == 2 ? 1 : 0, j = turn % 3 == 0 ? 1 : 2, k = 3 - i - j;
-    const double off = m[i][j];
-    if (!(std::fabs(off) > size * 0x1p-40)) continue;
-    const double theta = (m[j][j] - m[i][i]) / (2 * off);
-    const double t = (theta < 0 ? -1 : 1) / (std::fabs(theta) + std::sqrt(theta * theta + 1));
-    const double cosine = 1 / std::sqrt(t * t + 1), sine = t * cosine;
-    m[i][i] -= t * off;
-    m[j][j] += t * off;
-    m[i][j] = 0;
-    double &of_i = m[std::min(i, k)][std::max(i, k)], &of_j = m[std::min(j, k)][std::max(j, k)];
-    const double at_i = of_i, at_j = of_j;
+// The directions in which two symmetric matrices are about diagonal: Jacobi's rotations, both at once. What is left
+// beside the diagonal, as a part of all on it, does not make boxes larger to speak of.
+std::array<std::array<Point3, 3>, 2> principal_axes(const Matrix& first, const Matrix& second) {
+  constexpr double diagonal = 0x1p-10;
+  const auto trace = [](const Matrix& of) { return of[0][0] + of[1][1] + of[2][2]; };
+  const auto part = [](double size) { return size > 0x1p-900 ? 1 / size : 0; };
+  const Lanes parts{part(trace(first)), part(trace(second))};
+  std::array<std::array<Lanes, 3>, 3> m, axes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      m[i][j] = Lanes{first[i][j], second[i][j]} * parts;
+      axes[i][j] = Lanes{i == j ? 1.0 : 0.0, i == j ? 1.0 : 0.0};
+    }
+  }
+  const auto turn = [&](std::size_t i, std::size_t j) {
+    const std::size_t k = 3 - i - j;
+    const Lanes off = 2 * m[i][j], apart = m[j][j] - m[i][i], turned = root_of(apart * apart + off * off),
+                along = absolute(apart) + turned + 0x1p-400,  // 0 never, so as to be divided by
+        part_of = 1 / root_of(along * along + off * off), cosine = along * part_of,
+                sign = apart < 0 ? Lanes{-1, -1} : Lanes{1, 1}, sine = sign * off * part_of,
+                moved = sign * (turned - absolute(apart)) / 2;
+    m[i][i] -= moved;
+    m[j][j] += moved;
+    m[i][j] = Lanes{0, 0};
+    Lanes &of_i = m[std::min(i, k)][std::max(i, k)], &of_j = m[std::min(j, k)][std::max(j, k)];
+    const Lanes at_i = of_i, at_j = of_j;
     of_i = cosine * at_i - sine * at_j;
     of_j = sine * at_i + cosine * at_j;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double u = axes[i][c], v = axes[j][c];
+      const Lanes u = axes[i][c], v = axes[j][c];
       axes[i][c] = cosine * u - sine * v;
       axes[j][c] = sine * u + cosine * v;
     }
+  };
+  for (int sweep = 0; sweep < 8; ++sweep) {
+    if (greater_lane(greater_of(greater_of(absolute(m[0][1]), absolute(m[0][2])), absolute(m[1][2]))) < diagonal) break;
+    turn(0, 1);
+    turn(0, 2);
+    turn(1, 2);
   }
-  return axes;
+  std::array<std::array<Point3, 3>, 2> result;
+  for (std::size_t lane = 0; lane < 2; ++lane) {
+    for (std::size_t k = 0; k < 3; ++k) result[lane][k] = {axes[k][0][lane], axes[k][1][lane], axes[k][2][lane]};
+  }
+  return result;
 }
 
-double volume(const std::array<Point3, 2>& ends) {  // and a little for flat ones
+using Ends = std::array<Point3, 2>;  // the least and the greatest coordinates, along some axes
+
+Ends hull_of(const Ends& a, const Ends& b) {
+  Ends all = a;
+  for (std::size_t c = 0; c < 3; ++c) {
+    all[0][c] = std::min(a[0][c], b[0][c]);
+    all[1][c] = std::max(a[1][c], b[1][c]);
+  }
+  return all;
+}
+
+double volume(const Ends& ends) {  // and a little for flat ones
   const auto side = [&](std::size_t c) { return ends[1][c] - ends[0][c] + 0x1p-20; };
   return side(0) * side(1) * side(2);
 }
 
-// From where to where they go along each axis.
-std::array<Point3, 2> ends_along(const std::array<Point3, 3>& axes, std::span<const Point3> corners) {
-  std::array<Point3, 2> ends;
-  for (std::size_t k = 0; k < 3; ++k) ends[0][k] = ends[1][k] = dot(axes[k], corners[0]);
-  for (const Point3& p : corners) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double at = dot(axes[k], p);
-      ends[0][k] = std::min(ends[0][k], at);
-      ends[1][k] = std::max(ends[1][k], at);
+Ends ends_along(const std::array<Point3, 3>& axes, std::span<const Point3> points) {
+  Ends ends;
+  for (std::size_t k = 0; k < 3; ++k) {
+    ends[0][k] = ends[1][k] = dot(axes[k], points[0]);
+    for (const Point3& p : points) {
+      ends[0][k] = std::min(ends[0][k], dot(axes[k], p));
+      ends[1][k] = std::max(ends[1][k], dot(axes[k], p));
     }
   }
   return ends;
 }
 
+// Points, by their coordinates.
+struct Columns {
+  std::vector<double> x, y, z;
+
+  std::size_t size() const { return x.size(); }
+  void reserve(std::size_t size) {
+    for (std::vector<double>* column : {&x, &y, &z}) column->reserve(size);
+  }
+  void push_back(const Point3& p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+  }
+  // The same of those from `first` to before `end`, two at once; the last one by itself, too.
+  Ends ends_along(const std::array<Point3, 3>& axes, std::size_t first, std::size_t end) const {
+    const auto both = [](double t) { return Lanes{t, t}; };
+    std::array<Lanes, 3> low, high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = high[k] = both(axes[k].x * x[first] + axes[k].y * y[first] + axes[k].z * z[first]);
+    }
+    for (std::size_t i = first; i + 1 < end; i += 2) {
+      const Lanes at_x = lanes_at(&x[i]), at_y = lanes_at(&y[i]), at_z = lanes_at(&z[i]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Lanes at = both(axes[k].x) * at_x + both(axes[k].y) * at_y + both(axes[k].z) * at_z;
+        low[k] = smaller_of(low[k], at);
+        high[k] = greater_of(high[k], at);
+      }
+    }
+    Ends ends;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double last = axes[k].x * x[end - 1] + axes[k].y * y[end - 1] + axes[k].z * z[end - 1];
+      ends[0][k] = std::min({low[k][0], low[k][1], last});
+      ends[1][k] = std::max({high[k][0], high[k][1], last});
+    }
+    return ends;
+  }
+};
+
+// The next number of single precision above one that is positive.
+float next_above(float x) { return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) + 1); }
+
 // Axes in single precision. Numbers are at most 2 in size, and what is rounded is off by less than a part in 2^46.
-OrientedBox box_along(const std::array<Point3, 3>& axes, const std::array<Point3, 2>& ends) {
+OrientedBox box_along(const std::array<Point3, 3>& axes, const Ends& ends) {
   OrientedBox box;
   std::array<double, 3> at{};  // along each axis
   for (std::size_t k = 0; k < 3; ++k) {
@@ -114,7 +184,7 @@ OrientedBox box_along(const std::array<Point3, 3>& axes, const std::array<Point3
   for (std::size_t k = 0; k < 3; ++k) {
     const double middle_at = dot(axes[k], kept);
     const double half = std::max(ends[1][k] - middle_at, middle_at - ends[0][k]) + 0x1p-45;
-    box.half[k] = std::nextafter(static_cast<float>(half), 8.0F);
+    box.half[k] = next_above(static_cast<float>(half));
   }
   return box;
 }
@@ -127,13 +197,136 @@ Point3 axis_along(const Point3& way, const Point3& other) {
   return {rounded(way.x), rounded(way.y), rounded(way.z)};
 }
 
-// Along the axes of the tree, or those of how the triangles are spread, if that is smaller.
-OrientedBox box_around(std::span<const Point3> corners) {
-  const std::array<Point3, 3> given{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
-  std::array<Point3, 3> spread_along = principal_axes(spread(corners));
-  for (Point3& axis : spread_along) axis = axis_along(axis, axis);
-  const std::array<Point3, 2> ends = ends_along(given, corners), there = ends_along(spread_along, corners);
-  return volume(there) < 0.7 * volume(ends) ? box_along(spread_along, there) : box_along(given, ends);
+// Makes the boxes of all nodes, from the leaves upwards: how triangles are spread, and how far they go along the axes of
+// the tree, is put together from both halves of a node. Only along its own axes all points below it are looked at.
+class BoxesUpwards {
+ public:
+  // Of the tree its shape, its middle and its unit are known.
+  BoxesUpwards(const MeshTree& tree, std::span<const Point3> points,
+               std::span<const std::array<std::uint32_t, 3>> triangles, std::span<const std::uint32_t> order,
+               std::vector<OrientedBox>& boxes)
+      : tree_(tree), triangles_(triangles), order_(order), boxes_(boxes), seen_(points.size(), none) {
+    points_.reserve(points.size());
+    const Point3& middle = tree.middle();
+    for (const Point3& p : points) {
+      points_.push_back(
+          {(p.x - middle.x) / tree.unit(), (p.y - middle.y) / tree.unit(), (p.z - middle.z) / tree.unit()});
+      furthest_ = std::max(furthest_, dot(points_.back(), points_.back()));
+    }
+    columns_.reserve(3 * triangles.size());
+  }
+
+  // Returns how far the furthest point is from the middle, squared.
+  double run() {
+    const Below all = below(1);
+    make_boxes(all, all, 1, 1);
+    return furthest_;
+  }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  // What is below a node.
+  struct Below {
+    std::size_t first = 0, end = 0;  // points
+    Ends ends;                       // along the axes of the tree
+    Spread spread;
+  };
+
+  Below below(std::size_t node) {
+    if (tree_.is_leaf(node)) return leaf(node);
+    const Below a = below(2 * node), b = below(2 * node + 1);
+    make_boxes(a, b, 2 * node, 2 * node + 1);
+    return {a.first, b.end, hull_of(a.ends, b.ends), together(a.spread, b.spread)};
+  }
+
+  Below leaf(std::size_t node) {
+    Below made;
+    made.first = columns_.size();
+    const TriangleRange range = tree_.triangles(node);
+    for (std::uint32_t place = range.first; place < range.end; ++place) {
+      std::array<Point3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t number = triangles_[order_[place]][k];
+        corners[k] = points_[number];
+        if (std::exchange(seen_[number], range.first) != range.first) columns_.push_back(corners[k]);
+      }
+      const auto& [p, q, r] = corners;
+      const Ends of_triangle = hull_of(hull_of({p, p}, {q, q}), {r, r});
+      const bool is_first = place == range.first;
+      made.ends = is_first ? of_triangle : hull_of(made.ends, of_triangle);
+      made.spread = is_first ? spread_of(corners) : together(made.spread, spread_of(corners));
+    }
+    made.end = columns_.size();
+    return made;
+  }
+
+  // Along the axes of the tree, or those of how the triangles are spread, if that is smaller.
+  void make_boxes(const Below& a, const Below& b, std::size_t node_a, std::size_t node_b) {
+    const auto axes = principal_axes(a.spread.sum, b.spread.sum);
+    make_box(a, axes[0], node_a);
+    make_box(b, axes[1], node_b);
+  }
+  void make_box(const Below& of, std::array<Point3, 3> axes, std::size_t node) {
+    if (of.first == of.end) return;
+    for (Point3& axis : axes) {
+      for (std::size_t c = 0; c < 3; ++c) axis[c] = static_cast<double>(static_cast<float>(axis[c]));
+    }
+    const Ends there = columns_.ends_along(axes, of.first, of.end);
+    const std::array<Point3, 3> given{Point3{1, 0, 0}, Point3{0, 1, 0}, Point3{0, 0, 1}};
+    boxes_[node] = volume(there) < 0.7 * volume(of.ends) ? box_along(axes, there) : box_along(given, of.ends);
+  }
+
+  const MeshTree& tree_;
+  std::vector<Point3> points_;  // in units of the tree
+  std::span<const std::array<std::uint32_t, 3>> triangles_;
+  std::span<const std::uint32_t> order_;
+  std::vector<OrientedBox>& boxes_;
+  std::vector<std::uint32_t> seen_;  // of each point, the first triangle of the last leaf that has it
+  Columns columns_;                  // of each leaf those that its triangles have, once, in units of the tree
+  double furthest_ = 0;
+};
+
+// The middle of a triangle's box. They are moved as they are sorted, so that what is compared lies side by side.
+struct Middle {
+  Point3 at;
+  std::uint32_t triangle;
+};
+
+// So that those before `middle` are the least ones along the axis.
+template <double Point3::* axis>
+void halve(std::span<Middle> all, std::span<Middle>::iterator middle) {
+  std::nth_element(all.begin(), middle, all.end(), [](const Middle& s, const Middle& t) {
+    const double a = s.at.*axis, b = t.at.*axis;
+    return a != b ? a < b : s.triangle < t.triangle;
+  });
+}
+
+// Sorts what some leaves hold by these leaves, of which leaf l begins at begin_of(l): halves it across the axis along
+// which it is spread most, again and again.
+template <class BeginOf>
+void sort_by_leaves(std::span<Middle> all, const BeginOf& begin_of, std::size_t first_leaf, std::size_t leaves) {
+  if (leaves < 2) return;
+  const std::size_t begin = begin_of(first_leaf);
+  const std::span<Middle> here = all.subspan(begin, begin_of(first_leaf + leaves) - begin);
+  const auto middle = here.begin() + static_cast<std::ptrdiff_t>(begin_of(first_leaf + leaves / 2) - begin);
+  if (middle != here.end()) {
+    Point3 low = here[0].at, high = low;
+    for (const Middle& m : here) {
+      low = {std::min(low.x, m.at.x), std::min(low.y, m.at.y), std::min(low.z, m.at.z)};
+      high = {std::max(high.x, m.at.x), std::max(high.y, m.at.y), std::max(high.z, m.at.z)};
+    }
+    const Point3 extent{high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2};  // does not overflow
+    if (extent.z > extent.x && extent.z > extent.y) {
+      halve<&Point3::z>(here, middle);
+    } else if (extent.y > extent.x) {
+      halve<&Point3::y>(here, middle);
+    } else {
+      halve<&Point3::x>(here, middle);
+    }
+  }
+  sort_by_leaves(all, begin_of, first_leaf, leaves / 2);
+  sort_by_leaves(all, begin_of, first_leaf + leaves / 2, leaves / 2);
 }
 
 }  // namespace
@@ -142,45 +335,31 @@ MeshTree::MeshTree(std::span<const Point3> points, std::span<const std::array<st
                    std::vector<std::uint32_t>& order)
     : size_(triangles.size()) {
   SUNDER_REQUIRE(triangles.size() < std::size_t{1} << 31);
-  order.resize(triangles.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::vector<Box3> boxes(triangles.size(), box_of_none());
-  std::vector<Point3> middles(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (const std::uint32_t corner : triangles[t]) boxes[t] = hull(boxes[t], {points[corner], points[corner]});
-    for (std::size_t c = 0; c < 3; ++c) middles[t][c] = boxes[t].low[c] / 2 + boxes[t].high[c] / 2;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  box_ = {{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
+  std::vector<Middle> middles;
+  middles.reserve(triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Point3 &p = points[triangles[t][0]], &q = points[triangles[t][1]], &r = points[triangles[t][2]];
+    const Box3 box = hull(hull(Box3{p, p}, Box3{q, q}), Box3{r, r});
+    box_ = hull(box_, box);
+    middles.push_back(
+        {{box.low.x / 2 + box.high.x / 2, box.low.y / 2 + box.high.y / 2, box.low.z / 2 + box.high.z / 2}, t});
   }
-  box_ = box_of_none();
-  for (const Box3& box : boxes) box_ = hull(box_, box);
   double half = 0;
-  for (std::size_t c = 0; c < 3 && !boxes.empty(); ++c) {
+  for (std::size_t c = 0; c < 3 && !triangles.empty(); ++c) {
     middle_[c] = box_.low[c] / 2 + box_.high[c] / 2;
     half = std::max(half, box_.high[c] / 2 - box_.low[c] / 2);
   }
   unit_ = std::ldexp(1.0, half > 0x1p-1000 ? std::min(std::ilogb(half) + 1, 1023) : -1000);
   nodes_.resize(2 * std::bit_ceil(std::max<std::size_t>(1, (triangles.size() + leaf_size - 1) / leaf_size)));
-  split(middles, order, 0, leaves());
-  for (std::size_t leaf = leaves(); leaf < nodes_.size(); ++leaf) {
-    const auto [first, end] = this->triangles(leaf);
-    std::sort(order.begin() + first, order.begin() + end);
+  sort_by_leaves(std::span(middles), [&](std::size_t leaf) { return begin_of(leaf); }, 0, leaves());
+  order.resize(triangles.size());
+  std::transform(middles.begin(), middles.end(), order.begin(), [](const Middle& m) { return m.triangle; });
+  for (std::size_t leaf = 0; leaf < leaves(); ++leaf) {
+    std::sort(order.begin() + begin_of(leaf), order.begin() + begin_of(leaf + 1));
   }
-  std::vector<Point3> corners;  // of all triangles in their order, in units of the tree
-  corners.reserve(3 * triangles.size());
-  for (const std::uint32_t t : order) {
-    for (const std::uint32_t corner : triangles[t]) {
-      Point3 p;
-      for (std::size_t c = 0; c < 3; ++c) p[c] = (points[corner][c] - middle_[c]) / unit_;
-      corners.push_back(p);
-    }
-  }
-  double furthest = 0;  // squared
-  for (const Point3& p : corners) furthest = std::max(furthest, dot(p, p));
-  radius_ = std::sqrt(furthest) * unit_;
-  for (std::size_t node = 1; node < nodes_.size(); ++node) {
-    const TriangleRange range = this->triangles(node);
-    if (range.size() == 0) continue;
-    nodes_[node] = box_around(std::span(corners).subspan(3 * range.first, 3 * std::size_t{range.size()}));
-  }
+  radius_ = std::sqrt(BoxesUpwards(*this, points, triangles, order, nodes_).run()) * unit_;
 }
 
 OrientedBox MeshTree::box_around_triangle(const std::array<Point3, 3>& given) const {
@@ -200,29 +379,6 @@ OrientedBox MeshTree::box_around_triangle(const std::array<Point3, 3>& given) co
   axes[1] = axis_along(normal, across);
   axes[2] = axis_along(cross(axes[0], axes[1]), across);
   return box_along(axes, ends_along(axes, corners));
-}
-
-void MeshTree::split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
-                     std::size_t leaves) {
-  const auto at = [&](std::size_t leaf) { return order.begin() + static_cast<std::ptrdiff_t>(begin_of(leaf)); };
-  if (leaves < 2) return;
-  const auto begin = at(first_leaf), middle = at(first_leaf + leaves / 2), end = at(first_leaf + leaves);
-  if (end - begin < 2) return;
-  std::size_t axis = 0;
-  double most = -1;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto less = [&](std::uint32_t s, std::uint32_t t) { return middles[s][c] < middles[t][c]; };
-    const auto [least, greatest] = std::minmax_element(begin, end, less);
-    const double spread = middles[*greatest][c] / 2 - middles[*least][c] / 2;  // halves do not overflow
-    if (spread > most) most = spread, axis = c;
-  }
-  if (middle != end) {
-    std::nth_element(begin, middle, end, [&](std::uint32_t s, std::uint32_t t) {
-      return middles[s][axis] != middles[t][axis] ? middles[s][axis] < middles[t][axis] : s < t;
-    });
-  }
-  split(middles, order, first_leaf, leaves / 2);
-  split(middles, order, first_leaf + leaves / 2, leaves / 2);
 }
 
 }  // namespace sunder::solid

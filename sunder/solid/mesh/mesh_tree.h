@@ -44,7 +44,8 @@ class MeshTree {
 
   MeshTree() = default;
   // Fills `order`: the triangle that stands at place k, in the order of the leaves, is order[k]. It depends on the
-  // coordinates alone, and is the same everywhere. Requires fewer than 2^31 triangles. Cost: n log n.
+  // coordinates alone, and is the same everywhere. Requires fewer than 2^31 triangles, and that each point is a corner of
+  // one. Cost: n log n.
   MeshTree(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
            std::vector<std::uint32_t>& order);
 
@@ -74,8 +75,6 @@ class MeshTree {
 
  private:
   std::uint32_t begin_of(std::size_t leaf) const { return static_cast<std::uint32_t>(leaf * size_ / leaves()); }
-  void split(std::span<const Point3> middles, std::vector<std::uint32_t>& order, std::size_t first_leaf,
-             std::size_t leaves);
 
   std::size_t size_ = 0;  // of triangles
   Box3 box_{};
