@@ -32,10 +32,11 @@ struct PathSide {
 // What is known of a mesh in a cell: all is outside, or all is inside; or neither is known.
 enum class Known : std::uint8_t { nothing, outside, inside };
 
-// A point within a cell, on no triangle of either mesh; and how often they wind around it (MeshPoint::winding).
+// A point within a cell, and how often each mesh winds around it (MeshPoint::winding), unless it is on a triangle of it.
+// There may be none that is known, where a cell is thin.
 struct ToldPoint {
-  FinePoint point;
-  std::array<std::int64_t, 2> windings{};
+  std::optional<FinePoint> point;
+  std::array<std::optional<std::int64_t>, 2> windings;
 };
 
 struct CellParts {
@@ -43,10 +44,12 @@ struct CellParts {
   CutPolygonList facets;                // of what of the cell is in a box around both meshes
   ToldPoint told;
 
-  // What is known of a mesh in all of the cell.
+  // What is known of a mesh in all of the cell. Requires that it is told.
   Known known(std::size_t m) const {
-    return !parts[m].empty() ? Known::nothing : told.windings[m] != 0 ? Known::inside : Known::outside;
+    return !parts[m].empty() ? Known::nothing : *told.windings[m] != 0 ? Known::inside : Known::outside;
   }
+  // All that has to be: windings of what has no part there.
+  bool is_told() const { return (!parts[0].empty() || told.windings[0]) && (!parts[1].empty() || told.windings[1]); }
 };
 
 class Partitioning {
@@ -66,7 +69,7 @@ class Partitioning {
     for (CutPolygonList& parts : root.parts) parts.push_back({1});
     const Box3 box = box_around();
     if (!is_spent_) root.facets = cut_.add_box(box);
-    if (!is_spent_) tell_root(root);
+    if (!is_spent_) tell(root, CellParts());
     if (!is_spent_) divide(std::move(root));
     if (!is_spent_ && !found_.are_all()) tell_needed();
     result.is_decided = !is_spent_ || found_.are_all();
@@ -115,8 +118,8 @@ class Partitioning {
 
   // ---- Points.
 
-  // A point within the cell, of few digits if there is one; any, where is_spent_ is set. Each try is about another one.
-  FinePoint point_in(const CutPolygonList& facets, int tries) {
+  // A point within the cell, of few digits if there is one. Each try is about another one.
+  std::optional<FinePoint> point_in(const CutPolygonList& facets, int tries) {
     Point3 middle, low = near_first(facets[0]), high = low;
     double count = 0;
     for (const CutPolygon& facet : facets) {
@@ -141,13 +144,10 @@ class Partitioning {
       if (is_in_cell(rounded)) return rounded;
     }
     if (const FinePoint doubles{{middle}}; is_in_cell(doubles)) return doubles;
-    FinePoint fine;
     for (const std::size_t digits : {2u, 3u, 4u}) {
-      fine = fine_middle(facets, digits, tries);
-      if (is_in_cell(fine)) return fine;
+      if (const FinePoint fine = fine_middle(facets, digits, tries); is_in_cell(fine)) return fine;
     }
-    is_spent_ = true;
-    return fine;
+    return std::nullopt;
   }
 
   // A mean of the corners, in sums of so many doubles.
@@ -199,50 +199,41 @@ class Partitioning {
                        [&](const PathSide& side) { return cut_.plane(side.plane).side_of(at) == side.sign; });
   }
 
-  // A point of the cell, whose winding numbers tells(mesh, point, tries) finds, or not. Some are tried; is_spent_, if in vain.
-  template <class Tell>
-  void tell(CellParts& cell, const Tell& tells) {
-    for (int tries = 0; tries < 20; ++tries) {
-      cell.told.point = point_in(cell.facets, tries);
-      if (is_spent_) return;
-      Affine3 pose;
-      const Posed3 at = posed_at(cell.told.point, pose);
-      if (!tells(0, at, tries) || !tells(1, at, tries)) continue;
-      const bool in_a = cell.told.windings[0] != 0, in_b = cell.told.windings[1] != 0;
-      if (in_a && in_b && !found_.both) in_both_ = cell.told.point;
-      found_.both |= in_a && in_b;
-      found_.only_a |= in_a && !in_b;
-      found_.only_b |= in_b && !in_a;
-      return;
-    }
-    is_spent_ = true;
-  }
-
-  void tell_root(CellParts& root) {
-    tell(root, [&](std::size_t m, const Posed3& at, int) {
-      if (is_on_triangle(*meshes_[m], at, cost_)) return false;
-      root.told.windings[m] = ray_away(*meshes_[m], at).winding;
-      return true;
-    });
-  }
-
-  // Of a part of a cell, by the segment to the point of that: what it crosses is in the cell.
-  void tell_part(CellParts& part, const CellParts& of) {
-    Affine3 pose_of;
-    const Posed3 to = posed_at(of.told.point, pose_of);
+  // Finds a point of a part of a cell that is told. What the segment to the point of that crosses is in that. A few points
+  // are tried, until none meets an edge; then rays tell, of any cell. is_spent_, where what has to be told is not.
+  void tell(CellParts& part, const CellParts& of) {
+    Affine3 pose, pose_of;
+    const Posed3 to = of.told.point ? posed_at(*of.told.point, pose_of) : Posed3{};
     std::array<std::vector<std::uint32_t>, 2> nodes, triangles;
     for (const std::size_t m : {0u, 1u}) {
       for (const CutPolygon& each : of.parts[m]) (each.is_node() ? nodes : triangles)[m].push_back(each.of);
     }
-    tell(part, [&](std::size_t m, const Posed3& at, int tries) {
-      if (is_on_needle(m, at)) return false;
-      const auto sum = crossings_among(*meshes_[m], at, to, nodes[m], triangles[m], cost_);
-      // It meets an edge, or ends on a triangle: another point may do; a ray, where points are few.
-      if (!sum && (tries < 2 || is_on_triangle(*meshes_[m], at, cost_))) return false;
-      const std::int64_t winding = sum ? *sum + of.told.windings[m] : ray_away(*meshes_[m], at).winding;
-      part.told.windings[m] = meshes_[m]->mesh().is_by_winding() ? winding : std::int64_t{winding % 2 != 0};
-      return true;
-    });
+    for (int tries = 0; tries < 20; ++tries) {
+      part.told = {point_in(part.facets, tries), {}};
+      if (!part.told.point) break;
+      const Posed3 at = posed_at(*part.told.point, pose);
+      for (const std::size_t m : {0u, 1u}) {
+        if (is_on_needle(m, at)) continue;
+        std::optional<std::int64_t>& winding = part.told.windings[m];
+        if (of.told.windings[m]) {
+          winding = crossings_among(*meshes_[m], at, to, nodes[m], triangles[m], cost_);
+          if (winding) *winding += *of.told.windings[m];
+        }
+        if (!winding && (tries >= 2 || !of.told.windings[m]) && !is_on_triangle(*meshes_[m], at, cost_)) {
+          winding = ray_away(*meshes_[m], at).winding;
+        }
+        if (winding && !meshes_[m]->mesh().is_by_winding()) winding = std::int64_t{*winding % 2 != 0};
+      }
+      if (part.told.windings[0] && part.told.windings[1]) break;
+      if (tries >= 4 && part.is_told()) break;
+    }
+    if (!part.is_told()) is_spent_ = true;
+    if (!part.told.windings[0] || !part.told.windings[1]) return;
+    const bool in_a = *part.told.windings[0] != 0, in_b = *part.told.windings[1] != 0;
+    if (in_a && in_b && !found_.both) in_both_ = part.told.point;
+    found_.both |= in_a && in_b;
+    found_.only_a |= in_a && !in_b;
+    found_.only_b |= in_b && !in_a;
   }
 
   // ---- The walk.
@@ -266,11 +257,12 @@ class Partitioning {
     for (const std::size_t m : {0u, 1u}) {
       if (choice_.size_of(m, cell.parts[m]) <= few) cell.parts[m] = cut_.opened(m, cell.parts[m]);
     }
-    if (found_.are_all()) return;
+    if (!cell.is_told()) tell(cell, CellParts());  // nothing but needles was there
+    if (is_spent_ || found_.are_all()) return;
     const std::array<Known, 2> known{cell.known(0), cell.known(1)};
     if (!may_be(known[0], known[1])) {
       partition_.cuts.push_back(0);
-      partition_.cells.push_back({cell.told.point});
+      partition_.cells.push_back({*cell.told.point});
       known_.push_back(known);
       return;
     }
@@ -290,18 +282,15 @@ class Partitioning {
       sides[0].parts[m] = std::move(above);
       sides[1].parts[m] = std::move(below);
     }
-    const Sign of_told = made.side_of(exact_of(cell.told.point));
+    const Sign of_told = cell.told.point ? made.side_of(exact_of(*cell.told.point)) : Sign::zero;
     for (const std::size_t k : {0u, 1u}) {
       const Sign side = k == 0 ? Sign::positive : Sign::negative;
       sides[k].facets = cut_.cut_cell(cell.facets, side);
       if (sides[k].facets.empty() || probes() > most_) is_spent_ = true;
       if (is_spent_) return;
       path_.push_back({plane, side});
-      if (of_told == side) {
-        sides[k].told = cell.told;
-      } else {
-        tell_part(sides[k], cell);
-      }
+      if (of_told == side) sides[k].told = cell.told;
+      if (of_told != side || !sides[k].is_told()) tell(sides[k], cell);
       path_.pop_back();
       if (is_spent_ || found_.are_all()) return;
     }
