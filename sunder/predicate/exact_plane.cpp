@@ -4,6 +4,7 @@
 #include <sunder/number/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -55,8 +56,22 @@ ExactPlane ExactPlane::across_axis(std::size_t axis, double at) {
 
 ExactPlane ExactPlane::through(const Vector3<Dyadic>& p, const Vector3<Dyadic>& q, const Vector3<Dyadic>& r) {
   Vector3<Dyadic> n = cross(q - p, r - p);
+  const bool has_x = n.x.sign() != Sign::zero, has_y = n.y.sign() != Sign::zero, has_z = n.z.sign() != Sign::zero;
+  if (has_x + has_y + has_z == 1) {
+    const auto of_length_1 = [](const Dyadic& x) { return Dyadic(static_cast<double>(static_cast<int>(x.sign()))); };
+    n = {of_length_1(n.x), of_length_1(n.y), of_length_1(n.z)};
+  }
   Dyadic offset = dot(n, p);
   return {std::move(n), std::move(offset)};
+}
+
+ExactPlane ExactPlane::seen_from(const Affine3& frame) const {
+  const auto& [m, t] = frame;
+  const auto column = [&](std::size_t c) {
+    return normal.x * Dyadic(m[c]) + normal.y * Dyadic(m[3 + c]) + normal.z * Dyadic(m[6 + c]);
+  };
+  const Vector3<Dyadic> move{t[0], t[1], t[2]};
+  return {{column(0), column(1), column(2)}, offset - dot(normal, move)};
 }
 
 bool ExactPlane::has_no_normal() const {
@@ -77,13 +92,48 @@ EnclosedPoint crossing_of(const ExactPlane& plane, const ExactPoint3& p, const E
       ExactPoint3{s * q.x - t * p.x, s * q.y - t * p.y, s * q.z - t * p.z, s * q.denominator - t * p.denominator});
 }
 
-EnclosedPoint common_point(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h) {
-  const Vector3<Dyadic> gh = cross(g.normal, h.normal), hf = cross(h.normal, f.normal), fg = cross(f.normal, g.normal);
-  const auto sum = [&](const Dyadic& x, const Dyadic& y, const Dyadic& z) {
-    return f.offset * x + g.offset * y + h.offset * z;
+namespace {
+
+// Over a denominator.
+template <class Number>
+struct Common {
+  Vector3<Number> numerators;
+  Number denominator;
+};
+
+template <class Number>
+Common<Number> cramer(const std::array<Vector3<Number>, 3>& normals, const std::array<Number, 3>& offsets) {
+  const auto& [f, g, h] = normals;
+  const Vector3<Number> gh = cross(g, h), hf = cross(h, f), fg = cross(f, g);
+  const auto sum = [&](const Number& x, const Number& y, const Number& z) {
+    return offsets[0] * x + offsets[1] * y + offsets[2] * z;
   };
-  return EnclosedPoint(
-      ExactPoint3{sum(gh.x, hf.x, fg.x), sum(gh.y, hf.y, fg.y), sum(gh.z, hf.z, fg.z), dot(f.normal, gh)});
+  return {{sum(gh.x, hf.x, fg.x), sum(gh.y, hf.y, fg.y), sum(gh.z, hf.z, fg.z)}, dot(f, gh)};
+}
+
+std::optional<Vector3<Interval>> ratio(const Vector3<Interval>& v, const Interval& w) {
+  if (!is_sure(sign(w)) || sign(w) == Guess::zero) return std::nullopt;
+  return Vector3<Interval>{v.x / w, v.y / w, v.z / w};
+}
+
+}  // namespace
+
+EnclosedPoint common_point(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h) {
+  const auto [at, denominator] = cramer<Dyadic>({f.normal, g.normal, h.normal}, {f.offset, g.offset, h.offset});
+  return EnclosedPoint(exact_point(at, denominator));
+}
+
+std::optional<Vector3<Interval>> crossing_about(const ExactPlane& plane, const Vector3<Interval>& p,
+                                                const Vector3<Interval>& q) {
+  const auto height = [&](const Vector3<Interval>& x) { return dot(plane.normal_about, x) - plane.offset_about; };
+  const Interval s = height(p), t = height(q);
+  return ratio({s * q.x - t * p.x, s * q.y - t * p.y, s * q.z - t * p.z}, s - t);
+}
+
+std::optional<Vector3<Interval>> common_point_about(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h) {
+  const auto [at, denominator] = cramer<Interval>({f.normal_about, g.normal_about, h.normal_about},
+                                                  {f.offset_about, g.offset_about, h.offset_about});
+  return ratio(at, denominator);
 }
 
 }  // namespace sunder

@@ -7,6 +7,8 @@
 #include <sunder/predicate/posed.h>
 
 #include <array>
+#include <cstddef>
+#include <optional>
 
 namespace sunder {
 
@@ -29,10 +31,13 @@ struct ExactPlane {
   ExactPlane(Vector3<Dyadic> given_normal, Dyadic given_offset);
   // The points whose coordinate on that axis is `at`: above is where it is greater.
   static ExactPlane across_axis(std::size_t axis, double at);
-  // Through three points; above it they appear counter-clockwise. Its normal is zero if they are on one line.
+  // Through three points; above it they appear counter-clockwise. Its normal is zero if they are on one line, and of length
+  // 1 if it is along an axis.
   static ExactPlane through(const Vector3<Dyadic>& p, const Vector3<Dyadic>& q, const Vector3<Dyadic>& r);
 
   bool has_no_normal() const;
+  // The same plane in a frame that the map takes to the world.
+  ExactPlane seen_from(const Affine3& frame) const;
   // positive: the point is above. Exact.
   Sign side_of(const EnclosedPoint& p, StageTally* tally = nullptr) const;
   // normal . x - offset, times the denominator of the point.
@@ -45,5 +50,10 @@ EnclosedPoint crossing_of(const ExactPlane& plane, const ExactPoint3& p, const E
 
 // The point that three planes have in common. Requires that there is one, and no other. Cramer's rule.
 EnclosedPoint common_point(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h);
+
+// Enclosures of the same points, from enclosures of what makes them; nothing, where that tells none.
+std::optional<Vector3<Interval>> crossing_about(const ExactPlane& plane, const Vector3<Interval>& p,
+                                                const Vector3<Interval>& q);
+std::optional<Vector3<Interval>> common_point_about(const ExactPlane& f, const ExactPlane& g, const ExactPlane& h);
 
 }  // namespace sunder

@@ -219,5 +219,51 @@ TEST(MeshRelationsDifferential, TreesInSocketsHaveCellsInProportion) {
   }
 }
 
+// A square wave with so many teeth, and what is below it (or above), as thick as a tooth is wide.
+Mesh comb_of(int teeth, bool is_above) {
+  std::vector<std::array<int, 2>> profile;
+  for (int k = 0; k < teeth; ++k) {
+    for (const auto& [x, y] : {std::array{0, 0}, {0, 1}, {1, 1}, {1, 0}}) profile.push_back({2 * k + x, y});
+  }
+  profile.insert(profile.end(), {{2 * teeth, 0}, {2 * teeth, is_above ? 2 : -1}, {0, is_above ? 2 : -1}});
+  if (!is_above) std::reverse(profile.begin(), profile.end());
+  const auto n = static_cast<std::uint32_t>(profile.size());
+  std::vector<Point3> points;
+  std::vector<std::uint32_t> begin{0}, corners;
+  const auto end_face = [&] { begin.push_back(static_cast<std::uint32_t>(corners.size())); };
+  for (const double z : {0.0, 1.0}) {
+    for (const auto& [x, y] : profile) points.push_back({static_cast<double>(x), static_cast<double>(y), z});
+  }
+  for (std::uint32_t k = 0; k < n; ++k) {
+    corners.insert(corners.end(), {k, (k + 1) % n, n + (k + 1) % n, n + k});
+    end_face();
+  }
+  for (std::uint32_t k = n; k-- > 0;) corners.push_back(k);
+  end_face();
+  for (std::uint32_t k = 0; k < n; ++k) corners.push_back(n + k);
+  end_face();
+  return Mesh(MeshView{points, begin, corners});
+}
+
+// The caps of a comb are fans of slivers, each as long as many teeth.
+TEST(MeshRelationsDifferential, LooksAreNLogN) {
+  const auto expect_few = [](const Mesh& a, const Mesh& b, double most) {
+    const solid::Partitioned found = mesh_partition(a, {}, b, {}, {});
+    ASSERT_TRUE(found.is_decided);
+    EXPECT_FALSE(found.found.both);
+    const auto n = static_cast<double>(a.triangles().size() + b.triangles().size()),
+               looks = static_cast<double>(found.cost.probes + found.cost.iterations);
+    std::printf("%.0f triangles: %zu planes, %.0f looks, %.2f n log2 n\n", n, found.partition.planes.size(), looks,
+                looks / (n * std::log2(n)));
+    EXPECT_LE(looks, most * n * std::log2(n));
+  };
+  for (const int teeth : {4, 20, 100, 400}) expect_few(comb_of(teeth, false), comb_of(teeth, true), 3);
+  Random random(chosen_seed(4023));
+  for (const std::size_t n : {20u, 100u, 500u}) {
+    const Mesh body = solid::mesh_of(ConvexPolyhedron(solid_shapes::sphere(n, random)));
+    expect_few(body, socket_of(body), 20);
+  }
+}
+
 }  // namespace
 }  // namespace sunder::tests

@@ -22,8 +22,12 @@ Sign compare_coordinate(int axis, const Point3& a, const Point3& b, StageTally*)
 }
 
 bool are_equal(const Point3& p, const Point3& q, StageTally*) { return p == q; }
+// As they are given: images of different points may be equal, too.
+bool are_same(const Point3& p, const Point3& q) { return p == q; }
+bool are_same(const Posed3& p, const Posed3& q) { return p.pose == q.pose && p.point == q.point; }
+
 bool are_equal(const Posed3& p, const Posed3& q, StageTally* tally) {
-  if (p.pose == q.pose && p.point == q.point) return true;
+  if (are_same(p, q)) return true;
   for (int axis = 0; axis < 3; ++axis) {
     if (compare_coordinate(axis, p, q, tally) != Sign::zero) return false;
   }
@@ -51,6 +55,10 @@ std::optional<int> axis_with_area(const Point& a, const Point& b, const Point& c
 template <class Point>
 Spanned<Point> spanned(const std::array<Point, 3>& t, StageTally* tally) {
   Spanned<Point> result{t, 3, 2};
+  if (are_same(t[0], t[1]) && are_same(t[0], t[2])) {
+    result.count = 1;
+    return result;
+  }
   if (const auto axis = axis_with_area(t[0], t[1], t[2], tally)) {
     result.axis = *axis;
     return result;

@@ -224,6 +224,31 @@ Mesh::Mesh(const MeshView& given) {
   face_of_ = in_order(face_of_);
   piece_of_ = in_order(piece_of_);
   for (std::uint32_t t = static_cast<std::uint32_t>(triangles_.size()); t-- > 0;) pieces_[piece_of_[t]].first = t;
+  find_repeated();
+}
+
+// Triangles are kept by a number that their corners make, and compared with those of the same number.
+void Mesh::find_repeated() {
+  constexpr std::uint32_t none = 0xffffffff;
+  const std::size_t all = triangles_.size();
+  std::vector<std::uint32_t> last_of(all, none), before(all, none);
+  const auto sorted = [](Triangle t) {
+    std::sort(t.begin(), t.end());
+    return t;
+  };
+  for (std::uint32_t t = 0; t < all; ++t) {
+    const Triangle corners = sorted(triangles_[t]);
+    const auto& [i, j, k] = corners;
+    has_needles_ = has_needles_ || are_collinear(points_[i], points_[j], points_[k]);
+    if (i == j || j == k) continue;
+    std::uint64_t number = i;
+    for (const std::uint64_t corner : {j, k}) number = number * 0x9e3779b97f4a7c15 + (number >> 32) + corner;
+    std::uint32_t& last = last_of[(number >> 32 ^ number) % all];
+    std::uint32_t other = last;
+    while (other != none && sorted(triangles_[other]) != corners) other = before[other];
+    if (other != none) repeated_triangles_.push_back(t);
+    before[t] = std::exchange(last, t);
+  }
 }
 
 // By their points; then what kind each is.

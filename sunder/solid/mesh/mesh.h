@@ -69,6 +69,11 @@ class Mesh {
   // number of times that a ray crosses them, if it is odd, where one is not.
   bool is_by_winding() const { return is_by_winding_; }
 
+  // Has a triangle no area?
+  bool has_needles() const { return has_needles_; }
+  // Triangles that have the same three corners as one that stands before them.
+  std::span<const std::uint32_t> repeated_triangles() const { return repeated_triangles_; }
+
   // The box of all triangles, and what searches walk on.
   const Box3& box() const { return tree_.box(); }
   const MeshTree& tree() const { return tree_; }
@@ -76,12 +81,13 @@ class Mesh {
 
  private:
   void find_pieces();
+  void find_repeated();
 
   std::vector<Point3> points_;
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> face_of_, piece_of_, crossing_faces_;
+  std::vector<std::uint32_t> face_of_, piece_of_, crossing_faces_, repeated_triangles_;
   std::vector<Piece> pieces_;
-  bool is_by_winding_ = true;
+  bool is_by_winding_ = true, has_needles_ = false;
   MeshTree tree_;
   SizeRange sizes_;
 };

@@ -328,14 +328,16 @@ class Statement {
     for (const MeshPartition::Cell& cell : partition.cells) file_.add_numbers(exact(cell.point));
     file_.end_list();
     for (const bool is_first : {true, false}) {
+      const bool is_of_a = is_first == is_a_first;
+      const PlacedMesh of(is_of_a ? a_.mesh : b_.mesh, is_of_a ? a_.pose : b_.pose);
       file_.begin_list(is_first ? "rays_first" : "rays_second");
       for (std::uint32_t k = 0; k < partition.cells.size(); ++k) {
         const MeshPartition::Cell& cell = partition.cells[k];
-        const auto& ray = is_first == is_a_first ? cell.ray_a : cell.ray_b;
-        if (!ray) continue;
+        if (!(is_of_a ? cell.tells_a : cell.tells_b)) continue;
+        Affine3 pose;
         file_.begin_list();
         file_.add_index(k);
-        file_.add_numbers(*ray);
+        file_.add_numbers(ray_away(of, posed_at(cell.point, pose)).along);
         file_.end_list();
       }
       file_.end_list();
@@ -390,20 +392,6 @@ CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const
   name_points(a.triangles()[evidence.of_a], point.of_a);
   name_points(b.triangles()[evidence.of_b], point.of_b);
   return point;
-}
-
-Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
-                         const MeetingTriangles& evidence) {
-  const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
-  Point3 sum;
-  int count = 0;
-  each_common_point(placed_a.triangle(evidence.of_a), placed_b.triangle(evidence.of_b), [&](const CommonPoint& point) {
-    const Point3 p = nearest(point.at);
-    for (std::size_t c = 0; c < 3; ++c) sum[c] += (p[c] - sum[c]) / (count + 1);
-    ++count;
-    return false;
-  });
-  return sum;
 }
 
 Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,

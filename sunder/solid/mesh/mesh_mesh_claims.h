@@ -34,10 +34,6 @@ CommonPoint common_point(const Mesh& a, const Pose& pose_a, const Mesh& b, const
 // A point of two triangles that cross (mesh_crossings.h): inside of one, or inside of an edge of each.
 CommonPoint crossing_point(const Mesh& mesh, const CrossingTriangles& pair);
 
-// About the middle of what the triangles have in common: a point, a segment or a polygon. Requires that they meet.
-Point3 rounded_middle_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
-                         const MeetingTriangles& evidence);
-
 // A point that the meshes have in common, rounded. Requires that they meet.
 Point3 rounded_point_of(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b,
                         const MeshEvidence& evidence);

@@ -2,35 +2,26 @@
 
 #include <sunder/base/interruption.h>
 #include <sunder/base/random.h>
+#include <sunder/near/box_tree.h>
 #include <sunder/predicate/coordinates.h>
 #include <sunder/predicate/exact_plane.h>
+#include <sunder/predicate/line/space_triangles.h>
 #include <sunder/solid/mesh/cut_polygons.h>
 #include <sunder/solid/mesh/mesh_point.h>
 #include <sunder/solid/mesh/placed_mesh.h>
-#include <sunder/solid/search/search_vector.h>
+#include <sunder/solid/mesh/plane_choice.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
+#include <cstdint>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace sunder::solid {
 
 namespace {
-
-// Floating point sees a corner off by less than this part of the largest coordinate. The search for a plane uses it; no
-// side of a plane is decided by it.
-constexpr double seen_off_by = 0x1p-36;
-
-// A plane that may cut a cell: how it is made exactly, and about where it is.
-struct Candidate {
-  int axis = -1;  // across it, or
-  bool is_of_b = false;
-  std::uint32_t triangle = 0;  // through one of this mesh
-  Point3 normal;
-  double offset = 0;
-};
 
 // A plane of the path to a cell, and on which side of it the cell is.
 struct PathSide {
@@ -41,74 +32,56 @@ struct PathSide {
 // What is known of a mesh in a cell: all is outside, or all is inside; or neither is known.
 enum class Known : std::uint8_t { nothing, outside, inside };
 
+// A point within a cell, and how often each mesh winds around it (MeshPoint::winding), unless it is on a triangle of it.
+// There may be none that is known, where a cell is thin.
+struct ToldPoint {
+  std::optional<FinePoint> point;
+  std::array<std::optional<std::int64_t>, 2> windings;
+};
+
 struct CellParts {
   std::array<CutPolygonList, 2> parts;  // of triangles of A and of B that go through the cell
   CutPolygonList facets;                // of what of the cell is in a box around both meshes
-  std::array<Known, 2> known{};
-};
+  ToldPoint told;
 
-// From the point of a cell, where they have been made.
-using Rays = std::array<std::optional<RayAway>, 2>;
-
-struct KnownCell {
-  std::array<Known, 2> known;
-  Rays rays;
+  // What is known of a mesh in all of the cell. Requires that it is told.
+  Known known(std::size_t m) const {
+    return !parts[m].empty() ? Known::nothing : *told.windings[m] != 0 ? Known::inside : Known::outside;
+  }
+  // All that has to be: windings of what has no part there.
+  bool is_told() const { return (!parts[0].empty() || told.windings[0]) && (!parts[1].empty() || told.windings[1]); }
 };
 
 class Partitioning {
  public:
-  Partitioning(const PlacedMesh& a, const PlacedMesh& b, InsideKinds known)
-      : meshes_{&a, &b}, found_(known), random_(20261201) {
+  Partitioning(const PlacedMesh& a, const PlacedMesh& b, InsideKinds known,
+               const std::optional<MeetingTriangles>& meeting)
+      : meshes_{&a, &b}, found_(known), random_(20261201), cut_(a, b), choice_(a, b, cut_) {
     const double n = static_cast<double>(a.mesh().triangles().size() + b.mesh().triangles().size());
     most_ = static_cast<std::uint64_t>(100 * n * (2 + std::log2(n)));
+    if (meeting) hints_ = {TriangleNumber{0, meeting->of_a}, {1, meeting->of_b}};
+    for (const std::size_t m : {0u, 1u}) find_needles(m);
   }
 
   Partitioned run() {
     Partitioned result;
     CellParts root;
-    for (const std::size_t m : {0u, 1u}) add_triangles(m, root.parts[m]);
+    for (CutPolygonList& parts : root.parts) parts.push_back({1});
     const Box3 box = box_around();
     if (!is_spent_) root.facets = cut_.add_box(box);
+    if (!is_spent_) tell(root, CellParts());
     if (!is_spent_) divide(std::move(root));
-    if (!is_spent_ && !found_.are_all()) add_rays();
+    if (!is_spent_ && !found_.are_all()) tell_needed();
     result.is_decided = !is_spent_ || found_.are_all();
     result.found = found_;
     result.in_both = in_both_;
     result.partition = std::move(partition_);
     result.cost = cut_.cost();
+    result.cost.probes = probes();
     return result;
   }
 
  private:
-  // ---- What there is at first.
-
-  void add_triangles(std::size_t m, CutPolygonList& parts) {
-    const Mesh& mesh = meshes_[m]->mesh();
-    first_corner_[m] = static_cast<std::uint32_t>(cut_.corner_count());
-    for (std::uint32_t k = 0; k < mesh.points().size(); ++k) {
-      cut_.add_corner(EnclosedPoint(exact_point(coordinates<Dyadic>(meshes_[m]->at(k)))));
-    }
-    for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
-      if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) continue;
-      const Mesh::Triangle& corners = mesh.triangles()[t];
-      const auto at = [&](std::size_t k) { return mesh.points()[corners[k]]; };
-      if (are_on_a_line(at(0), at(1), at(2))) {
-        has_needles_[m] = true;
-        continue;
-      }
-      const std::uint32_t first = first_corner_[m];
-      const std::array<RingCorner, 3> ring{
-          RingCorner{first + corners[0], -1}, {first + corners[1], -2}, {first + corners[2], -3}};
-      parts.push_back(cut_.add_polygon(t, ring));
-    }
-  }
-
-  static bool are_on_a_line(const Point3& p, const Point3& q, const Point3& r) {
-    const ExactPlane plane =
-        ExactPlane::through(coordinates<Dyadic>(p), coordinates<Dyadic>(q), coordinates<Dyadic>(r));
-    return plane.has_no_normal();
-  }
-
   // Around both meshes, with a margin. Its planes are none of the tree.
   Box3 box_around() {
     Box3 box = hull(meshes_[0]->node_box(1), meshes_[1]->node_box(1));
@@ -121,59 +94,32 @@ class Partitioning {
     return box;
   }
 
-  // ---- Cuts.
-
-  const ExactPlane& plane_of(std::size_t m, std::uint32_t triangle) {
-    auto found = triangle_planes_[m].find(triangle);
-    if (found == triangle_planes_[m].end()) {
-      const PosedTriangle corners = meshes_[m]->triangle(triangle);
-      found =
-          triangle_planes_[m]
-              .emplace(triangle, ExactPlane::through(coordinates<Dyadic>(corners[0]), coordinates<Dyadic>(corners[1]),
-                                                     coordinates<Dyadic>(corners[2])))
-              .first;
+  void find_needles(std::size_t m) {
+    const Mesh& mesh = meshes_[m]->mesh();
+    std::vector<Box3> boxes;
+    for (std::uint32_t t = 0; mesh.has_needles() && t < mesh.triangles().size(); ++t) {
+      if (!choice_.is_needle({m, t})) continue;
+      needles_[m].push_back(t);
+      boxes.push_back(meshes_[m]->box(t));
     }
-    return found->second;
+    if (!boxes.empty()) needle_boxes_[m].emplace(boxes);
   }
 
-  void cut_parts(std::size_t m, const CutPolygonList& parts, std::int32_t plane, CutPolygonList& above,
-                 CutPolygonList& below) {
-    for (const CutPolygon& part : parts) {
-      const auto [has_above, has_below] = cut_.above_and_below(part, plane);
-      if (has_above && has_below) {
-        std::vector<RingCorner> made;  // two edges are crossed at most, once for both sides
-        const auto corner_on = [&](std::int32_t edge) {
-          for (const RingCorner& known : made) {
-            if (known.edge == edge) return known.corner;
-          }
-          made.push_back({cut_.add_corner(part_corner(m, part.of, edge, plane)), edge});
-          return made.back().corner;
-        };
-        above.push_back(cut_.clipped(part, plane, Sign::positive, corner_on));
-        below.push_back(cut_.clipped(part, plane, Sign::negative, corner_on));
-      } else if (has_above) {
-        above.push_back(part);
-      } else if (has_below) {
-        below.push_back(part);
-      }
-    }
-  }
-
-  EnclosedPoint part_corner(std::size_t m, std::uint32_t triangle, std::int32_t edge, std::int32_t plane) {
-    const ExactPlane& cut = cut_.plane(plane);
-    if (edge >= 0) return common_point(plane_of(m, triangle), cut_.plane(edge), cut);
-    const Mesh::Triangle& corners = meshes_[m]->mesh().triangles()[triangle];
-    const auto k = static_cast<std::size_t>(-1 - edge);
-    return crossing_of(cut, cut_.corner(first_corner_[m] + corners[k]).exact,
-                       cut_.corner(first_corner_[m] + corners[(k + 1) % 3]).exact);
+  bool is_on_needle(std::size_t m, const Posed3& at) {
+    if (!needle_boxes_[m]) return false;
+    bool is_on = false;
+    cost_.probes += needle_boxes_[m]->for_each_meeting(enclosure(at), BoxTree::no_group, [&](std::uint32_t k) {
+      is_on = is_on || triangles_meet({at, at, at}, meshes_[m]->triangle(needles_[m][k]));
+    });
+    return is_on;
   }
 
   const Point3& near_first(const CutPolygon& polygon) const { return cut_.near(cut_.ring(polygon)[0].corner); }
 
   // ---- Points.
 
-  // A point within the cell, of few digits if there is one; any, where is_spent_ is set. Each try is about another one.
-  FinePoint point_in(const CutPolygonList& facets, int tries) {
+  // A point within the cell, of few digits if there is one. Each try is about another one.
+  std::optional<FinePoint> point_in(const CutPolygonList& facets, int tries) {
     Point3 middle, low = near_first(facets[0]), high = low;
     double count = 0;
     for (const CutPolygon& facet : facets) {
@@ -198,26 +144,24 @@ class Partitioning {
       if (is_in_cell(rounded)) return rounded;
     }
     if (const FinePoint doubles{{middle}}; is_in_cell(doubles)) return doubles;
-    FinePoint fine;
     for (const std::size_t digits : {2u, 3u, 4u}) {
-      fine = fine_middle(facets, digits);
-      if (is_in_cell(fine)) return fine;
+      if (const FinePoint fine = fine_middle(facets, digits, tries); is_in_cell(fine)) return fine;
     }
-    is_spent_ = true;
-    return fine;
+    return std::nullopt;
   }
 
-  // The mean of the corners, in sums of so many doubles.
-  FinePoint fine_middle(const CutPolygonList& facets, std::size_t doubles) const {
+  // A mean of the corners, in sums of so many doubles.
+  FinePoint fine_middle(const CutPolygonList& facets, std::size_t doubles, int tries) {
     std::array<Dyadic, 3> sum;
     double count = 0;
     for (const CutPolygon& facet : facets) {
       for (const RingCorner& of : cut_.ring(facet)) {
-        ++count;
-        const ExactPoint3& p = cut_.corner(of.corner).exact;
+        const double weight = tries == 0 ? 1 : static_cast<double>(random_.between(1, 8));
+        count += weight;
+        const ExactPoint3 p = cut_.exact(of.corner);
         for (std::size_t c = 0; c < 3; ++c) {
           for (const double part : in_doubles(p[c], p.denominator, doubles)) {
-            if (std::isfinite(part)) sum[c] = sum[c] + Dyadic(part);
+            if (std::isfinite(part)) sum[c] = sum[c] + Dyadic(weight) * Dyadic(part);
           }
         }
       }
@@ -255,173 +199,52 @@ class Partitioning {
                        [&](const PathSide& side) { return cut_.plane(side.plane).side_of(at) == side.sign; });
   }
 
-  // A point within the cell which is on no triangle without an area of a mesh that has no other ones there.
-  FinePoint clear_point(const CellParts& cell) {
-    for (int tries = 0; tries < 20 && !is_spent_; ++tries) {
-      const FinePoint point = point_in(cell.facets, tries);
-      const auto is_clear = [&](std::size_t m) {
-        return !has_needles_[m] || !cell.parts[m].empty() || place_of(point, m) != MeshPlace::on;
-      };
-      if (is_spent_ || (is_clear(0) && is_clear(1))) return point;
-    }
-    is_spent_ = true;
-    return {};
-  }
-
-  MeshPlace place_of(const FinePoint& point, std::size_t m) const {
-    Affine3 pose;
-    return mesh_point(meshes_[m]->mesh(), meshes_[m]->pose(), posed_at(point, pose)).place;
-  }
-
-  // ---- Which plane?
-
-  struct Extent {
-    Point3 low{most, most, most}, high{-most, -most, -most};
-    static constexpr double most = std::numeric_limits<double>::infinity();
-  };
-  Extent extent(const CutPolygonList& parts) const {
-    Extent result;
-    for (const CutPolygon& part : parts) {
-      for (const RingCorner& corner : cut_.ring(part)) {
-        const Point3& p = cut_.near(corner.corner);
-        for (std::size_t c = 0; c < 3; ++c) {
-          result.low[c] = std::min(result.low[c], p[c]);
-          result.high[c] = std::max(result.high[c], p[c]);
-        }
-      }
-    }
-    return result;
-  }
-
-  static Candidate across(std::size_t axis, double at) {
-    Candidate result;
-    result.axis = static_cast<int>(axis);
-    result.normal[axis] = 1;
-    result.offset = at;
-    return result;
-  }
-
-  Candidate through(std::size_t m, std::uint32_t triangle) const {
-    Candidate result;
-    result.is_of_b = m == 1;
-    result.triangle = triangle;
-    const Mesh::Triangle& of = meshes_[m]->mesh().triangles()[triangle];
-    const auto corner = [&](std::size_t k) { return cut_.near(first_corner_[m] + of[k]); };
-    const Point3 p = corner(0), q = corner(1), r = corner(2);
-    const Point3 u{q.x - p.x, q.y - p.y, q.z - p.z}, v{r.x - p.x, r.y - p.y, r.z - p.z};
-    result.normal = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    result.offset = dot(result.normal, p);
-    return result;
-  }
-
-  struct Counts {
-    double above = 0, below = 0, both = 0;
-  };
-  // How many parts have points above the plane, below it, and on both sides. Looks at some of them in floating point, and
-  // counts the others in proportion.
-  Counts counts(const CutPolygonList& parts, const Candidate& candidate, double size) const {
-    Counts result;
-    const std::size_t step = 1 + parts.size() / 128;
-    const double width =
-        seen_off_by * size *
-        (std::fabs(candidate.normal.x) + std::fabs(candidate.normal.y) + std::fabs(candidate.normal.z));
-    for (std::size_t i = 0; i < parts.size(); i += step) {
-      bool above = false, below = false;
-      for (const RingCorner& corner : cut_.ring(parts[i])) {
-        const double height = dot(candidate.normal, cut_.near(corner.corner)) - candidate.offset;
-        above |= height > width;
-        below |= height < -width;
-      }
-      result.above += above;
-      result.below += below;
-      result.both += above && below;
-    }
-    const double times = static_cast<double>(step);
-    return {result.above * times, result.below * times, result.both * times};
-  }
-
-  static constexpr double never = std::numeric_limits<double>::infinity();
-
-  // How much is left to do, about, behind the cut: pairs of a part of A and one of B in one cell.
-  double left_after(const CellParts& cell, const Candidate& candidate, double size) const {
-    const Counts a = counts(cell.parts[0], candidate, size), b = counts(cell.parts[1], candidate, size);
-    if (cell.parts[0].empty() || cell.parts[1].empty()) {
-      return std::max(a.above, a.below) + std::max(b.above, b.below) + 2 * (a.both + b.both);
-    }
-    return a.above * b.above + a.below * b.below + 0.01 * (a.both + b.both);
-  }
-
-  Candidate choose(const CellParts& cell, bool may_be_across) {
-    const std::array<Extent, 2> of{extent(cell.parts[0]), extent(cell.parts[1])};
-    double size = 0;
-    std::vector<Candidate> candidates;
-    const bool are_two = !cell.parts[0].empty() && !cell.parts[1].empty();
-    const double now = are_two ? static_cast<double>(cell.parts[0].size()) * static_cast<double>(cell.parts[1].size())
-                               : static_cast<double>(cell.parts[0].size() + cell.parts[1].size());
-    for (std::size_t c = 0; c < 3; ++c) {
-      for (const Extent& e : of) {
-        if (e.low.x <= e.high.x) size = std::max({size, std::fabs(e.low[c]), std::fabs(e.high[c])});
-      }
-    }
-    for (std::size_t c = 0; may_be_across && c < 3; ++c) {
-      if (are_two) add_ends(candidates, of, c, seen_off_by * size);
-      if (cell.parts[0].size() + cell.parts[1].size() > 8) candidates.push_back(across(c, middle_part(cell, c)));
-    }
-    Candidate best;
-    double least = never;
-    const auto look = [&](const Candidate& candidate) {
-      const double left = left_after(cell, candidate, size);
-      if (left < least) least = left, best = candidate;
-    };
-    for (const Candidate& candidate : candidates) look(candidate);
-    if (least > 0.9 * now) least = never;  // too little
+  // Finds a point of a part of a cell that is told. What the segment to the point of that crosses is in that. A few points
+  // are tried, until none meets an edge; then rays tell, of any cell. is_spent_, where what has to be told is not.
+  void tell(CellParts& part, const CellParts& of) {
+    Affine3 pose, pose_of;
+    const Posed3 to = of.told.point ? posed_at(*of.told.point, pose_of) : Posed3{};
+    std::array<std::vector<std::uint32_t>, 2> nodes, triangles;
     for (const std::size_t m : {0u, 1u}) {
-      const CutPolygonList& parts = cell.parts[m];
-      const std::size_t tried = std::min<std::size_t>(8, parts.size());
-      for (std::size_t k = 0; k < tried; ++k) {
-        if (least == 0) break;
-        const std::size_t from = k * parts.size() / tried, end = (k + 1) * parts.size() / tried;
-        look(through(m, parts[from + random_.below(end - from)].of));
+      for (const CutPolygon& each : of.parts[m]) (each.is_node() ? nodes : triangles)[m].push_back(each.of);
+    }
+    for (int tries = 0; tries < 20; ++tries) {
+      part.told = {point_in(part.facets, tries), {}};
+      if (!part.told.point) break;
+      const Posed3 at = posed_at(*part.told.point, pose);
+      for (const std::size_t m : {0u, 1u}) {
+        if (is_on_needle(m, at)) continue;
+        std::optional<std::int64_t>& winding = part.told.windings[m];
+        if (of.told.windings[m]) {
+          winding = crossings_among(*meshes_[m], at, to, nodes[m], triangles[m], cost_);
+          if (winding) *winding += *of.told.windings[m];
+        }
+        if (!winding && (tries >= 2 || !of.told.windings[m]) && !is_on_triangle(*meshes_[m], at, cost_)) {
+          winding = ray_away(*meshes_[m], at).winding;
+        }
+        if (winding && !meshes_[m]->mesh().is_by_winding()) winding = std::int64_t{*winding % 2 != 0};
       }
+      if (part.told.windings[0] && part.told.windings[1]) break;
+      if (tries >= 4 && part.is_told()) break;
     }
-    return best;
-  }
-
-  // If one mesh ends before the other begins, the planes go there. Else they go around what both have in common, with a
-  // margin: so cuts leave no slivers, and the planes have few digits.
-  static void add_ends(std::vector<Candidate>& candidates, const std::array<Extent, 2>& of, std::size_t axis,
-                       double hair) {
-    const double low = std::max(of[0].low[axis], of[1].low[axis]), high = std::min(of[0].high[axis], of[1].high[axis]);
-    if (high - low < hair) {
-      candidates.push_back(across(axis, low));
-      candidates.push_back(across(axis, high));
-      return;
-    }
-    const double unit = std::ldexp(1.0, std::ilogb(high - low) - 8);
-    candidates.push_back(across(axis, std::floor(low / unit - 0.5) * unit));
-    candidates.push_back(across(axis, std::ceil(high / unit + 0.5) * unit));
-  }
-
-  // About the median of where parts are along an axis, with few digits.
-  double middle_part(const CellParts& cell, std::size_t axis) {
-    std::vector<double> places;
-    for (const CutPolygonList& parts : cell.parts) {
-      const std::size_t step = 1 + parts.size() / 64;
-      for (std::size_t i = 0; i < parts.size(); i += step) places.push_back(near_first(parts[i])[axis]);
-    }
-    const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
-    std::nth_element(places.begin(), middle, places.end());
-    const auto [least, greatest] = std::minmax_element(places.begin(), places.end());
-    const double unit = std::ldexp(1.0, std::ilogb(std::max(*greatest - *least, 0x1p-1000)) - 8);
-    return std::nearbyint(*middle / unit) * unit + unit / 4;
-  }
-
-  ExactPlane exact_of(const Candidate& candidate) {
-    return candidate.axis >= 0 ? ExactPlane::across_axis(static_cast<std::size_t>(candidate.axis), candidate.offset)
-                               : plane_of(candidate.is_of_b ? 1 : 0, candidate.triangle);
+    if (!part.is_told()) is_spent_ = true;
+    if (!part.told.windings[0] || !part.told.windings[1]) return;
+    const bool in_a = *part.told.windings[0] != 0, in_b = *part.told.windings[1] != 0;
+    if (in_a && in_b && !found_.both) in_both_ = part.told.point;
+    found_.both |= in_a && in_b;
+    found_.only_a |= in_a && !in_b;
+    found_.only_b |= in_b && !in_a;
   }
 
   // ---- The walk.
+
+  std::int32_t add_plane(const CellParts& cell, bool may_be_across) {
+    const bool is_first = path_.empty() && may_be_across;
+    const ChosenPlane chosen = choice_.choose(cell.parts, may_be_across, is_first ? hints_ : std::nullopt);
+    return chosen.axis >= 0
+               ? cut_.add_plane(ExactPlane::across_axis(static_cast<std::size_t>(chosen.axis), chosen.offset))
+               : cut_.add_plane(chosen.through);
+  }
 
   bool may_be(Known a, Known b) const {
     return (!found_.both && a != Known::outside && b != Known::outside) ||
@@ -431,51 +254,45 @@ class Partitioning {
 
   void divide(CellParts cell) {
     may_be_interrupted(10);
-    std::optional<FinePoint> point;
-    Rays rays;
     for (const std::size_t m : {0u, 1u}) {
-      if (!cell.parts[m].empty() || cell.known[m] != Known::nothing) continue;
-      if (!point) point = clear_point(cell);
-      if (is_spent_) return;
-      Affine3 pose;
-      rays[m] = ray_away(*meshes_[m], posed_at(*point, pose));
-      cell.known[m] = rays[m]->winding != 0 ? Known::inside : Known::outside;
+      if (choice_.size_of(m, cell.parts[m]) <= few) cell.parts[m] = cut_.opened(m, cell.parts[m]);
     }
-    if (point && cell.known[0] != Known::nothing && cell.known[1] != Known::nothing) {
-      const bool in_a = cell.known[0] == Known::inside, in_b = cell.known[1] == Known::inside;
-      if (in_a && in_b && !found_.both) in_both_ = point;
-      found_.both |= in_a && in_b;
-      found_.only_a |= in_a && !in_b;
-      found_.only_b |= in_b && !in_a;
-    }
-    if (found_.are_all()) return;
-    if (!may_be(cell.known[0], cell.known[1])) {
+    if (!cell.is_told()) tell(cell, CellParts());  // nothing but needles was there
+    if (is_spent_ || found_.are_all()) return;
+    const std::array<Known, 2> known{cell.known(0), cell.known(1)};
+    if (!may_be(known[0], known[1])) {
       partition_.cuts.push_back(0);
-      partition_.cells.push_back({point ? *point : clear_point(cell), {}, {}});
-      known_.push_back({cell.known, std::move(rays)});
+      partition_.cells.push_back({*cell.told.point});
+      known_.push_back(known);
       return;
     }
     if (path_.size() > 2000) is_spent_ = true;
     if (is_spent_) return;
-    const std::int32_t plane = cut_.add_plane(exact_of(choose(cell, true)));
-    if (!cut_.goes_through(cell.facets, plane)) {  // floating point did not see that it does not
-      cut_.replace_plane(exact_of(choose(cell, false)));
+    std::int32_t plane = add_plane(cell, true);
+    if (!cut_.goes_through(cell.facets)) {  // floating point did not see that it does not
+      cut_.remove_plane();
+      plane = add_plane(cell, false);
     }
     const ExactPlane& made = cut_.plane(plane);
     partition_.cuts.push_back(1);
     partition_.planes.push_back({{made.normal.x, made.normal.y, made.normal.z, made.offset}});
     std::array<CellParts, 2> sides;
-    for (CellParts& side : sides) side.known = cell.known;
     for (const std::size_t m : {0u, 1u}) {
-      cut_parts(m, cell.parts[m], plane, sides[0].parts[m], sides[1].parts[m]);
+      auto [above, below] = cut_.split(m, cell.parts[m]);
+      sides[0].parts[m] = std::move(above);
+      sides[1].parts[m] = std::move(below);
     }
+    const Sign of_told = cell.told.point ? made.side_of(exact_of(*cell.told.point)) : Sign::zero;
     for (const std::size_t k : {0u, 1u}) {
-      sides[k].facets = cut_.cut_cell(cell.facets, plane, k == 0 ? Sign::positive : Sign::negative);
-      if (sides[k].facets.empty()) is_spent_ = true;
-    }
-    if (cut_.cost().probes > most_ || is_spent_) {
-      is_spent_ = true;
-      return;
+      const Sign side = k == 0 ? Sign::positive : Sign::negative;
+      sides[k].facets = cut_.cut_cell(cell.facets, side);
+      if (sides[k].facets.empty() || probes() > most_) is_spent_ = true;
+      if (is_spent_) return;
+      path_.push_back({plane, side});
+      if (of_told == side) sides[k].told = cell.told;
+      if (of_told != side || !sides[k].is_told()) tell(sides[k], cell);
+      path_.pop_back();
+      if (is_spent_ || found_.are_all()) return;
     }
     cell = {};
     for (const std::size_t k : {0u, 1u}) {
@@ -486,51 +303,50 @@ class Partitioning {
     }
   }
 
-  // For each cell rays that tell that what is not found is not in it.
-  void add_rays() {
+  // For each cell one or two of what is known of it, which tell that what is not found is not in it.
+  void tell_needed() {
     for (std::size_t k = 0; k < known_.size(); ++k) {
-      const auto [a, b] = known_[k].known;
-      bool of_a = false, of_b = false;
+      const auto [a, b] = known_[k];
+      MeshPartition::Cell& cell = partition_.cells[k];
       const auto need = [&](bool is_found, bool by_a, bool by_b) {
-        if (is_found || (of_a && by_a) || (of_b && by_b)) return;
-        (by_a ? of_a : of_b) = true;
+        if (is_found || (cell.tells_a && by_a) || (cell.tells_b && by_b)) return;
+        (by_a ? cell.tells_a : cell.tells_b) = true;
       };
       need(found_.both, a == Known::outside, b == Known::outside);
       need(found_.only_a, a == Known::outside, b == Known::inside);
       need(found_.only_b, a == Known::inside, b == Known::outside);
-      MeshPartition::Cell& cell = partition_.cells[k];
-      const auto along = [&](std::size_t m) {
-        Affine3 pose;
-        const std::optional<RayAway>& ray = known_[k].rays[m];
-        return ray ? ray->along : ray_away(*meshes_[m], posed_at(cell.point, pose)).along;
-      };
-      if (of_a) cell.ray_a = along(0);
-      if (of_b) cell.ray_b = along(1);
     }
   }
+
+  std::uint64_t probes() const { return cut_.cost().probes + cost_.probes; }
+
+  static constexpr std::size_t few = 16;  // so many triangles of a mesh in a cell are not left as nodes
 
   std::array<const PlacedMesh*, 2> meshes_;
   InsideKinds found_;
   Random random_;
-  std::uint64_t most_ = 0;
-  bool is_spent_ = false;              // the budget is, or a point in a cell was not found
-  std::array<bool, 2> has_needles_{};  // triangles without an area
-  std::optional<FinePoint> in_both_;
-
   CutPolygons cut_;
-  std::array<std::uint32_t, 2> first_corner_{};
-  std::array<std::unordered_map<std::uint32_t, ExactPlane>, 2> triangle_planes_;
+  PlaneChoice choice_;
+  std::uint64_t most_ = 0;
+  bool is_spent_ = false;  // the budget is, or a point in a cell was not found
+  std::optional<std::array<TriangleNumber, 2>> hints_;
+  std::optional<FinePoint> in_both_;
 
   std::vector<PathSide> path_;
   MeshPartition partition_;
-  std::vector<KnownCell> known_;  // of each cell
+  std::vector<std::array<Known, 2>> known_;  // of each cell
+  Cost cost_;                                // of segments between points, and of needles
+
+  std::array<std::vector<std::uint32_t>, 2> needles_;  // triangles without area, of which no part is kept
+  std::array<std::optional<BoxTree>, 2> needle_boxes_;
 };
 
 }  // namespace
 
-Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known) {
+Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known,
+                           const std::optional<MeetingTriangles>& meeting) {
   const PlacedMesh placed_a(a, pose_a), placed_b(b, pose_b);
-  return Partitioning(placed_a, placed_b, known).run();
+  return Partitioning(placed_a, placed_b, known, meeting).run();
 }
 
 }  // namespace sunder::solid

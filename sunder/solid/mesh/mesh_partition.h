@@ -10,6 +10,8 @@
 #include <sunder/number/dyadic.h>
 #include <sunder/solid/mesh/fine_point.h>
 #include <sunder/solid/mesh/mesh.h>
+#include <sunder/solid/mesh/mesh_mesh.h>
+#include <sunder/solid/mesh/mesh_overlap.h>
 #include <sunder/solid/object/pose.h>
 
 #include <array>
@@ -19,23 +21,15 @@
 
 namespace sunder::solid {
 
-// Does something of these kinds exist: a point that is inside of both meshes, of A and not of B, of B and not of A, and
-// on no triangle of either?
-struct InsideKinds {
-  bool both = false, only_a = false, only_b = false;
-
-  bool are_all() const { return both && only_a && only_b; }
-};
-
 struct MeshPartition {
   struct Plane {
     std::array<Dyadic, 4> numbers;  // the points x with n x = d: n, d
   };
-  // A ray goes from the point, and meets no edge of its mesh. No triangle of that mesh has a point in the cell, unless the
-  // triangle has no area.
+  // Whether the point is inside of A tells that of all of the cell, or of B: no triangle of that mesh has a point in the
+  // cell, unless it has no area. (A proof has a ray from the point, as ray_away() of mesh_point.h finds it.)
   struct Cell {
-    FinePoint point;
-    std::optional<std::array<Dyadic, 3>> ray_a, ray_b;
+    FinePoint point;  // on no triangle of the mesh that it tells of
+    bool tells_a = false, tells_b = false;
   };
 
   // A walk from the root, which is all of space: 1, the cell is cut by the next plane, and what follows is about the part
@@ -50,14 +44,18 @@ struct Partitioned {
   bool is_decided = false;
   InsideKinds found;
   std::optional<FinePoint> in_both;  // a point that is inside of both, where that was not known
-  // If one of the three kinds was not found, the rays show for each cell that the cell has no point of that kind. If all
-  // were found, the walk stopped early, and the tree is not whole.
+  // If one of the three kinds was not found, the points tell of each cell that it has no point of that kind. If all were
+  // found, the walk stopped early, and the tree is not whole.
   MeshPartition partition;
-  Cost cost;  // probes: corners that were compared with a plane
+  Cost
+      cost;  // probes: corners, and boxes of the meshes' trees, that were compared with a plane; iterations: polygons clipped
 };
 
-// Which kinds there are, besides those that are known. Exact. Requires that both meshes are closed, and what mesh_mesh()
-// requires. Cost: at most 100 n (2 + log2 n) comparisons of a corner with a plane, n the triangles of both, which is the budget.
-Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known);
+// Which kinds there are, besides those that are known. Exact. `meeting`: planes of these two triangles are tried first, where
+// they are given. Requires that both meshes are closed, and what mesh_mesh() requires. Cost: at most 100 n (2 + log2 n)
+// probes, n the triangles of both, which is the budget; of what lies beyond a plane with all its box, only the box is looked
+// at.
+Partitioned mesh_partition(const Mesh& a, const Pose& pose_a, const Mesh& b, const Pose& pose_b, InsideKinds known,
+                           const std::optional<MeetingTriangles>& meeting = {});
 
 }  // namespace sunder::solid

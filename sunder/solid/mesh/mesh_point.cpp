@@ -4,7 +4,9 @@
 #include <sunder/base/names.h>
 #include <sunder/base/random.h>
 #include <sunder/predicate/coordinates.h>
+#include <sunder/predicate/point/orient.h>
 #include <sunder/solid/mesh/placed_boxes.h>
+#include <sunder/solid/mesh/placed_triangles.h>
 
 #include <algorithm>
 #include <array>
@@ -91,18 +93,31 @@ std::string_view name_of(MeshPlace place) { return name_in<MeshPlace::inside>({"
 
 std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to,
                                             Cost& cost) {
+  constexpr std::uint32_t root = 1;
+  return crossings_among(placed, from, to, {&root, 1}, {}, cost);
+}
+
+std::optional<std::int64_t> crossings_among(const PlacedMesh& placed, const Posed3& from, const Posed3& to,
+                                            std::span<const std::uint32_t> nodes,
+                                            std::span<const std::uint32_t> triangles, Cost& cost) {
   const Mesh& mesh = placed.mesh();
   std::int64_t sum = 0;
   StageTally tally;
-  const bool touches = any_triangle_near(placed, from, to, cost.probes, [&](std::uint32_t t) {
+  const SegmentPast goes_past(placed, from, to);
+  const auto touches = [&](std::uint32_t t) {
     may_be_interrupted(1);
-    if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open) return false;
+    if (mesh.pieces()[mesh.piece_of(t)].kind == PieceKind::open || goes_past(t)) return false;
     const TriangleCrossing crossing = crossing_of(from, to, placed.triangle(t), &tally);
     sum += crossing == TriangleCrossing::positive ? 1 : crossing == TriangleCrossing::negative ? -1 : 0;
     return crossing == TriangleCrossing::touch;
-  });
+  };
+  cost.probes += triangles.size();
+  const bool touches_any = std::any_of(triangles.begin(), triangles.end(), touches) ||
+                           std::any_of(nodes.begin(), nodes.end(), [&](std::uint32_t node) {
+                             return any_triangle_near(placed, from, to, cost.probes, touches, node);
+                           });
   cost.exact += tally.exact;
-  return touches ? std::nullopt : std::optional(sum);
+  return touches_any ? std::nullopt : std::optional(sum);
 }
 
 namespace {
@@ -134,16 +149,22 @@ RayAway ray_away(const PlacedMesh& placed, const Posed3& point) {
   return ray;
 }
 
+bool is_on_triangle(const PlacedMesh& placed, const Posed3& point, Cost& cost) {
+  StageTally tally;
+  const Box3 around = enclosure(point);
+  const bool is_on = any_triangle_near(placed, point, point, cost.probes, [&](std::uint32_t t) {
+    const PosedTriangle corners = placed.triangle(t);
+    if (orient_3d(corners[0], corners[1], corners[2], point, &tally) != Sign::zero) return false;
+    return meet(placed.box(t), around) && triangles_meet({point, point, point}, corners, &tally);
+  });
+  cost.exact += tally.exact;
+  return is_on;
+}
+
 MeshPoint mesh_point(const Mesh& mesh, const Pose& pose, const Posed3& point) {
   const PlacedMesh placed(mesh, pose);
   MeshPoint result;
-  StageTally tally;
-  const Box3 around = enclosure(point);
-  const bool is_on = any_triangle_near(placed, point, point, result.cost.probes, [&](std::uint32_t t) {
-    return meet(placed.box(t), around) && triangles_meet({point, point, point}, placed.triangle(t), &tally);
-  });
-  result.cost.exact = tally.exact;
-  if (is_on) {
+  if (is_on_triangle(placed, point, result.cost)) {
     result.place = MeshPlace::on;
     return result;
   }

@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace sunder::solid {
@@ -42,6 +43,11 @@ struct MeshPoint {
 // Exact. cost.probes grows by the boxes of the tree and the triangles that are looked at.
 std::optional<std::int64_t> crossings_along(const PlacedMesh& placed, const Posed3& from, const Posed3& to, Cost& cost);
 
+// The same, of these triangles and those below these nodes of the tree alone.
+std::optional<std::int64_t> crossings_among(const PlacedMesh& placed, const Posed3& from, const Posed3& to,
+                                            std::span<const std::uint32_t> nodes,
+                                            std::span<const std::uint32_t> triangles, Cost& cost);
+
 // From a point that is on no triangle of a closed piece: the direction of a ray that meets no edge of a closed piece, and
 // goes on beyond the mesh; and what it tells, as MeshPoint::winding. Exact. What mesh_point() requires, and costs.
 struct RayAway {
@@ -49,6 +55,9 @@ struct RayAway {
   std::int64_t winding = 0;
 };
 RayAway ray_away(const PlacedMesh& placed, const Posed3& point);
+
+// Is it on a triangle? Exact.
+bool is_on_triangle(const PlacedMesh& placed, const Posed3& point, Cost& cost);
 
 // Exact. Both in the world. Requires that the entries of the pose are below 2^1000, or the coordinates of the mesh
 // below 2^1020. Cost: what is near the point, and near a segment from it out of the mesh.

@@ -6,9 +6,10 @@
 #include <sunder/solid/mesh/placed_mesh.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace sunder::solid {
 
@@ -26,22 +27,11 @@ bool are_all_pieces(MeshPlace place, const Mesh& of, const Pose& pose, const Mes
 // Has it two triangles back to back, with nothing inside beside them? (Not seen where the two sides of such a sheet are
 // cut into other triangles.) Beside a triangle is what is next to its middle, as floating point finds it.
 bool may_have_sheets(const Mesh& mesh, const Pose& pose) {
-  struct Named {
-    Mesh::Triangle corners;
-    std::uint32_t triangle;
-  };
-  std::vector<Named> all;
-  for (std::uint32_t t = 0; t < mesh.triangles().size(); ++t) {
-    Mesh::Triangle corners = mesh.triangles()[t];
-    std::sort(corners.begin(), corners.end());
-    if (corners[0] != corners[1] && corners[1] != corners[2]) all.push_back({corners, t});
-  }
-  std::sort(all.begin(), all.end(), [](const Named& s, const Named& t) { return s.corners < t.corners; });
-  for (std::size_t k = 1; k < all.size(); ++k) {
+  const auto repeated = mesh.repeated_triangles();
+  return std::any_of(repeated.begin(), repeated.end(), [&](std::uint32_t triangle) {
     may_be_interrupted(1);
-    if (all[k].corners == all[k - 1].corners && !has_inside_beside(mesh, pose, all[k].triangle)) return true;
-  }
-  return false;
+    return !has_inside_beside(mesh, pose, triangle);
+  });
 }
 
 Relation relation_of(const InsideKinds& found) {
@@ -66,20 +56,18 @@ MeshRelation mesh_relation(const Mesh& a, const Pose& pose_a, const Mesh& b, con
     if (is_inside(a, pose_a, b, pose_b)) return {Relation::a_inside_b, true, {}, {}};
     if (is_inside(b, pose_b, a, pose_a)) return {Relation::b_inside_a, true, {}, {}};
   }
-  InsideKinds known;
-  if (const auto inside = point_inside_both(a, pose_a, b, pose_b, answer.evidence)) {
-    result.inside = FinePoint{{*inside}};
-    known.both = true;
-  }
+  const PointsInside points = points_inside(a, pose_a, b, pose_b, answer.evidence);
+  InsideKinds known = points.found;
+  if (points.in_both) result.inside = FinePoint{{*points.in_both}};
   if (!a.is_closed() || !b.is_closed()) {
     result.relation = known.both ? Relation::overlapping : Relation::meeting;
     result.is_known = !known.both;
     return result;
   }
-  known.only_a = knows_point_of_first_only(a, pose_a, b, pose_b);
-  known.only_b = knows_point_of_first_only(b, pose_b, a, pose_a);
   if (!known.are_all()) {
-    Partitioned partitioned = mesh_partition(a, pose_a, b, pose_b, known);
+    const auto* meeting = std::get_if<MeetingTriangles>(&answer.evidence);
+    Partitioned partitioned =
+        mesh_partition(a, pose_a, b, pose_b, known, meeting != nullptr ? std::optional(*meeting) : std::nullopt);
     known = partitioned.found;
     if (partitioned.in_both) result.inside = partitioned.in_both;
     result.is_known = partitioned.is_decided;

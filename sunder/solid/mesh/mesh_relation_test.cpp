@@ -167,7 +167,7 @@ TEST(MeshPartition, WhatIsKnownIsNotAsked) {
   EXPECT_EQ(two.partition.planes.size(), 1u);
   EXPECT_EQ(two.partition.cells.size(), 2u);
   EXPECT_LE(two.cost.probes, all.cost.probes);
-  for (const MeshPartition::Cell& cell : two.partition.cells) EXPECT_NE(cell.ray_a.has_value(), cell.ray_b.has_value());
+  for (const MeshPartition::Cell& cell : two.partition.cells) EXPECT_NE(cell.tells_a, cell.tells_b);
 }
 
 }  // namespace

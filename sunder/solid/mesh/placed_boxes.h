@@ -296,17 +296,17 @@ class BoxesAlong {
   double between_, error_;
 };
 
-// Calls of_triangle(t) with each triangle whose leaf is not surely apart from the segment between two points, until it
-// returns true. Returns whether it did. Cost: looks grows by boxes and triangles.
+// Calls of_triangle(t) with each triangle below a node whose leaf is not surely apart from the segment between two points,
+// until it returns true. Returns whether it did. Cost: looks grows by boxes and triangles.
 template <class OfTriangle>
 bool any_triangle_near(const PlacedMesh& placed, const Posed3& p, const Posed3& q, std::uint64_t& looks,
-                       const OfTriangle& of_triangle) {
+                       const OfTriangle& of_triangle, std::size_t top = 1) {
   const MeshTree& tree = placed.mesh().tree();
   const PlacedBoxes boxes(BoxFrame::of(placed), BoxFrame::of(p, q));
   const OrientedBox segment = BoxFrame::segment_box();
   std::array<std::size_t, 2 * MeshTree::deepest> waiting;
   std::size_t count = 0;
-  waiting[count++] = 1;
+  waiting[count++] = top;
   while (count > 0) {
     const std::size_t node = waiting[--count];
     ++looks;

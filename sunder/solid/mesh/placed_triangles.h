@@ -53,6 +53,47 @@ class LeafTriangles {
   std::array<RoundedTriangle, MeshTree::leaf_size> triangles_;
 };
 
+// Triangles of a placed mesh and a segment: does it surely go past one? Along the ways across it and an edge of the triangle,
+// which part it from most triangles that it does not cross.
+class SegmentPast {
+ public:
+  // The error is that of TrianglesApart, below.
+  SegmentPast(const PlacedMesh& of, const Posed3& p, const Posed3& q)
+      : of_(of),
+        is_known_(of.at(0u).tame && p.tame && q.tame),
+        error_(0x1p-45 * (of.at(0u).reach + std::max(p.reach, q.reach))),
+        from_(image(p)),
+        to_(image(q)),
+        way_{to_.x - from_.x, to_.y - from_.y, to_.z - from_.z} {}
+
+  bool operator()(std::uint32_t triangle) const {
+    if (!is_known_) return false;
+    const PosedTriangle posed = of_.triangle(triangle);
+    const std::array<Point3, 3> corners{image(posed[0]), image(posed[1]), image(posed[2])};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3 &p = corners[k], &q = corners[(k + 1) % 3];
+      const Point3 e{q.x - p.x, q.y - p.y, q.z - p.z};
+      const Point3 d{way_.y * e.z - way_.z * e.y, way_.z * e.x - way_.x * e.z, way_.x * e.y - way_.y * e.x};
+      const auto at = [&d](const Point3& x) { return d.x * x.x + d.y * x.y + d.z * x.z; };
+      const double s0 = at(from_), s1 = at(to_), t0 = at(corners[0]), t1 = at(corners[1]), t2 = at(corners[2]);
+      const double gap = std::max(std::min(s0, s1) - std::max({t0, t1, t2}), std::min({t0, t1, t2}) - std::max(s0, s1));
+      if (gap > error_ * (std::fabs(d.x) + std::fabs(d.y) + std::fabs(d.z))) return true;
+    }
+    return false;
+  }
+
+ private:
+  static Point3 image(const Posed3& p) {
+    const Vector3<double> at = rounded_image(p);
+    return {at.x, at.y, at.z};
+  }
+
+  const PlacedMesh& of_;
+  bool is_known_;
+  double error_;
+  Point3 from_, to_, way_;
+};
+
 class TrianglesApart {
  public:
   // A coordinate of an image is a sum of four numbers of at most `reach` in size, rounded six times: it is off by less
