@@ -166,7 +166,7 @@ bool SceneMeshes::add_pair(const BodiesOfFile& bodies, std::size_t placement, st
   const Relation relation = answer.relation.relation;
   if (is_apart || relation == Relation::touching || relation == Relation::overlapping) return true;
   if (touching_allowed) {
-    const auto inside = point_inside_both(a.mesh, a.pose, b.mesh, b.pose, of_two->evidence);
+    const auto inside = points_inside(a.mesh, a.pose, b.mesh, b.pose, of_two->evidence).in_both;
     if (!inside) return false;
     note();
     claims_.add_overlapping(a, b, solid::FinePoint{{*inside}});
