@@ -128,7 +128,7 @@ class SelfWalk {
       if (p == q) continue;
       const auto &t = mesh_.pieces->triangles[p.first], &u = mesh_.pieces->triangles[q.first];
       if (SharedCorners(t, u).of_both.empty()) return;
-      take_steps(64, 2 * mesh_.size(), 3 * mesh_.size());
+      take_steps(24, mesh_.given->bits, 2 * mesh_.given->bits);
       require(!have_more(t, u, mesh_.rows()), "no_crossings",
               "two triangles of " + mesh_.quoted + " have more in common than corners and an edge");
     }

@@ -128,10 +128,26 @@ std::string meshes_text(const Json& item) {
   return ", of which " + std::to_string(count) + (count == 1 ? " is a mesh," : " are meshes,");
 }
 
+// Which members stand for which.
+std::string meshes_of_members_text(const Json& item) {
+  if (!item.contains("as_meshes")) return "";
+  std::string text;
+  std::size_t member = 0, count = 0;
+  for (const Json& entry : item["as_meshes"]) {
+    const std::size_t k = member++;
+    if (entry.is_null() || ++count > most_entries) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(k) + " " + std::to_string(entry.integer());
+  }
+  if (count > most_entries) text += " and " + std::to_string(count - most_entries) + " more";
+  return count == 0 ? "" : ", meshes of members: " + text;
+}
+
 std::string rules_text(const Json& item) {
   std::string text;
-  if (item.contains("allowed") && item["allowed"].text() != "nothing")
+  if (item.contains("allowed") && item["allowed"].text() != "nothing") {
     text = std::string(item["allowed"].text()) + " allowed";
+    if (!meshes_text(item).empty()) text += ", of meshes insides alone are compared";
+  }
   if (item.contains("groups")) {
     std::set<std::int64_t> different;
     for (const Json& group : item["groups"]) different.insert(group.integer());
@@ -139,7 +155,7 @@ std::string rules_text(const Json& item) {
     text += "members of one of " + std::to_string(different.size()) + " groups may meet";
   }
   const std::string between = text.empty() ? "" : ", ";
-  if (item.contains("members")) text += between + "members: " + shown(item["members"]);
+  if (item.contains("members")) text += between + "members: " + shown(item["members"]) + meshes_of_members_text(item);
   if (item.contains("except") && !item["except"].empty()) {
     text += ", " + counted(item["except"].size(), "pair") + " not asked about: " + shown(item["except"]);
   }

@@ -281,7 +281,7 @@ void note(const Statement& statement, const Tables& tables, Proved& proved) {
       (has_open_piece(said["a"]) || has_open_piece(said["b"]))) {
     verdict = "meet";  // what a surface alone may do, where touching is allowed, is not told
   }
-  proved.verdicts.insert({statement.question, *a, *b, least.n, least.e, std::move(verdict)});
+  proved.verdicts[statement.question][{*a, *b, least.n, least.e}].insert(std::move(verdict));
 }
 
 }  // namespace sunder_verifier

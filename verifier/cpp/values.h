@@ -103,9 +103,9 @@ enum class ValidRule : std::uint8_t { valid, simple, with_self_touch };
 
 // ---- What statements before have proved.
 
-// The question and the verdict about two bodies or meshes, by their indices; with the number n 2^e, n odd, that the
-// question says, if it says one.
-using ProvedVerdict = std::tuple<std::string, std::size_t, std::size_t, Integer, std::int64_t, std::string>;
+// Verdicts about two bodies or meshes, by their indices in the order of the statement, and by the number n 2^e, n odd,
+// that the question says, if it says one.
+using ProvedVerdicts = std::map<std::tuple<std::size_t, std::size_t, Integer, std::int64_t>, std::set<std::string>>;
 
 // Of a flat hull the outline is the one face, of a segment its two ends are.
 struct ProvedHull {
@@ -114,13 +114,14 @@ struct ProvedHull {
 };
 
 struct Proved {
-  bool holds(const std::string& question, std::size_t a, std::size_t b, const std::string& verdict,
-             const Number& least = {}) const {
-    return verdicts.contains({question, a, b, least.n, least.e, verdict});
+  // Null: none of this question.
+  const ProvedVerdicts* of(const std::string& question) const {
+    const auto found = verdicts.find(question);
+    return found != verdicts.end() ? &found->second : nullptr;
   }
 
-  std::set<ProvedVerdict> verdicts;
-  std::map<std::size_t, ProvedHull> hulls;  // by the indices of bodies
+  std::map<std::string, ProvedVerdicts> verdicts;  // by their questions
+  std::map<std::size_t, ProvedHull> hulls;         // by the indices of bodies
 };
 
 // ---- Values by name.

@@ -12,13 +12,13 @@
 namespace sunder::solid {
 namespace {
 
-using Whole = std::array<__int128, 3>;
+using Whole = std::array<std::int64_t, 3>;
 
 Whole whole(const Point3& p) {
-  return {static_cast<__int128>(p.x), static_cast<__int128>(p.y), static_cast<__int128>(p.z)};
+  return {static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y), static_cast<std::int64_t>(p.z)};
 }
 
-__int128 determinant(const Whole& o, const Whole& p, const Whole& q, const Whole& r) {
+std::int64_t determinant(const Whole& o, const Whole& p, const Whole& q, const Whole& r) {
   Whole a{}, b{}, c{};
   for (std::size_t k = 0; k < 3; ++k) {
     a[k] = p[k] - o[k];
@@ -43,12 +43,12 @@ void expect_held(const Mesh& mesh, const ConvexPolyhedron& body, const MeshHolde
     const bool is_flat = corners.size() == 3;
     if (is_flat) corners.push_back(whole(beside));
     ASSERT_EQ(corners.size(), 4u);
-    const __int128 all = determinant(corners[0], corners[1], corners[2], corners[3]);
+    const std::int64_t all = determinant(corners[0], corners[1], corners[2], corners[3]);
     ASSERT_TRUE(all != 0);
     for (std::size_t c = 0; c < 4; ++c) {
       std::vector<Whole> with = corners;
       with[c] = p;
-      const __int128 part = determinant(with[0], with[1], with[2], with[3]);
+      const std::int64_t part = determinant(with[0], with[1], with[2], with[3]);
       EXPECT_TRUE(all > 0 ? part >= 0 : part <= 0);
       if (is_flat && c == 3) EXPECT_TRUE(part == 0);
     }

@@ -412,8 +412,7 @@ def around(steps, holders, held, a, b):
     size, up = a.size + b.size, max(a.exponent - b.exponent, 0)
     steps.take(64 * len(holders), size, 2 * size)
     steps.take(24 * len(a.rows), 3 * size, size)
-    scaled = [[n << max(b.exponent - a.exponent, 0) for n in row] for row in b.rows]
-    bounds = [half_spaces([scaled[k] for k in those], b.name) for those in holders]
+    bounds = [half_spaces([[n << max(b.exponent - a.exponent, 0) for n in b.rows[k]] for k in those], b.name) for those in holders]
     for k, (row, home) in enumerate(zip(a.rows, held)):
         at = [n << up for n in row]
         require(all(dot(normal, at) >= level for normal, level in bounds[home]), "around",
@@ -505,7 +504,7 @@ def no_crossings(steps, cuts, directions, a):
             if i != j:
                 if not {*t} & {*u}:
                     return
-                steps.take(64, 2 * a.size, 3 * a.size)
+                steps.take(24, a.bits, 2 * a.bits)
                 require(not have_more(a.rows, t, u), rule, "two triangles of %s have more in common than corners and an edge" % a.name)
             pairs.pop()
     for k in cuts:

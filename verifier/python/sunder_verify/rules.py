@@ -275,7 +275,7 @@ def not_before(steps, direction, a, b, to_a, to_b, time, point):
     require(dot(d, way_between(p, q)) > 0, "not_before", "along the direction %s and %s do not come nearer" % (a.name, b.name))
 
 
-def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts, others):
+def look_at_each(steps, rule, members, groups, besides, listed, looks, known_of, counts, others):
     """Of each two members of different groups, but for some, what is known has a word that counts if they are listed,
     and one of the others if not."""
     besides, left, of_group = {*map(tuple, besides)}, {*map(tuple, listed)}, {}
@@ -283,7 +283,7 @@ def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts
         of_group.setdefault(group, []).append(i)
     for first, second in itertools.combinations([those for _, those in sorted(of_group.items())], 2):
         for pair in itertools.product(first, second):
-            steps.take(4, 1, 1)
+            steps.take(looks, 1, 1)
             pair = tuple(sorted(pair))
             if pair not in besides:
                 require(known_of(*pair) & (counts if pair in left else others), rule, "of %d and %d this is not proved before" % pair)
@@ -291,39 +291,40 @@ def look_at_each(steps, rule, members, groups, besides, listed, known_of, counts
     require(not left, rule, "a pair is listed that is not asked about")
 
 
-def known_of_members(members, as_meshes, proved, questions, of_hulls, least=None):
-    """What statements before say of two members: of two bodies; of two meshes; of a mesh and a body. What carries over to
-    meshes from bodies around them is told by that word."""
+def known_of_members(rule, members, as_meshes, proved, questions, of_hulls, least=None):
+    """What statements before say of two members: of two bodies; of two meshes; of a mesh and a body. That word carries over
+    to meshes from bodies, which hold them. And how often it is looked for."""
     def stated(question, a, b):
         return proved.get((question, a, b, least), set())
 
     def known(i, j):
-        (a, b), (p, q) = (members[i], members[j]), (as_meshes[k] if as_meshes else None for k in (i, j))
+        (a, b), (p, q) = (members[i], members[j]), (as_meshes[i], as_meshes[j])
         words = stated(questions[0], a, b) | stated(questions[0], b, a)
-        meshes = [mesh for mesh in (p, q) if mesh]
-        if meshes:
-            words &= {of_hulls} if all(("around", *mesh[1:], None) in proved for mesh in meshes) else set()
-        if len(meshes) == 2:
-            words |= stated(questions[1], p[0], q[0]) | stated(questions[1], q[0], p[0])
-        if len(meshes) == 1:
-            words |= stated(questions[2], meshes[0][0], b if p else a)
+        if p and q:
+            return words & {of_hulls} | stated(questions[1], p[0], q[0]) | stated(questions[1], q[0], p[0])
+        if p or q:
+            return words & {of_hulls} | stated(questions[2], (p or q)[0], b if p else a)
         return words
-    return known
+    for k, mesh in enumerate(as_meshes or ()):
+        require(not mesh or ("around", *mesh[1:], None) in proved, rule, "that member %d holds its mesh is not proved before" % k)
+    looks = 12 if any(as_meshes or ()) else 4
+    as_meshes = as_meshes or [None] * len(members)
+    return looks, known
 
 
 def each_pair(steps, members, groups, besides, allowed, as_meshes, proved, contacts):
     """Of each two members of different groups, but for some, a statement before tells whether they meet; these do."""
-    known = known_of_members(members, as_meshes, proved, ("pair", "meshes", "mesh_body"), "apart")
+    known = known_of_members("each_pair", members, as_meshes, proved, ("pair", "meshes", "mesh_body"), "apart")
     meet = {"meet", "touching", "overlapping", "a_within", "b_within", "a_inside_b", "b_inside_a"}
-    look_at_each(steps, "each_pair", members, groups, besides, contacts, known, {"overlapping"} if allowed else meet,
+    look_at_each(steps, "each_pair", members, groups, besides, contacts, *known, {"overlapping"} if allowed else meet,
                  {"apart", "touching"} if allowed else {"apart"})
 
 
 def each_clearance(steps, members, groups, besides, least, as_meshes, proved, nearer=()):
     """Likewise, a statement before tells whether they are so far apart; these are not."""
     questions = "clearance", "mesh_clearance", "mesh_body_clearance"
-    known = known_of_members(members, as_meshes, proved, questions, "kept", least)
-    look_at_each(steps, "each_clearance", members, groups, besides, nearer, known, {"broken", "a_within", "b_within"}, {"kept"})
+    known = known_of_members("each_clearance", members, as_meshes, proved, questions, "kept", least)
+    look_at_each(steps, "each_clearance", members, groups, besides, nearer, *known, {"broken", "a_within", "b_within"}, {"kept"})
 
 
 # ---- Linear constraints: half-planes a x + b y <= c as integers (a, b, c, exponent of all three).

@@ -164,10 +164,14 @@ def sentence(item, things, about, size):
     if question == "valid" and verdict != "valid":
         text = "polygons %s of %s: not %s, as %s" % (said["parts"], said["all"], said["rule"], text)
     rules = [said["allowed"] + " allowed"] if said.get("allowed", "nothing") != "nothing" else []
+    if rules and meshes:
+        rules.append("of meshes insides alone are compared")
     if "groups" in item:
         rules.append("members of one of %d groups may meet" % len(set(item["groups"])))
     if item.get("members"):
         rules.append("members: " + said["members"])
+    if meshes:
+        rules.append("meshes of members: " + shown([[k, mesh] for k, mesh in enumerate(item["as_meshes"]) if mesh is not None]))
     if item.get("except"):
         rules.append("%s not asked about: %s" % (counted(said["n_except"], "pair"), said["except"]))
     text += " (%s)" % ", ".join(rules) if rules else ""

@@ -139,12 +139,12 @@ def stated(one, other, as_meshes, least, dice):
     if any(as_meshes) and (hulls_far >= least > 0 or hulls_far > 0 == least) and dice.random() < .6 or as_meshes == (False, True):
         start = {"question": ("pair", "clearance")[bool(least)], "a": one.at[1], "b": other.at[1], **more}
         return {**start, "verdict": ("apart", "kept")[bool(least)],
-                "claims": [{"claim": ("parted", "clear")[bool(least)], "direction": hulls_way}]}, False, False, True
+                "claims": [{"claim": ("parted", "clear")[bool(least)], "direction": hulls_way}]}, False, False
     if far >= least > 0 or far > 0 == least:
         cover = {"cuts": [0], "directions": [direction], "rays_a": [], "rays_b": []}
         brings = ({"direction": direction}, {"until": [12], "directions": [direction], "away": []}, cover)[which]
         rule = (("parted", "beside", "covered"), ("clear", "clear_beside", "covered_clear"))[bool(least)][which]
-        return {**start, "verdict": ("apart", "kept")[bool(least)], "claims": [{"claim": rule, **brings}]}, False, False, False
+        return {**start, "verdict": ("apart", "kept")[bool(least)], "claims": [{"claim": rule, **brings}]}, False, False
     shared = common(*boxes)
     if far > 0:
         return None  # nearer, but how is not told here
@@ -154,7 +154,7 @@ def stated(one, other, as_meshes, least, dice):
             continue
         if least:
             return {**start, "verdict": "broken", "from_a": told_point(p), "to_b": told_point(p),
-                    "claims": claims + [{"claim": "nearer"}]}, True, False, False
+                    "claims": claims + [{"claim": "nearer"}]}, True, False
         if far == 0 and which == 2 and dice.random() < .7:
             axis = next(c for c in range(3) if direction[c] != "0")
             way, level = int(direction[axis]), boxes[0][axis][int(direction[axis]) > 0]
@@ -164,9 +164,9 @@ def stated(one, other, as_meshes, least, dice):
             tree = {"cuts": [1, 0, 0], "planes": [[*(str(int(c == axis)) for c in range(3)), str(level)]],
                     "cells": [told_point(s) for s in spots], "rays_first": rays[0], "rays_second": rays[1]}
             return {**start, "verdict": "touching", "point": told_point(p),
-                    "claims": claims + [{"claim": "insides_apart", **tree}]}, True, None, False
+                    "claims": claims + [{"claim": "insides_apart", **tree}]}, True, None
         if far == 0 or which != 2 or dice.random() < .3:
-            return {**start, "verdict": "meet", "point": told_point(p), "claims": claims}, True, False, False
+            return {**start, "verdict": "meet", "point": told_point(p), "claims": claims}, True, False
         break
     if least:
         return None
@@ -174,7 +174,7 @@ def stated(one, other, as_meshes, least, dice):
         return None
     p = [Fraction(3 * x + 4 * y, 7) + Fraction(y - x, 100 + c) for c, (x, y) in enumerate(shared)]
     rays = [{"claim": "encloses", "direction": [fraction(Fraction(dice.randint(-99, 99), 7 + c)) for c in range(3)]} for _ in range(2)]
-    return {**start, "verdict": "overlapping", "point": told_point(p), "claims": rays}, True, True, False
+    return {**start, "verdict": "overlapping", "point": told_point(p), "claims": rays}, True, True
 
 
 def some_scene(dice, question):
@@ -187,18 +187,17 @@ def some_scene(dice, question):
     least = dice.choice((1, 2, Fraction(1, 2))) if question == FAR else 0
     known_around = [dice.random() < .9 for _ in things]
     statements = [of.around(dice) for of, is_known in zip(things, known_around) if is_known]
-    besides, counting, is_known = [], [], True
+    besides, counting = [], []
+    is_known = all(known for known, is_mesh in zip(known_around, as_meshes) if is_mesh)  # that bodies hold their meshes
     for i, j in itertools.combinations(range(len(things)), 2):
         told = stated(things[i], things[j], (as_meshes[i], as_meshes[j]), least, dice)
         if told is None or dice.random() < .05:
             besides.append([i, j])
             continue
-        statement, counts, inside, by_hulls = told
+        statement, counts, inside = told
         if dice.random() < .97:
             statements.append(statement)
         else:
-            is_known = False
-        if by_hulls and not all(known for known, is_mesh in zip((known_around[i], known_around[j]), (as_meshes[i], as_meshes[j])) if is_mesh):
             is_known = False
         if allowed == "touch" and counts and inside is not True:
             is_known, counts = is_known and inside is None, False  # that they touch is told, or not
@@ -248,8 +247,7 @@ class MeshMembers(unittest.TestCase):
             if pair not in one["except"] and (question == ALL or changed):
                 more = {"verdict": "broken"} if question == FAR else {}
                 self.assertNotEqual(twins.force({**top, "statements": pairs + [{**one, key: changed, **more}]}), "accepted", twins.last)
-            by_hulls = [s for s in pairs if s["question"] in ("pair", "clearance")]
-            if len(things) == 2 and by_hulls and any(mesh is not None for mesh in one["as_meshes"]):
+            if any(mesh is not None for mesh in one["as_meshes"]):
                 kept = [s for s in pairs if s["question"] != "around"]
                 self.assertNotEqual(twins.force({**top, "statements": kept + [one]}), "accepted", twins.last)
         twins.compare()
