@@ -136,10 +136,10 @@ std::string meshes_of_members_text(const Json& item) {
   for (const Json& entry : item["as_meshes"]) {
     const std::size_t k = member++;
     if (entry.is_null() || ++count > most_entries) continue;
-    text += (text.empty() ? "" : ", ") + std::to_string(k) + " " + std::to_string(entry.integer());
+    text += ", member " + std::to_string(k) + " is mesh " + std::to_string(entry.integer());
   }
   if (count > most_entries) text += " and " + std::to_string(count - most_entries) + " more";
-  return count == 0 ? "" : ", meshes of members: " + text;
+  return text;
 }
 
 std::string rules_text(const Json& item) {

@@ -171,7 +171,8 @@ def sentence(item, things, about, size):
     if item.get("members"):
         rules.append("members: " + said["members"])
     if meshes:
-        rules.append("meshes of members: " + shown([[k, mesh] for k, mesh in enumerate(item["as_meshes"]) if mesh is not None]))
+        those = ["member %d is mesh %d" % told for told in enumerate(item["as_meshes"]) if told[1] is not None]
+        rules.append(", ".join(those[:MOST]) + (" and %d more" % (meshes - MOST) if meshes > MOST else ""))
     if item.get("except"):
         rules.append("%s not asked about: %s" % (counted(said["n_except"], "pair"), said["except"]))
     text += " (%s)" % ", ".join(rules) if rules else ""
