@@ -66,10 +66,11 @@ ExactPlane ExactPlane::through(const Vector3<Dyadic>& p, const Vector3<Dyadic>& 
 }
 
 ExactPlane ExactPlane::seen_from(const Affine3& frame) const {
-  const auto& [m, t] = frame;
   const auto column = [&](std::size_t c) {
+    const auto& m = frame.linear;
     return normal.x * Dyadic(m[c]) + normal.y * Dyadic(m[3 + c]) + normal.z * Dyadic(m[6 + c]);
   };
+  const auto& t = frame.translation;
   const Vector3<Dyadic> move{t[0], t[1], t[2]};
   return {{column(0), column(1), column(2)}, offset - dot(normal, move)};
 }
