@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 #include <span>
+#include <utility>
 
 namespace sunder::solid {
 
@@ -86,14 +87,14 @@ class Holders {
     if (way == Sign::zero) return std::nullopt;
     const auto beyond = std::partition_point(all.begin() + 2, all.end() - 1,
                                              [&](std::uint32_t v) { return times(way, side(v, p)) != Sign::negative; });
-    const Simplex simplex = simplex_of(facet, static_cast<std::uint32_t>(beyond - all.begin()) - 1);
-    return holds(simplex, p) ? std::optional(simplex) : std::nullopt;
+    Simplex simplex = simplex_of(facet, static_cast<std::uint32_t>(beyond - all.begin()) - 1);
+    return holds(simplex, p) ? std::optional(std::move(simplex)) : std::nullopt;
   }
 
   std::optional<Simplex> in_any(const Point3& p) const {
     for (std::uint32_t f = 0; f < body_.facet_count(); ++f) {
       for (std::uint32_t i = 1; i + 1 < body_.facet(f).size(); ++i) {
-        if (const Simplex simplex = simplex_of(f, i); holds(simplex, p)) return simplex;
+        if (Simplex simplex = simplex_of(f, i); holds(simplex, p)) return simplex;
       }
     }
     return std::nullopt;
