@@ -25,8 +25,8 @@ struct Way3 {
 // What is said of all pairs of some bodies.
 struct AllPairs {
   std::vector<std::uint32_t> members, groups;  // a group for each
-  // Of each member the mesh of the file that it stands for, which is placed as it is, if it stands for one. Empty: none
-  // does. That a body holds all points of its mesh is stated before.
+  // For each member the mesh of the file that it stands for, or nothing. The mesh is placed as the member is, and a
+  // statement before says that the member's body holds all points of the mesh. Empty: no member stands for a mesh.
   std::vector<std::optional<std::uint32_t>> as_meshes{};
   bool touching_allowed = false;
   std::vector<std::array<std::uint32_t, 2>> besides, contacts;

@@ -67,7 +67,8 @@ class AskedParts {
 // alone: the statement is not one of those that tell what is said of all pairs.
 enum class Stated : std::uint8_t { no, told, alone };
 
-// Of these pairs, those that are stated as meshes (clearance_claims.h). least(i, j): of members; 0: nothing is asked.
+// The asked pairs that are stated as meshes (clearance_claims.h). least(i, j) is the margin of two members; where it is
+// 0, nothing is asked about them.
 template <class Least>
 std::vector<TwoParts> closer_as_meshes(const AskedParts& parts, std::span<const Body> bodies, const Least& least) {
   std::vector<TwoParts> stated, others;

@@ -93,7 +93,7 @@ AllPairs all_pairs(const Answer& answer, const Question& question, const Numbers
   }
   for (const PartPair& pair : answer.pairs) {
     const std::array<std::uint32_t, 2> members{first[pair.body_a] + pair.part_a, first[pair.body_b] + pair.part_b};
-    // A pair that two statements are about is told by that about bodies, if none of the two stands for a mesh.
+    // Two statements may be about one pair. If neither part stands for a mesh, the statement about bodies decides.
     const auto as_meshes = told.is_told(TwoParts::of(pair));
     const bool is_of_bodies = !pair.meshes && !result.as_meshes[members[0]] && !result.as_meshes[members[1]];
     const bool is_alone = as_meshes == false && !is_of_bodies;

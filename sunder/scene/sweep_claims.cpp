@@ -62,7 +62,7 @@ class PlacedMeshes {
  public:
   PlacedMeshes(ClaimsWriter& file, const SaidOfScene& said) : claims_(file), said_(said) {}
 
-  // Of a part with a radius nothing: it is one of the bodies.
+  // A part with a radius is a body of the file, and no mesh.
   void add(std::size_t placement, const Body& placed, std::uint32_t body, std::uint32_t part) {
     const solid::Mesh* const mesh = mesh_of(placed.parts[part]);
     if (mesh == nullptr) return;
@@ -89,7 +89,7 @@ class PlacedMeshes {
   std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, std::uint32_t> placed_;  // by placement, too
 };
 
-// Of a pair from one placement to the next, what is stated as meshes.
+// What is stated of two meshes, from one placement to the next.
 class StatedAsMeshes {
  public:
   StatedAsMeshes(PlacedMeshes& meshes, std::size_t step, const SweptStep& at, const SweptPair& pair)

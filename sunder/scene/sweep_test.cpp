@@ -215,7 +215,7 @@ TEST(SceneSweep, IsWhatEachPairAloneIs) {
   }
 }
 
-// Of four boxes around a hole, of a square of size 4; perhaps with a face less.
+// Four boxes around a hole make a square frame of size 4. One face may be left out.
 Part frame(bool is_open) {
   tests::Soup soup;
   soup.add_box({-2, -2, 0}, {4, 1, 1}, true, is_open);
@@ -250,7 +250,7 @@ TEST(SceneSweep, AsksAboutMeshesAsTheyAre) {
   EXPECT_TRUE(answer.pairs[0].is_of_meshes());
   EXPECT_EQ(std::get<MeshesMeetOnTheWay>(answer.pairs[0].evidence).point.x, 1);
   EXPECT_EQ(listed(meeting_on_the_way(end, begin)), "0-1@0.");
-  // What is open at a face is told; a ball is asked about with the hull.
+  // The answer counts frames that are open at a face. A ball is compared with the hull.
   begin[0] = end[0] = {"frame", {frame(true)}};
   begin[1].parts[0].pose = shift(-0.5, -0.5, -4), end[1].parts[0].pose = shift(-0.5, -0.5, 4);
   answer = meeting_on_the_way(begin, end);

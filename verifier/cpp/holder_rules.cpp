@@ -21,7 +21,6 @@ HalfSpace through(const Integers& point, Integers normal) {
   return {std::move(normal), std::move(level)};
 }
 
-Integers way(const Integers& from, const Integers& to) { return {to[0] - from[0], to[1] - from[1], to[2] - from[2]}; }
 Integers negative(const Integers& v) { return {-v[0], -v[1], -v[2]}; }
 
 // Half-spaces whose common part is a point, a triangle or a tetrahedron.
@@ -36,17 +35,17 @@ std::vector<HalfSpace> half_spaces_of(const std::vector<Integers>& corners, cons
       }
     }
   } else if (corners.size() == 3) {
-    const Integers normal = cross(way(corners[0], corners[1]), way(corners[0], corners[2]));
+    const Integers normal = cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]));
     require(!all_zero(normal), "around", "three points of " + name + " are on one line");
     for (const Integers& one : {normal, negative(normal)}) result.push_back(through(corners[0], one));
     for (std::size_t k = 0; k < 3; ++k) {
-      result.push_back(through(corners[k], cross(normal, way(corners[k], corners[after(k, 3)]))));
+      result.push_back(through(corners[k], cross(normal, minus(corners[after(k, 3)], corners[k]))));
     }
   } else {
     for (std::size_t k = 0; k < 4; ++k) {
       const Integers &p = corners[k == 0 ? 1 : 0], &q = corners[k <= 1 ? 2 : 1], &r = corners[k <= 2 ? 3 : 2];
-      const Integers normal = cross(way(p, q), way(p, r));
-      const int side = dot(normal, way(p, corners[k])).sign();
+      const Integers normal = cross(minus(q, p), minus(r, p));
+      const int side = dot(normal, minus(corners[k], p)).sign();
       require(side != 0, "around", "four points of " + name + " are in one plane");
       result.push_back(through(p, side > 0 ? normal : negative(normal)));
     }

@@ -275,7 +275,7 @@ class ThreeMfParser {
     add_object(target, *object->second, name, compose(outer, frame_of(model, element)), depth);
   }
 
-  // Where the production extension names another model of the package.
+  // The other model of the package that the production extension names, if it names one.
   PackageModel& model_of_path(PackageModel& model, const XMLElement& element) {
     for (const tinyxml2::XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
       const std::string_view name = a->Name();

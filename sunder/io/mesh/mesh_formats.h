@@ -88,9 +88,9 @@ bool is_3mf(std::string_view bytes);
 // 3MF, of its core specification (1.4): a ZIP archive whose _rels/.rels names a model in XML. The mesh is what its build
 // items make together: each object with a mesh that they name, by components or not, is a part, with its name, else
 // that of the object above it.
-// Coordinates are in millimetres, which is the format's unit where it names none; so nothing is rounded there, and files
-// of different units may be asked about together. The unit is told in `format`. Transforms are composed and applied in
-// exact numbers; then each coordinate is rounded once, to the nearest double, and how many are rounded is a remark. A
+// Coordinates are in millimetres, which is the format's unit where it names none; so nothing is rounded there, and one
+// question may be about files of different units. `format` names the unit of the file. Transforms are composed and
+// applied in exact numbers; then each coordinate is rounded once, to the nearest double. A remark says how many are. A
 // triangle that a transform turns over, by a negative determinant, is turned back. What no triangle names of <vertices>
 // is no part of the mesh, and neither are objects that no item names.
 // Read, too: other models of the package that the root's items and components name (production extension).

@@ -119,7 +119,8 @@ struct SureSides {
   bool is_above(std::size_t k) const { return (above >> k & 1) != 0; }
 };
 
-// Of three corners, of which some are above and some below: the one that is alone.
+// The one of three corners that is alone on its side of the plane. Requires that none is on the plane, and that they
+// are not all on one side.
 std::size_t lone_corner(const SureSides& sides) {
   return static_cast<std::size_t>(std::countr_zero(std::has_single_bit(sides.above) ? sides.above : sides.below));
 }

@@ -16,8 +16,8 @@ namespace {
 
 Sign times(Sign s, Sign t) { return s == Sign::negative ? -t : s == Sign::zero ? s : t; }
 
-// Of those that stand around it, each in the place of one corner, none is on the other side. False where all corners are
-// on a line, or in a plane.
+// The point takes the place of each corner in turn: no tetrahedron that is made so is turned the other way round. False
+// where the four corners are in one plane.
 bool is_in_tetrahedron(const std::array<Point3, 4>& corners, const Point3& p) {
   const auto side = [](const std::array<Point3, 4>& c) { return orient_3d(c[0], c[1], c[2], c[3]); };
   const Sign whole = side(corners);

@@ -28,7 +28,7 @@ std::int64_t determinant(const Whole& o, const Whole& p, const Whole& q, const W
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-// Of a flat holder the fourth corner is beside its plane: then the point is in the tetrahedron, in the facet across from it.
+// A flat holder gets a fourth corner beside its plane. The point must then be in the facet across from that corner.
 void expect_held(const Mesh& mesh, const ConvexPolyhedron& body, const MeshHolders& found, const Point3& beside) {
   ASSERT_EQ(found.held.size(), mesh.points().size());
   for (std::size_t k = 0; k < found.held.size(); ++k) {

@@ -6,20 +6,9 @@ from fractions import Fraction
 
 import files
 from files import FORCED, MUTANT, Twins, dice_of, hexadecimal, lacking, main
+from test_hulls import cross, dot, minus
 
 QUESTION = "mesh_crossing"
-
-
-def minus(p, q):
-    return [x - y for x, y in zip(p, q)]
-
-
-def cross(u, v):
-    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
-
-
-def dot(u, v):
-    return sum(x * y for x, y in zip(u, v))
 
 
 def normal(t):
