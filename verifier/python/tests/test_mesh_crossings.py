@@ -154,6 +154,25 @@ class MeshCrossings(unittest.TestCase):
             self.assertEqual(look([[0, 2, 3], [1, 4, 4]], 0, [1, 0], [list(way)]), "no_crossings")
         twins.compare()
 
+    def test_touching_and_nested(self):
+        """A corner on a triangle of others, along a direction that shows no gap; one triangle in the angle of another one."""
+        twins = Twins(self)
+
+        def look(points, triangles, cuts, directions):
+            return twins.look(files.file_of({"meshes": [{
+                "name": "a", "points": [[hexadecimal(x) for x in p] for p in points], "triangles": triangles}]}, {
+                    "question": QUESTION, "a": 0, "verdict": "none",
+                    "claims": [{"claim": "no_crossings", "cuts": cuts, "directions": directions}]}))
+        large = [(0, 0, 0), (4, 0, 0), (0, 4, 0)]
+        for lift, found in (0, "no_crossings"), (1, "accepted"):
+            above = [(1, 1, lift), (1, 1, 2), (2, 1, 2)]
+            self.assertEqual(look(large + above, [[0, 1, 2], [3, 4, 5]], [1, 0], [["0", "0", "1"]]), found)
+        for z, found in (0, "no_crossings"), (1, "accepted"):
+            points = large + [(2, 1, z), (1, 2, z)]
+            for triangles in itertools.permutations(([0, 1, 2], [0, 3, 4])):
+                self.assertEqual(look(points, [*triangles], [1], []), found)
+        twins.compare()
+
 
 if __name__ == "__main__":
     main()
