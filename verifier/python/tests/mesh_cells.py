@@ -67,24 +67,16 @@ class Given:
         return together([x / self.step - s for x, s in zip(p, self.shift)], self.cells)
 
 
-def cover(a, b, dice, square=0):
-    """The walk, where each pair of triangles that are apart is so along an axis, which it is of sides of cells; or that far
-    apart, squared, along the way between the boxes around both parts."""
-    cuts, directions, places = [], [], (a.places(), b.places())
-
-    def part(of, first, end):
-        return [places[of][corner] for t in (a, b)[of].triangles[first:end] for corner in t]
-
-    pairs = [((0, len(a.triangles)), (0, len(b.triangles)))]
+def walk(a, b, found, dice):
+    """Cuts and directions down the pairs of parts of two meshes; found(part of A, part of B): the directions that part them.
+    None where two triangles have none."""
+    cuts, directions, pairs = [], [], [((0, len(a.triangles)), (0, len(b.triangles)))]
     while pairs:
         of_a, of_b = pairs.pop()
-        corners = part(0, *of_a), part(1, *of_b)
-        gaps = [box_gap([p[c] for p in corners[0]], [p[c] for p in corners[1]]) for c in range(3)]
-        axes = [[(g > 0) - (g < 0) if k == c else 0 for k in range(3)] for c, g in enumerate(gaps) if g and g * g >= square]
-        found = axes or ([gaps] if square and sum(g * g for g in gaps) >= square else [])
-        if found:
+        ways = found(of_a, of_b)
+        if ways:
             cuts.append(0)
-            directions.append(told_point(dice.choice(found)))
+            directions.append(told_point(dice.choice(ways)))
             continue
         sizes = of_a[1] - of_a[0], of_b[1] - of_b[0]
         if max(sizes) == 1:
@@ -96,6 +88,22 @@ def cover(a, b, dice, square=0):
         for half in (middle, end), (first, middle):
             pairs.append((of_a, half) if which else (half, of_b))
     return cuts, directions
+
+
+def cover(a, b, dice, square=0):
+    """The walk, where each pair of triangles that are apart is so along an axis, which it is of sides of cells; or that far
+    apart, squared, along the way between the boxes around both parts."""
+    places = a.places(), b.places()
+
+    def part(of, first, end):
+        return [places[of][corner] for t in (a, b)[of].triangles[first:end] for corner in t]
+
+    def found(of_a, of_b):
+        corners = part(0, *of_a), part(1, *of_b)
+        gaps = [box_gap([p[c] for p in corners[0]], [p[c] for p in corners[1]]) for c in range(3)]
+        axes = [[(g > 0) - (g < 0) if k == c else 0 for k in range(3)] for c, g in enumerate(gaps) if g and g * g >= square]
+        return axes or ([gaps] if square and sum(g * g for g in gaps) >= square else [])
+    return walk(a, b, found, dice)
 
 
 def box_gap(of_a, of_b):

@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import files
 from files import MUTANT, Twins, dice_of, fraction, hexadecimal, lacking, some
-from mesh_cells import direction, inside, pieces, some_pair, told_point
+from mesh_cells import direction, inside, pieces, some_pair, told_point, walk
 from test_mesh_distances import on_surface, sizes_of
 
 AXES = [[int(a == b) for b in range(3)] for a in range(3)]
@@ -30,7 +30,7 @@ def first_contact(a, b, way):
 def cover_on_the_way(a, b, way, time, dice):
     """The walk, where each pair of triangles is parted along an axis, or across one and the way; at the beginning, and, where
     a time is given, weakly then, else at the end. None where one is not."""
-    cuts, directions, places = [], [], (a.places(), b.places())
+    places = a.places(), b.places()
     across = [[e[1] * way[2] - e[2] * way[1], e[2] * way[0] - e[0] * way[2], e[0] * way[1] - e[1] * way[0]] for e in AXES]
     tried = [[sign * x for x in d] for d in AXES + [d for d in across if any(d)] for sign in (1, -1)]
 
@@ -45,25 +45,7 @@ def cover_on_the_way(a, b, way, time, dice):
             gap = min(begins[slice(*of_b)]) - max(ends[slice(*of_a)])
             if gap > 0 and (gap + far > 0 or time is not None and gap + far == 0):
                 yield d
-
-    pairs = [((0, len(a.triangles)), (0, len(b.triangles)))]
-    while pairs:
-        of_a, of_b = pairs.pop()
-        found = [*parts(of_a, of_b)]
-        if found:
-            cuts.append(0)
-            directions.append(told_point(dice.choice(found)))
-            continue
-        sizes = of_a[1] - of_a[0], of_b[1] - of_b[0]
-        if max(sizes) == 1:
-            return None
-        which = sizes[1] > sizes[0]
-        first, end = (of_a, of_b)[which]
-        middle = dice.randint(first + 1, end - 1)
-        cuts.append(-middle if which else middle)
-        for half in (middle, end), (first, middle):
-            pairs.append((of_a, half) if which else (half, of_b))
-    return cuts, directions
+    return walk(a, b, lambda *those: [*parts(*those)], dice)
 
 
 def tables_of_motion(a, b, way_a, way_b):
