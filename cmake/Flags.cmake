@@ -20,7 +20,7 @@ function(sunder_own_code target)
     $<$<BOOL:${SUNDER_WARNINGS_AS_ERRORS}>:-Werror> $<$<CONFIG:Release>:${ARGN}>)
 endfunction()
 
-# Large headers of others that our own code sees, compiled once. What a source needs it includes all the same:
+# Large headers that our own code sees, compiled once. What a source needs it includes all the same:
 # ./do soak builds without, and every header is compiled alone by ./do check.
 function(sunder_precompile target)
   if(SUNDER_PRECOMPILED_HEADERS)  # never in a consumer's build

@@ -84,11 +84,20 @@ void GeojsonFile::close() {
   file_.commit();
 }
 
-std::string quoted_json(std::string_view text) {
+void add_quoted_json(std::string& to, std::string_view text) {
   const bool is_plain =
       std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c < 127 && c != '"' && c != '\\'; });
-  if (is_plain) return fmt::format("\"{}\"", text);
-  return json_string(text);
+  if (is_plain) {
+    (to += '"').append(text) += '"';
+  } else {
+    to += json_string(text);
+  }
+}
+
+std::string quoted_json(std::string_view text) {
+  std::string quoted;
+  add_quoted_json(quoted, text);
+  return quoted;
 }
 
 }  // namespace sunder::ask

@@ -69,5 +69,6 @@ class GeojsonFile {
 
 // As in JSON: in quotes; bytes that are no UTF-8 become U+FFFD.
 std::string quoted_json(std::string_view text);
+void add_quoted_json(std::string& to, std::string_view text);
 
 }  // namespace sunder::ask

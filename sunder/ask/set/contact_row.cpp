@@ -3,6 +3,7 @@
 #include <sunder/base/error.h>
 #include <sunder/io/text/text.h>
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,39 +14,71 @@ namespace sunder::ask {
 
 namespace {
 
+// What is written of each of millions of contacts is put together piece by piece.
+
+constexpr std::size_t most_usual = 240;  // characters
+
+void add_whole(std::string& text, std::uint64_t n) {
+  const fmt::format_int digits(n);
+  text.append(digits.data(), digits.size());
+}
+
 // As in reports: a number with a point or an exponent, the shortest that reads back the same.
-std::string number_json(double x) {
-  std::array<char, 32> digits{};
-  std::string text(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
+void add_number(std::string& text, double x) {
+  std::array<char, 32> digits;
+  const std::size_t begin = text.size();
+  text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr);
+  if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
 }
 
-std::string value_text(const ContactProperty& property, std::size_t k) {
-  return value_json({property.values[k], property.is_text});
+void add_value(std::string& text, const std::string& value, bool is_text) {
+  if (is_text) {
+    add_quoted_json(text, value);
+  } else {
+    text += value;
+  }
 }
 
-std::string properties_text(const ContactRow& row, const std::string& point) {
-  std::string text = fmt::format(R"("i": {}, "j": {}, "contact": "{}"{})", row.i, row.j, row.contact, point);
+void add_ends(std::string& text, const ContactRow& row) {
+  text.append(R"("i": )");
+  add_whole(text, row.i);
+  text.append(R"(, "j": )");
+  add_whole(text, row.j);
+  text.append(R"(, "contact": ")").append(row.contact) += '"';
+}
+
+void add_properties(std::string& text, const ContactRow& row) {
   for (const ContactProperty& p : row.properties) {
-    const bool is_one = p.values.size() == 1;
-    text += fmt::format(R"(, "{}": {})", p.key,
-                        is_one ? value_text(p, 0) : fmt::format("[{}, {}]", value_text(p, 0), value_text(p, 1)));
+    text.append(R"(, ")").append(p.key).append(R"(": )");
+    if (p.values.size() == 1) {
+      add_value(text, p.values[0], p.is_text);
+      continue;
+    }
+    add_value(text += '[', p.values[0], p.is_text);
+    add_value(text.append(", "), p.values[1], p.is_text);
+    text += ']';
   }
   for (std::size_t k = 0; k < row.fields.size(); ++k) {
     const auto& [key, values] = row.fields[k];
     text += fmt::format(R"({}{}: [{}, {}]{})", k == 0 ? R"(, "properties": {)" : ", ", quoted_json(key),
                         value_json(values[0]), value_json(values[1]), k + 1 == row.fields.size() ? "}" : "");
   }
-  return text;
 }
 
-std::string position_text(const Point2& p) { return fmt::format("[{},{}]", p.x, p.y); }
+void add_position(std::string& text, const Point2& p) {
+  std::array<char, 64> position;
+  text.append(position.data(), fmt::format_to(position.data(), FMT_COMPILE("[{},{}]"), p.x, p.y));
+}
 
-std::string geometry_text(const ContactRow& row) {
-  if (!row.part) return fmt::format(R"({{"type":"Point","coordinates":{}}})", position_text(row.point));
-  return fmt::format(R"({{"type":"LineString","coordinates":[{},{}]}})", position_text((*row.part)[0]),
-                     position_text((*row.part)[1]));
+void add_geometry(std::string& text, const ContactRow& row) {
+  if (!row.part) {
+    add_position(text.append(R"({"type":"Point","coordinates":)"), row.point);
+  } else {
+    add_position(text.append(R"({"type":"LineString","coordinates":[)"), (*row.part)[0]);
+    add_position(text += ',', (*row.part)[1]);
+    text += ']';
+  }
+  text += '}';
 }
 
 // A field of RFC 4180: in quotes where it needs them.
@@ -89,13 +122,23 @@ void require_different(const std::vector<std::string>& keys) {
 }
 
 std::string report_text(const ContactRow& row) {
-  const std::string point = fmt::format(R"(, "point": [{}, {}])", number_json(row.point.x), number_json(row.point.y));
-  return fmt::format("{{{}}}", properties_text(row, point));
+  std::string text = "{";
+  text.reserve(most_usual);
+  add_ends(text, row);
+  add_number(text.append(R"(, "point": [)"), row.point.x);
+  add_number(text.append(", "), row.point.y);
+  add_properties(text += ']', row);
+  return text += '}';
 }
 
 std::string geojson_text(const ContactRow& row, std::uint64_t number) {
-  return fmt::format(R"({{"type":"Feature","geometry":{},"properties":{{"number": {}, {}}}}})", geometry_text(row),
-                     number, properties_text(row, ""));
+  std::string text = R"({"type":"Feature","geometry":)";
+  text.reserve(most_usual);
+  add_geometry(text, row);
+  add_whole(text.append(R"(,"properties":{"number": )"), number);
+  add_ends(text.append(", "), row);
+  add_properties(text, row);
+  return text.append("}}");
 }
 
 void ContactTable::write_names(const ContactRow& row) {

@@ -13,12 +13,6 @@ def square(v):
     return sum(x * x for x in v)
 
 
-def boxes_of(given):
-    """Around each triangle of a mesh."""
-    places = given.places()
-    return [[[f(places[k][c] for k in t) for f in (min, max)] for c in range(3)] for t in given.triangles]
-
-
 def box_around(boxes):
     return [[min(low for low, _ in side), max(high for _, high in side)] for side in zip(*boxes)]
 

@@ -1,4 +1,5 @@
 """Solids of unit cells as meshes, with what is true of them by their cells."""
+import functools
 import itertools
 import math
 from fractions import Fraction
@@ -35,11 +36,6 @@ def some_cells(dice, size):
     return set(dice.sample(cube, dice.randint(1, max(1, len(cube) // 3))))
 
 
-def together(p, cells):
-    """Is a point in a closed cell of a solid? It is in one or two along each axis."""
-    return any(cell in cells for cell in itertools.product(*({math.floor(x), math.ceil(x) - 1} for x in p)))
-
-
 class Given:
     """A solid of cells, at a place that is a multiple of a power of two, told as a mesh or as the image of one."""
 
@@ -49,9 +45,14 @@ class Given:
         throw = dice.random()  # turned inside out; or some triangles turned, so that only a parity tells
         self.triangles = [t[::-1] if throw < .1 or (throw < .2 and dice.random() < .3) else t for t in self.triangles]
         self.is_image = dice.random() < .5
+        self._places = [[self.step * (x + s) for x, s in zip(p, self.shift)] for p in self.points]
 
     def places(self):
-        return [[self.step * (x + s) for x, s in zip(p, self.shift)] for p in self.points]
+        return self._places
+
+    def triangle_boxes(self):
+        """Around each triangle, for each axis the least and the greatest coordinate."""
+        return [[[f(self._places[k][c] for k in t) for f in (min, max)] for c in range(3)] for t in self.triangles]
 
     def entries(self, base):
         linear = [[0, 0, 1], [1, 0, 0], [0, 1, 0]]  # a turn: x, y, z become z, x, y
@@ -63,8 +64,17 @@ class Given:
         return [mesh, {"name": self.name, "of": base, "linear": [hexadecimal(self.step * n) for row in linear for n in row],
                        "translation": [hexadecimal(self.step * s) for s in self.shift]}]
 
+    def layers(self, c, x):
+        """The one or two layers of cells across an axis that a coordinate is in."""
+        x = x / self.step - self.shift[c]
+        return {math.floor(x), math.ceil(x) - 1}
+
+    def is_in_layers(self, layers):
+        return any(cell in self.cells for cell in itertools.product(*layers))
+
     def is_in(self, p):
-        return together([x / self.step - s for x, s in zip(p, self.shift)], self.cells)
+        """Is a point in a closed cell?"""
+        return self.is_in_layers([self.layers(c, x) for c, x in enumerate(p)])
 
 
 def walk(a, b, found, dice):
@@ -93,22 +103,26 @@ def walk(a, b, found, dice):
 def cover(a, b, dice, square=0):
     """The walk, where each pair of triangles that are apart is so along an axis, which it is of sides of cells; or that far
     apart, squared, along the way between the boxes around both parts."""
-    places = a.places(), b.places()
+    boxes = a.triangle_boxes(), b.triangle_boxes()
+    unit = math.lcm(*(x.denominator for those in boxes for box in those for side in box for x in side))
+    boxes = [[[[int(x * unit) for x in side] for side in box] for box in those] for those in boxes]
+    square *= unit * unit
 
+    @functools.cache
     def part(of, first, end):
-        return [places[of][corner] for t in (a, b)[of].triangles[first:end] for corner in t]
+        those = boxes[of][first:end]
+        return [[min(box[c][0] for box in those), max(box[c][1] for box in those)] for c in range(3)]
 
     def found(of_a, of_b):
-        corners = part(0, *of_a), part(1, *of_b)
-        gaps = [box_gap([p[c] for p in corners[0]], [p[c] for p in corners[1]]) for c in range(3)]
+        gaps = [box_gap(*sides) for sides in zip(part(0, *of_a), part(1, *of_b))]
         axes = [[(g > 0) - (g < 0) if k == c else 0 for k in range(3)] for c, g in enumerate(gaps) if g and g * g >= square]
         return axes or ([gaps] if square and sum(g * g for g in gaps) >= square else [])
     return walk(a, b, found, dice)
 
 
 def box_gap(of_a, of_b):
-    """From A to B along an axis: how far it is from numbers of the one to those of the other; 0 where they overlap."""
-    return max(min(of_b) - max(of_a), 0) or min(max(of_b) - min(of_a), 0)
+    """From A to B along an axis: how far it is from the one's least to greatest coordinate to the other's; 0 where they overlap."""
+    return max(of_b[0] - of_a[1], 0) or min(of_b[1] - of_a[0], 0)
 
 
 def direction(dice):
@@ -134,23 +148,25 @@ def divided(a, b, dice, most):
     of b; with a point of each, and where it is. None, where there are more boxes than that."""
     marks = [sorted({Fraction(p[c]) for of in (a, b) for p in of.places()}) for c in range(3)]
     marks = [[m[0] - 1, *m, m[-1] + 1] for m in marks]
+    middles = [[(x + y) / 2 for x, y in zip(m, m[1:])] for m in marks]
+    layers = [[[of.layers(c, x) for x in middles[c]] for c in range(3)] for of in (a, b)]
     tree = {"cuts": [], "planes": [], "cells": []}
     truth = []
 
-    def middles(box):
-        spans = [[(x + y) / 2 for x, y in zip(marks[c][i:j], marks[c][i + 1:j + 1])] for c, (i, j) in enumerate(box)]
-        return [*itertools.product(*spans)]
+    @functools.cache
+    def told(spot):
+        return tuple(of.is_in_layers(those[c][k] for c, k in enumerate(spot)) for of, those in zip((a, b), layers))
 
     waiting = [[(0, len(m) - 1) for m in marks]]
     while waiting:
         box = waiting.pop()
         if len(truth) + len(waiting) >= most:
             return None
-        places = middles(box)
-        first = a.is_in(places[0]), b.is_in(places[0])
-        if all((a.is_in(p), b.is_in(p)) == first for p in places):
+        spots = [*itertools.product(*(range(i, j) for i, j in box))]
+        first = told(spots[0])
+        if all(told(spot) == first for spot in spots):
             tree["cuts"].append(0)
-            tree["cells"].append(told_point(dice.choice(places)))
+            tree["cells"].append(told_point(middles[c][k] for c, k in enumerate(dice.choice(spots))))
             truth.append(first)
             continue
         axis = dice.choice([c for c, (i, j) in enumerate(box) if j - i > 1])
@@ -186,10 +202,7 @@ def some_pair(dice):
     a = Given("a", some_cells(dice, size), [dice.randint(-2, 2) for _ in range(3)], dice, step)
     if dice.random() < .4:  # half as large, in a cell of A or in a hole of it
         cell = dice.choice([*a.cells]) if dice.random() < .6 else [dice.randrange(size) for _ in range(3)]
-        b = Given("b", {(0, 0, 0)}, [Fraction(4 * n + 1, 4) + s for n, s in zip(cell, a.shift)], dice, step)
-        b.points = [[Fraction(x, 2) for x in p] for p in b.points]
-        b.is_image = False
-        b.is_in = lambda p: all(s <= x / step <= s + Fraction(1, 2) for x, s in zip(p, b.shift))
+        b = Given("b", {(0, 0, 0)}, [2 * (Fraction(4 * n + 1, 4) + s) for n, s in zip(cell, a.shift)], dice, step / 2)
         return (a, b) if dice.random() < .5 else (b, a)
     if dice.random() < .4:  # the same cells, some of them, or others of the same cube
         cells, cube = a.cells, {*itertools.product(range(size), repeat=3)}

@@ -10,10 +10,6 @@ from mesh_cells import box_gap, cover, direction, inside, pieces, some_pair, tab
 
 def sizes_of(given):
     """The boxes of its cells."""
-    low = [min(p[c] for p in given.points) for c in range(3)]
-    if low != [min(cell[c] for cell in given.cells) for c in range(3)] or any(x.denominator > 1 for p in given.points for x in map(Fraction, p)):
-        places = given.places()  # half a cell
-        return [[[min(p[c] for p in places), max(p[c] for p in places)] for c in range(3)]]
     return [[[given.step * (x + s), given.step * (x + s + 1)] for x, s in zip(cell, given.shift)] for cell in given.cells]
 
 

@@ -13,6 +13,12 @@ def statement(verdict, a, b, *claims, **says):
     return {"question": "meshes", "a": a, "b": b, "verdict": verdict, **says, "claims": list(claims)}
 
 
+def wanted():
+    """The verdicts of which too few have been tried, or none has been accepted yet."""
+    return [verdict for verdict in files.QUESTIONS["meshes"][-1]
+            if verdict in lacking(FORCED, "meshes") or not files.TRIED["accepted"]["meshes", verdict]]
+
+
 class MeshPairs(unittest.TestCase):
     def setUp(self):
         self.dice, self.twins = dice_of(4001), Twins(self)
@@ -27,21 +33,19 @@ class MeshPairs(unittest.TestCase):
 
     def test_apart_and_within(self):
         dice = self.dice
-        while lacking(FORCED, "meshes"):
+        while still := wanted():
             a, b = some_pair(self.dice)
             tables, i, j = tables_of(a, b)
-            still = {*lacking(FORCED, "meshes")}
-            found = cover(a, b, dice) if still & {"apart", "a_inside_b", "b_inside_a"} else None
-            if found:
+            found = cover(a, b, dice) if {*still} & {"apart", "a_inside_b", "b_inside_a"} else None
+            if found and "apart" in still:
                 self.ask_apart(tables, i, j, a, b, found)
+            if found and {*still} & {"a_inside_b", "b_inside_a"}:
                 self.ask_nested(tables, i, j, a, b, found)
-            if still & {"meet", "overlapping", "a_within", "b_within"}:
+            if {*still} & {"meet", "overlapping", "a_within", "b_within"}:
                 self.ask_points(tables, i, j, a, b)
-            if still & {"touching", "a_part_of_b", "b_part_of_a", "equal"}:
+            if {*still} & {"touching", "a_part_of_b", "b_part_of_a", "equal"}:
                 self.ask_relations(tables, i, j, a, b)
         self.twins.compare()
-        for verdict in files.QUESTIONS["meshes"][-1]:
-            self.assertGreater(files.TRIED["accepted"]["meshes", verdict], 0)
 
     def ask_apart(self, tables, i, j, a, b, found):
         dice = self.dice
@@ -120,7 +124,8 @@ class MeshPairs(unittest.TestCase):
                 "a_part_of_b": ("part_of", not any(x and not y for x, y in truth)),
                 "b_part_of_a": ("part_of", not any(y and not x for x, y in truth)),
                 "equal": ("equal_insides", all(x == y for x, y in truth))}
-        for verdict, (rule, is_true) in told.items():
+        for verdict in [verdict for verdict in wanted() if verdict in told]:
+            rule, is_true = told[verdict]
             needed = [{"touching": [not x, not y and x], "a_part_of_b": [not x, x], "b_part_of_a": [y, not y],
                        "equal": [True, True]}[verdict] for x, y in truth]
 
