@@ -459,7 +459,7 @@ TEST(PolyhedronPolyhedronTest, FiltersDecideAtEveryScale) {
 // weights are dropped.
 TEST(PolyhedronPolyhedronTest, EvidenceHoldsNearContact) {
   tests::SolidPairs pairs(tests::chosen_seed(113));
-  const int count = tests::scaled_count(1000, 400);
+  const int count = tests::scaled_count(1000, 200);
   const auto shares = [&](tests::Family family) {
     std::array<double, 3> share{};
     for (int i = 0; i < count; ++i) {

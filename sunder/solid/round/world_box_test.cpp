@@ -3,6 +3,8 @@
 #include <sunder/predicate/point/orient.h>
 #include <sunder/solid/round/world_box.h>
 
+#include <tests/support/scale.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -109,7 +111,8 @@ TEST(WorldBox, CertificatesHold) {
   Random random(2);
   int parted = 0, near_miss = 0;
   std::array<int, 6> directions{};
-  for (int round = 0; round < 4000; ++round) {
+  const int count = tests::scaled_count(4000, 1000);
+  for (int round = 0; round < count; ++round) {
     const ConvexPolyhedron body_a = random_body(random, 1, 12), body_b = random_body(random, 1, 12);
     const Pose pose_a = random_pose(random, 3), pose_b = random_pose(random, 3);
     const Placed a(body_a, pose_a), b(body_b, pose_b);
@@ -127,9 +130,9 @@ TEST(WorldBox, CertificatesHold) {
     const Point3& d = certificate->direction.given;
     ++directions[d.x > 0 ? 0 : d.x < 0 ? 1 : d.y > 0 ? 2 : d.y < 0 ? 3 : d.z > 0 ? 4 : 5];
   }
-  EXPECT_GT(parted, 1000);
-  EXPECT_GT(near_miss, 500);
-  for (const int count : directions) EXPECT_GT(count, 50);
+  EXPECT_GT(parted, count / 4);
+  EXPECT_GT(near_miss, count / 8);
+  for (const int along : directions) EXPECT_GT(along, count / 80);
 }
 
 // Vertices are named of two polyhedra alone: of another body they are of its core, and not where it ends.
