@@ -8,11 +8,36 @@
 #include <cstdlib>
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace sunder_verifier {
+
+namespace {
+
+// Of the triangles of a part, each once. Many of them are marked, few are sorted: marks are as many as the mesh has points.
+Indices corners_of(const MeshBody& mesh, const Part& part) {
+  const std::span<const MeshTriangle> triangles(mesh.pieces->triangles.data() + part.first, part.end - part.first);
+  Indices corners;
+  if (16 * triangles.size() >= mesh.rows().size()) {
+    std::vector<bool> is_known(mesh.rows().size());
+    for (const MeshTriangle& triangle : triangles) {
+      for (const std::size_t k : triangle) {
+        if (!is_known[k]) corners.push_back(k);
+        is_known[k] = true;
+      }
+    }
+    return corners;
+  }
+  for (const MeshTriangle& triangle : triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+}  // namespace
 
 Extent extent(const MeshBody& mesh, Integers direction, const Part& part) {
   std::int64_t turned = mesh.given->e, e = turned;
@@ -25,12 +50,7 @@ Extent extent(const MeshBody& mesh, Integers direction, const Part& part) {
     direction = transposed_times(mesh.linear, direction);
   }
   take_steps(3 * (part.end - part.first), bits(direction), mesh.given->bits);
-  Indices corners;
-  for (std::size_t t = part.first; t < part.end; ++t) {
-    corners.insert(corners.end(), mesh.pieces->triangles[t].begin(), mesh.pieces->triangles[t].end());
-  }
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  const Indices corners = corners_of(mesh, part);
   Integer least = dot(direction, mesh.rows()[corners.front()]), greatest = least;
   for (const std::size_t k : corners) {
     const Integer product = dot(direction, mesh.rows()[k]);

@@ -206,9 +206,14 @@ MeshBody read_mesh(const Json& item, const std::vector<MeshBody>& meshes, const 
     mesh.given = std::make_shared<const Scaled>(rows_of(read_lists(rows, 3, where + " row"), 3));
     mesh.base = meshes.size();
     mesh.count = mesh.rows().size();
-    std::vector<Integers> sorted = mesh.rows();
-    std::sort(sorted.begin(), sorted.end());
-    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+    std::vector<const Integers*> sorted;
+    for (const Integers& row : mesh.rows()) sorted.push_back(&row);
+    std::sort(sorted.begin(), sorted.end(), [](const Integers* p, const Integers* q) {
+      const auto [x, y] = std::mismatch(p->begin(), p->end(), q->begin());
+      return x != p->end() && *x < *y;
+    });
+    const auto are_equal = [](const Integers* p, const Integers* q) { return *p == *q; };
+    if (std::adjacent_find(sorted.begin(), sorted.end(), are_equal) != sorted.end()) {
       refuse_form(where + " has two points that are equal");
     }
     std::vector<MeshTriangle> triangles;
