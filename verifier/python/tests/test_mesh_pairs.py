@@ -366,6 +366,57 @@ class Covers(unittest.TestCase):
         self.covered("F", (double, mesh("b", box([3, 0, 0], 1))), [0], [["1", "0", "0"]])
 
 
+class Trees(unittest.TestCase):
+    """Trees of planes, each with one thing wrong."""
+    RAY = ["17", "29", "41"]
+
+    def touching(self, wanted, tree, a, b, corner):
+        """A tree is a plane with what is above and below it, or a cell: its point, and the meshes shown not to be there."""
+        claim = {"claim": "insides_apart", "cuts": [], "planes": [], "cells": [], "rays_first": [], "rays_second": []}
+
+        def tell(node):
+            claim["cuts"].append(len(node) - 2)
+            if len(node) == 3:
+                claim["planes"].append([fraction(Fraction(x)) for x in node[0]])
+                tell(node[1])
+                tell(node[2])
+                return
+            for key in node[1]:
+                claim[key].append([len(claim["cells"]), self.RAY])
+            claim["cells"].append(told_point(node[0]))
+        tell(tree)
+        on = [{"claim": "on_triangle", "triangle": next(n for n, t in enumerate(of["triangles"]) if k in t), "weights": [[k, "1"]]}
+              for of in (a, b) for k in [of["points"].index([hexadecimal(Fraction(x)) for x in corner])]]
+        twins = Twins(self)
+        said = statement("touching", 0, 1, *on, claim, point=told_point(corner))
+        self.assertEqual(twins.look(files.file_of({"meshes": [a, b]}, said)), wanted, said)
+        twins.compare()
+
+    def test_points_of_cells(self):
+        """Two boxes that touch; the point of a cell is strictly within it."""
+        a, b, half = mesh("a", box([0, 0, 0], 1)), mesh("b", box([1, 0, 0], 1)), Fraction(1, 2)
+        for x, wanted in ((2, "accepted"), (1, "insides_apart"), (half, "insides_apart")):
+            above, below = ([x, 5, half], ["rays_first"]), ([half, half, half], ["rays_second"])
+            self.touching(wanted, ([1, 0, 0, 1], above, below), a, b, [1, 0, 0])
+            self.touching(wanted, ([-1, 0, 0, -1], below, above), a, b, [1, 0, 0])
+
+    def test_a_corner_on_a_plane_belongs_to_both_sides(self):
+        """A plane goes through a corner of triangles and cuts them. Beside it, under the top of A, is a box of B; another
+        one touches A, so that nothing but the top of A refuses the tree."""
+        b = mesh("b", box([-1, 0, 0], 1), box([Fraction(1, 2), Fraction(11, 8), Fraction(5, 4)], Fraction(1, 16)))
+        for top, wanted in ((2, "insides_apart"), (Fraction(1, 4), "accepted")):
+            a = mesh("a", ([[x, y, top if z else 0] for x in (0, 2) for y in (0, 2) for z in (0, 1)], box([0, 0, 0], 2)[1]))
+            for way in 1, -1:
+                around = ([0, -1, 0, Fraction(-19, 10)], ([Fraction(1, 2), Fraction(3, 2), 3], ["rays_first"]),
+                          ([Fraction(1, 2), 3, 3], ["rays_second"]))
+                beside = ([1, 0, 0, Fraction(1, 4)], ([0, 0, 1, 1], around, ([Fraction(1, 2), Fraction(3, 2), Fraction(1, 2)], ["rays_second"])),
+                          ([Fraction(1, 8), 1, Fraction(1, 2)], ["rays_second"]))
+                rest = [1, 1, 1], ["rays_second"]
+                halves = (beside, rest) if way > 0 else (rest, beside)
+                tree = ([1, 0, 0, 0], ([-2 * way, way, 0, 0], *halves), ([Fraction(-1, 2), 5, Fraction(1, 2)], ["rays_first"]))
+                self.touching(wanted, tree, a, b, [0, 0, 0])
+
+
 class Pieces(unittest.TestCase):
     """Which triangles bound an inside, as sentences tell."""
 
