@@ -51,6 +51,8 @@ try:
 except ImportError:
     trueform = None
 
+# Of a tetrahedron of positive volume whose face of the corners 0, 1 and 3 has a dent down to a fifth point.
+TRIANGLES = [[0, 2, 1], [1, 2, 3], [2, 0, 3], [0, 1, 4], [1, 3, 4], [3, 0, 4]]
 GROUPS = ("touching", "a bit apart", "a bit in", "turned", "1e-7 apart", "inside")
 
 
@@ -69,11 +71,6 @@ def minus(p, q):
 def volume(p, q, r, s):
     """Six times that of a tetrahedron; its sign tells on which side of the first three points the fourth is."""
     return dot(cross(minus(q, p), minus(r, p)), minus(s, p))
-
-
-def dented(corners):
-    """The triangles of a tetrahedron p, q, r, s of positive volume whose face p, q, s has a dent down to a fifth point."""
-    return [[0, 2, 1], [1, 2, 3], [2, 0, 3], [0, 1, 4], [1, 3, 4], [3, 0, 4]]
 
 
 def some_tetrahedron(dice, size):
@@ -172,8 +169,6 @@ def some_pair(group, dice):
 
 
 # ---- Those who are asked.
-
-TRIANGLES = dented(None)
 
 
 def by_sunder(pair):
