@@ -487,13 +487,11 @@ part_lint() {
 }
 
 part_sanitize() {
-  configure asan-ubsan "clang++-$clang" || return 1
-  build asan-ubsan || return 1
-  # Counts of probes are the same there: those tests are left out.
-  # Smaller fake stacks, and less kept of where memory came from: each call of the program begins sooner.
+  { configure asan-ubsan "clang++-$clang" && build asan-ubsan; } || return 1
+  # Counts of probes are the same there: left out. Smaller fake stacks, shorter allocation stacks: calls begin sooner.
   SUNDER_TEST_SCALE=${SUNDER_TEST_SCALE:-0.02} GTEST_FILTER='-*Complexity*:*Grow*As*' UBSAN_OPTIONS=print_stacktrace=1 \
-    ASAN_OPTIONS=max_uar_stack_size_log=16:malloc_context_size=4 \
-    run_tests asan-ubsan sanitize --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
+    ASAN_OPTIONS=max_uar_stack_size_log=16:malloc_context_size=4 run_tests asan-ubsan sanitize \
+    --label-regex '^(unit|tests|example)$' --label-exclude '^slow$'
 }
 
 # fuzz_one PROGRAM OPTION... FOLDER...: with the options that are its own, and those that all have.
