@@ -131,9 +131,10 @@ class MeshBodies(unittest.TestCase):
 
     def test_turned(self):
         """A triangle across a direction, so far before the first point of a body along it, which is of any kind, and turned."""
-        dice, accepted, tries = self.dice, set(), files.some(400)
-        while tries > 0 or accepted != {False, *KINDS}:
-            tries -= 1
+        dice, accepted, wanted = self.dice, set(), files.some(400)
+        for tries in range(wanted + 1000):
+            if tries >= wanted and accepted == {False, *KINDS}:
+                break
             kind, gap, bodies = dice.choice(KINDS), dice.choice((0, 1, Fraction(3, 2))), []
             item, linear = some_kind(dice, kind)
             body, d = placed(item, linear, [0, 1, 2]), times(dice.choice((TURNS[0], linear)), dice.choice(WAYS))
@@ -153,6 +154,7 @@ class MeshBodies(unittest.TestCase):
                 self.assertEqual(found == "accepted", 0 < gap >= least, self.twins.last)
                 accepted.add(found == "accepted" and kind)
         self.twins.compare()
+        self.assertEqual(accepted, {False, *KINDS})
 
     def test_mutants(self):
         while lacking(MUTANT, ALONE) or lacking(MUTANT, FAR):

@@ -33,19 +33,23 @@ class MeshPairs(unittest.TestCase):
 
     def test_apart_and_within(self):
         dice = self.dice
-        while still := wanted():
+        for _ in range(files.some(20000) + 2000):
+            still = {*wanted()}
+            if not still:
+                break
             a, b = some_pair(self.dice)
             tables, i, j = tables_of(a, b)
-            found = cover(a, b, dice) if {*still} & {"apart", "a_inside_b", "b_inside_a"} else None
+            found = cover(a, b, dice) if still & {"apart", "a_inside_b", "b_inside_a"} else None
             if found and "apart" in still:
                 self.ask_apart(tables, i, j, a, b, found)
-            if found and {*still} & {"a_inside_b", "b_inside_a"}:
+            if found and still & {"a_inside_b", "b_inside_a"}:
                 self.ask_nested(tables, i, j, a, b, found)
-            if {*still} & {"meet", "overlapping", "a_within", "b_within"}:
+            if still & {"meet", "overlapping", "a_within", "b_within"}:
                 self.ask_points(tables, i, j, a, b)
-            if {*still} & {"touching", "a_part_of_b", "b_part_of_a", "equal"}:
+            if still & {"touching", "a_part_of_b", "b_part_of_a", "equal"}:
                 self.ask_relations(tables, i, j, a, b)
         self.twins.compare()
+        self.assertEqual(wanted(), [])
 
     def ask_apart(self, tables, i, j, a, b, found):
         dice = self.dice
