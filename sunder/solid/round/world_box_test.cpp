@@ -131,8 +131,9 @@ TEST(WorldBox, CertificatesHold) {
     ++directions[d.x > 0 ? 0 : d.x < 0 ? 1 : d.y > 0 ? 2 : d.y < 0 ? 3 : d.z > 0 ? 4 : 5];
   }
   EXPECT_GT(parted, count / 4);
-  EXPECT_GT(near_miss, count / 16);
-  for (const int along : directions) EXPECT_GT(along, count / 100);
+  const int part = count < 4000 ? 2 : 1;  // shares of a smaller run differ more
+  EXPECT_GT(part * near_miss, count / 8);
+  for (const int along : directions) EXPECT_GT(part * along, count / 80);
 }
 
 // Vertices are named of two polyhedra alone: of another body they are of its core, and not where it ends.
