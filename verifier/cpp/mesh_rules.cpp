@@ -17,7 +17,8 @@ namespace sunder_verifier {
 
 namespace {
 
-// Of the triangles of a part, each once. Many of them are marked, few are sorted: marks are as many as the mesh has points.
+// The corners of a part's triangles, each once. A large part marks the points that it has seen, one mark for each point
+// of the mesh; a small part sorts its corners, so that its cost does not depend on the mesh.
 Indices corners_of(const MeshBody& mesh, const Part& part) {
   const std::span<const MeshTriangle> triangles(mesh.pieces->triangles.data() + part.first, part.end - part.first);
   Indices corners;
