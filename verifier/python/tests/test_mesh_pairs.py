@@ -302,6 +302,17 @@ class Covers(unittest.TestCase):
         self.covered("accepted", (middle, sides), [-12, 0, 0], [left, right], *both[::-1])
         self.covered("covered", (middle, sides), [-12, 0, 0], [right, left], *both[::-1])
 
+    def test_each_corner_of_a_small_part_counts(self):
+        """Of a mesh with many points one triangle, which reaches beyond B along one direction with one corner alone."""
+        corners, far = [[0, 5, 0], [0, 6, 0], [4, 5, 0]], mesh("b", box([3, 0, 0], 1))
+        right, down, ray = ["1", "0", "0"], ["0", "-1", "0"], [[0, ["17", "29", "41"]]]
+        for turn in range(3):
+            many = mesh("a", *(box([-2 * k, 0, 0], 1) for k in range(5)), (corners[turn:] + corners[:turn], [[0, 1, 2]]))
+            for way, wanted in (down, "accepted"), (right, "covered"):
+                self.covered(wanted, (many, far), [60, 0, 0], [right, way], (), ray)
+                back = [[str(-int(x)) for x in d] for d in (right, way)]
+                self.covered(wanted, (far, many), [-60, 0, 0], back, ray, ())
+
     def test_each_piece_is_asked_about(self):
         """Of two boxes of A one is inside of B; and of two in a shell, both are outside."""
         ray = ["17", "29", "41"]
